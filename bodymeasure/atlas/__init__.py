@@ -1,0 +1,19 @@
+"""Atlases of bicubic Bezier patches: what they hold, how patches meet, their tessellation."""
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.axes import Axes
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.seams import EDGES, Edge, EdgeTable, edge_table
+from bodymeasure.atlas.units import Unit, convert_length
+
+__all__ = [
+    "EDGES",
+    "Atlas",
+    "AtlasPoint",
+    "Axes",
+    "Edge",
+    "EdgeTable",
+    "Unit",
+    "convert_length",
+    "edge_table",
+]

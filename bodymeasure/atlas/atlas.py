@@ -1,0 +1,191 @@
+"""The atlas: a body's surface as Bezier patches that share control points."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bodymeasure.atlas.axes import Axes
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.units import Unit
+from bodymeasure.bezier import evaluate
+from bodymeasure.errors import InputError
+
+
+@dataclass(frozen=True, eq=False)
+class Atlas:
+    """A body's surface as bicubic Bezier patches that share control points by index.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 3)
+        Control points, in `unit`.
+    index : array_like of int, shape (patches, 4, 4)
+        Number of each patch's control points; axis 1 runs with u, axis 2 with v. Neighbouring
+        patches that share an edge share its four numbers.
+    unit : Unit or str
+        Unit of the control points.
+    patch_names : sequence of str, optional
+        One unique name a patch; ``patch 0``, ``patch 1``, ... if not given.
+    regions : sequence of str, optional
+        Body region of each patch, for tables; empty strings if not given.
+    landmarks : mapping of str to AtlasPoint
+    axes : Axes
+    name : str
+        What the atlas shows, for titles.
+    provenance : mapping of str to str
+        Where it comes from: source, author, license and the like.
+
+    Raises
+    ------
+    InputError
+        If a shape, a value, a number or a name is not what is said above; the message names it.
+        The geometry is judged by `bodymeasure.check_atlas`.
+    """
+
+    points: NDArray[np.float64]
+    index: NDArray[np.int64]
+    unit: Unit
+    patch_names: tuple[str, ...] = ()
+    regions: tuple[str, ...] = ()
+    landmarks: Mapping[str, AtlasPoint] = field(default_factory=dict)
+    axes: Axes = field(default_factory=Axes)
+    name: str = ""
+    provenance: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        index = _checked_index(self.index)
+        points = _checked_points(self.points, index)
+        set_field = object.__setattr__
+        set_field(self, "points", points)
+        set_field(self, "index", index)
+        set_field(self, "unit", Unit.parse(self.unit))
+        count = len(index)
+        set_field(
+            self, "patch_names", tuple(self.patch_names) or tuple(f"patch {i}" for i in range(count))
+        )
+        set_field(self, "regions", tuple(self.regions) or ("",) * count)
+        set_field(self, "landmarks", dict(self.landmarks))
+        set_field(self, "provenance", dict(self.provenance))
+        _check_names(self)
+
+    @classmethod
+    def from_control_points(cls, control_points: ArrayLike, unit: Unit | str) -> Self:
+        """An atlas of patches that are not joined to one another.
+
+        Parameters
+        ----------
+        control_points : array_like, shape (4, 4, 3) or (patches, 4, 4, 3)
+        unit : Unit or str
+        """
+        nets = np.asarray(control_points, dtype=np.float64)
+        if nets.shape[-3:] != (4, 4, 3) or nets.ndim not in (3, 4):
+            raise InputError(
+                f"control points have shape {nets.shape}; expected (4, 4, 3) or (patches, 4, 4, 3)"
+            )
+        points = nets.reshape(-1, 3)
+        return cls(points, np.arange(len(points)).reshape(-1, 4, 4), Unit.parse(unit))
+
+    def __len__(self) -> int:
+        return len(self.index)
+
+    @cached_property
+    def control_points(self) -> NDArray[np.float64]:
+        """Control points of every patch, shape (patches, 4, 4, 3); read-only."""
+        control_points = self.points[self.index]
+        control_points.flags.writeable = False
+        return control_points
+
+    @cached_property
+    def digest(self) -> str:
+        """SHA-256 of the geometry and its unit, in hexadecimal: equal if all lengths are."""
+        parts = (
+            self.unit.value.encode(),
+            np.ascontiguousarray(self.control_points, dtype="<f8").tobytes(),
+        )
+        return hashlib.sha256(b"\0".join(parts)).hexdigest()
+
+    def patch_number(self, name: str) -> int:
+        """Number of the patch of that name.
+
+        Raises
+        ------
+        InputError
+            If there is none.
+        """
+        try:
+            return self.patch_names.index(name)
+        except ValueError:
+            raise InputError(f"the atlas has no patch named {name!r}") from None
+
+    def position(self, point: AtlasPoint) -> NDArray[np.float64]:
+        """Position of a point of the atlas, shape (3,), in the atlas's unit."""
+        return evaluate(self.control_points[point.patch], (point.u, point.v))
+
+    def converted(self, unit: Unit | str) -> Self:
+        """The same atlas in another unit."""
+        target = Unit.parse(unit)
+        return replace(self, points=self.points * (self.unit.metres / target.metres), unit=target)
+
+
+def _checked_index(index: ArrayLike) -> NDArray[np.int64]:
+    array = np.asarray(index)
+    if array.ndim != 3 or array.shape[1:] != (4, 4) or len(array) == 0:
+        raise InputError(
+            f"the patch index has shape {array.shape}; expected (patches, 4, 4): "
+            "16 control points for each bicubic patch"
+        )
+    if array.dtype.kind not in "iu":
+        raise InputError(f"the patch index holds {array.dtype}; expected whole numbers")
+    array = array.astype(np.int64)
+    array.flags.writeable = False
+    return array
+
+
+def _checked_points(points: ArrayLike, index: NDArray[np.int64]) -> NDArray[np.float64]:
+    array = np.array(points, dtype=np.float64)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise InputError(f"control points have shape {array.shape}; expected (n, 3)")
+    outside = (index < 0) | (index >= len(array))
+    if outside.any():
+        patch = int(np.flatnonzero(outside.any(axis=(1, 2)))[0])
+        number = int(index[patch][outside[patch]][0])
+        raise InputError(
+            f"patch {patch} refers to control point {number}, but the points are numbered "
+            f"0 to {len(array) - 1}"
+        )
+    bad = np.flatnonzero(~np.isfinite(array).all(axis=1))
+    if len(bad):
+        raise InputError(
+            f"control point {bad[0]} is {array[bad[0]].tolist()}; expected finite coordinates "
+            f"({len(bad)} such point{'s' if len(bad) > 1 else ''})"
+        )
+    array.flags.writeable = False
+    return array
+
+
+def _check_names(atlas: Atlas) -> None:
+    for what, names in (("patch names", atlas.patch_names), ("regions", atlas.regions)):
+        if len(names) != len(atlas):
+            raise InputError(f"{len(names)} {what} for {len(atlas)} patches; expected one each")
+    seen: set[str] = set()
+    for name in atlas.patch_names:
+        if name in seen:
+            raise InputError(f"two patches are named {name!r}; patch names must be unique")
+        seen.add(name)
+    for name, point in atlas.landmarks.items():
+        if not 0 <= point.patch < len(atlas):
+            raise InputError(
+                f"landmark {name!r} lies on patch {point.patch}, but the patches are numbered "
+                f"0 to {len(atlas) - 1}"
+            )
+        if not (0.0 <= point.u <= 1.0 and 0.0 <= point.v <= 1.0):
+            raise InputError(
+                f"landmark {name!r} has (u, v) = ({point.u}, {point.v}); expected both in [0, 1]"
+            )

@@ -1,0 +1,73 @@
+"""Edges of patches, and which patches share them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class Edge(NamedTuple):
+    """One side of a patch: its name, and the parameter that is fixed on it.
+
+    The edge runs with the other parameter upwards.
+    """
+
+    name: str
+    fixed_axis: int
+    fixed_value: float
+
+
+EDGES = (
+    Edge("u = 0", 0, 0.0),
+    Edge("u = 1", 0, 1.0),
+    Edge("v = 0", 1, 0.0),
+    Edge("v = 1", 1, 1.0),
+)
+
+
+@dataclass(frozen=True)
+class EdgeTable:
+    """The sides of all patches, grouped into distinct edges.
+
+    Parameters
+    ----------
+    control_index : ndarray of int, shape (patches, 4, 4)
+        The four control point numbers along each side (in the order of `EDGES`), upwards.
+    edge : ndarray of int, shape (patches, 4)
+        Number of the distinct edge that each side lies on.
+    reversed : ndarray of bool, shape (patches, 4)
+        Whether the side runs against its edge.
+    sides : ndarray of int, shape (edges,)
+        How many sides lie on each edge: 1 on a boundary, 2 on a seam, more where the atlas is not
+        a manifold.
+    """
+
+    control_index: NDArray[np.int64]
+    edge: NDArray[np.int64]
+    reversed: NDArray[np.bool_]
+    sides: NDArray[np.int64]
+
+
+def edge_table(index: NDArray[np.int64]) -> EdgeTable:
+    """Group the sides of patches by their four control points, in either direction.
+
+    Parameters
+    ----------
+    index : ndarray of int, shape (patches, 4, 4)
+    """
+    control_index = np.stack([index[:, 0], index[:, 3], index[:, :, 0], index[:, :, 3]], axis=1)
+    rows = control_index.reshape(-1, 4)
+    backwards = rows[:, ::-1]
+    # Lexicographic comparison of each side with its reverse: the first difference decides.
+    difference = rows - backwards
+    first = np.argmax(difference != 0, axis=1)
+    is_reversed = difference[np.arange(len(rows)), first] > 0
+    canonical = np.where(is_reversed[:, None], backwards, rows)
+    _, edge, sides = np.unique(canonical, axis=0, return_inverse=True, return_counts=True)
+    shape = control_index.shape[:2]
+    return EdgeTable(
+        control_index, edge.reshape(shape), is_reversed.reshape(shape), sides.astype(np.int64)
+    )

@@ -1,0 +1,56 @@
+"""Units of length."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Any, TypeVar
+
+import scipy.constants
+
+from bodymeasure.errors import InputError
+
+Length = TypeVar("Length", bound=Any)
+
+
+class Unit(StrEnum):
+    """A unit of length that an atlas or a report may be in."""
+
+    M = "m"
+    CM = "cm"
+    MM = "mm"
+    INCH = "inch"
+
+    @property
+    def metres(self) -> float:
+        """Length of one unit in metres, exact by definition."""
+        return _METRES[self]
+
+    @classmethod
+    def parse(cls, text: str) -> Unit:
+        """The unit of that name.
+
+        Raises
+        ------
+        InputError
+            If there is no such unit; lengths are never guessed.
+        """
+        try:
+            return cls(text)
+        except ValueError:
+            known = ", ".join(unit.value for unit in cls)
+            raise InputError(f"unknown unit {text!r}; expected one of {known}") from None
+
+
+_METRES = {
+    Unit.M: 1.0,
+    Unit.CM: scipy.constants.centi,
+    Unit.MM: scipy.constants.milli,
+    Unit.INCH: scipy.constants.inch,
+}
+
+
+def convert_length(length: Length, source: Unit, target: Unit) -> Length:
+    """A length, or an array of lengths, given in `source`, in `target`."""
+    if source == target:
+        return length
+    return length * (source.metres / target.metres)

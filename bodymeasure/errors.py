@@ -1,0 +1,25 @@
+"""Errors that a user can mend: each message names the culprit, what was expected and the remedy."""
+
+from __future__ import annotations
+
+
+class BodymeasureError(Exception):
+    """Base of all errors that bodymeasure raises on purpose."""
+
+
+class InputError(BodymeasureError, ValueError):
+    """What was given cannot be measured: a bad file, shape, value, unit or name."""
+
+
+class MissingExtraError(BodymeasureError, ImportError):
+    """A feature needs a package that an optional extra installs."""
+
+    def __init__(self, feature: str, package: str, extra: str) -> None:
+        super().__init__(
+            f"{feature} needs the package {package!r}, which is not installed; "
+            f"install it with: pip install 'bodymeasure[{extra}]'"
+        )
+
+
+class ConvergenceError(BodymeasureError, ArithmeticError):
+    """A geodesic has no length that can be trusted, and the caller did not ask for statuses."""

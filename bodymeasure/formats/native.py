@@ -1,0 +1,174 @@
+"""The native format: JSON, extension ``.atlas``, read and written without loss."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Sequence
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from bodymeasure.atlas import Atlas, AtlasPoint, Axes, Unit
+from bodymeasure.errors import InputError
+
+FORMAT = "bodymeasure atlas"
+VERSION = 1
+
+_Row = tuple[int, int, int, int]
+
+
+class _PatchRecord(msgspec.Struct, forbid_unknown_fields=True):
+    name: str
+    points: tuple[_Row, _Row, _Row, _Row]
+    region: str = ""
+
+
+class _LandmarkRecord(msgspec.Struct, forbid_unknown_fields=True):
+    patch: str
+    u: float
+    v: float
+
+
+class _AxesRecord(msgspec.Struct, forbid_unknown_fields=True):
+    up: str
+    front: str
+
+
+class _AtlasRecord(msgspec.Struct, forbid_unknown_fields=True):
+    format: str
+    version: int
+    unit: str
+    axes: _AxesRecord
+    patches: list[_PatchRecord]
+    points: list[tuple[float, float, float]]
+    name: str = ""
+    provenance: dict[str, str] = {}
+    landmarks: dict[str, _LandmarkRecord] = {}
+
+
+class _Header(msgspec.Struct):
+    """What is looked at first, so that another version is not reported as a wrong field."""
+
+    format: str | None = None
+    version: int | None = None
+    unit: Any = None
+
+
+def read(content: bytes, source: str) -> Atlas:
+    """The atlas in a file's content; `source` names the file in errors."""
+    if not content.strip():
+        raise InputError(f"{source}: is empty; expected a {FORMAT} file")
+    try:
+        _check_header(msgspec.json.decode(content, type=_Header), source)
+        record = msgspec.json.decode(content, type=_AtlasRecord)
+    except msgspec.ValidationError as error:
+        raise InputError(
+            f"{source}: {error}; README.md describes the {FORMAT} format"
+        ) from None
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise InputError(f"{source}{_place_of_fault(content, str(error))}") from None
+    try:
+        return _atlas(record)
+    except InputError as error:
+        raise InputError(f"{source}: {error}") from None
+
+
+def write(atlas: Atlas) -> bytes:
+    """An atlas as the content of a file: one patch, landmark or point a line."""
+    patches = [
+        {"name": name, "region": region, "points": points}
+        for name, region, points in zip(
+            atlas.patch_names, atlas.regions, atlas.index.tolist(), strict=True
+        )
+    ]
+    landmarks = [
+        f"{_line(name)}: "
+        + _line({"patch": atlas.patch_names[point.patch], "u": point.u, "v": point.v})
+        for name, point in atlas.landmarks.items()
+    ]
+    members = {
+        "format": _line(FORMAT),
+        "version": _line(VERSION),
+        "name": _line(atlas.name),
+        "unit": _line(atlas.unit.value),
+        "axes": _line({"up": atlas.axes.up, "front": atlas.axes.front}),
+        "provenance": json.dumps(dict(atlas.provenance), ensure_ascii=False, indent=1),
+        "landmarks": _block("{}", landmarks),
+        "patches": _block("[]", [_line(patch) for patch in patches]),
+        "points": _block("[]", [_line(point) for point in atlas.points.tolist()]),
+    }
+    body = ",\n".join(f"{_line(key)}: {value}" for key, value in members.items())
+    return f"{{\n{body}\n}}\n".encode()
+
+
+def _check_header(header: _Header, source: str) -> None:
+    if header.format != FORMAT:
+        raise InputError(
+            f'{source}: is not a {FORMAT} file; expected "format": "{FORMAT}", '
+            f"got {header.format!r}"
+        )
+    if header.version != VERSION:
+        raise InputError(
+            f"{source}: has version {header.version}; this bodymeasure reads version {VERSION}; "
+            "update whichever of the two is older"
+        )
+    if header.unit is None:
+        known = ", ".join(unit.value for unit in Unit)
+        raise InputError(
+            f'{source}: has no unit; add a line such as "unit": "cm" (one of {known})'
+        )
+
+
+def _atlas(record: _AtlasRecord) -> Atlas:
+    names = [patch.name for patch in record.patches]
+    number = {name: i for i, name in enumerate(names)}
+    landmarks = {}
+    for name, place in record.landmarks.items():
+        if place.patch not in number:
+            raise InputError(f"landmark {name!r} lies on patch {place.patch!r}, which is not there")
+        landmarks[name] = AtlasPoint(number[place.patch], place.u, place.v)
+    return Atlas(
+        points=np.array(record.points, dtype=np.float64).reshape(-1, 3),
+        index=np.array([patch.points for patch in record.patches], dtype=np.int64).reshape(-1, 4, 4),
+        unit=Unit.parse(record.unit),
+        patch_names=tuple(names),
+        regions=tuple(patch.region for patch in record.patches),
+        landmarks=landmarks,
+        axes=Axes(record.axes.up, record.axes.front),
+        name=record.name,
+        provenance=record.provenance,
+    )
+
+
+def _place_of_fault(content: bytes, reason: str) -> str:
+    """Line and reason of what is not JSON, to follow the file's name."""
+    try:
+        text = content.decode()
+        json.loads(text)
+    except UnicodeDecodeError:
+        return ": is not text in UTF-8; expected JSON"
+    except json.JSONDecodeError as error:
+        return (
+            f", line {error.lineno}: is not valid JSON ({error.msg}); "
+            "the file may have been cut off or edited by hand"
+        )
+    except RecursionError:
+        return ": is nested too deeply to be an atlas"
+    # The standard library takes NaN and Infinity, which JSON does not have.
+    match = re.search(r"-?\b(NaN|Infinity)\b", text)
+    if match is None:
+        return f": is not valid JSON ({reason})"
+    line = text.count("\n", 0, match.start()) + 1
+    return f", line {line}: {match.group()} is not a number; expected finite coordinates"
+
+
+def _line(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False)
+
+
+def _block(brackets: str, lines: Sequence[str]) -> str:
+    if not lines:
+        return brackets
+    return brackets[0] + "\n" + ",\n".join(lines) + "\n" + brackets[1]

@@ -1,0 +1,1 @@
+"""Sample atlases; `bodymeasure.load_sample` reads them."""
