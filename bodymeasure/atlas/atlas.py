@@ -68,7 +68,9 @@ class Atlas:
         set_field(self, "unit", Unit.parse(self.unit))
         count = len(index)
         set_field(
-            self, "patch_names", tuple(self.patch_names) or tuple(f"patch {i}" for i in range(count))
+            self,
+            "patch_names",
+            tuple(self.patch_names) or tuple(f"patch {i}" for i in range(count)),
         )
         set_field(self, "regions", tuple(self.regions) or ("",) * count)
         set_field(self, "landmarks", dict(self.landmarks))

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Any, TypeVar
+from typing import TypeVar
 
+import numpy as np
 import scipy.constants
+from numpy.typing import NDArray
 
 from bodymeasure.errors import InputError
 
-Length = TypeVar("Length", bound=Any)
+Length = TypeVar("Length", float, NDArray[np.float64])
 
 
 class Unit(StrEnum):
@@ -43,9 +45,9 @@ class Unit(StrEnum):
 
 _METRES = {
     Unit.M: 1.0,
-    Unit.CM: scipy.constants.centi,
-    Unit.MM: scipy.constants.milli,
-    Unit.INCH: scipy.constants.inch,
+    Unit.CM: float(scipy.constants.centi),
+    Unit.MM: float(scipy.constants.milli),
+    Unit.INCH: float(scipy.constants.inch),
 }
 
 

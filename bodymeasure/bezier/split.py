@@ -30,9 +30,7 @@ def _blossom_rows(degree: int, start: Any, end: Any) -> NDArray[np.float64]:
     return np.stack(rows, axis=-2)
 
 
-def restrict(
-    control_points: ArrayLike, lower: ArrayLike, upper: ArrayLike
-) -> NDArray[np.float64]:
+def restrict(control_points: ArrayLike, lower: ArrayLike, upper: ArrayLike) -> NDArray[np.float64]:
     """Control points of each patch restricted to a parameter rectangle.
 
     Parameters
@@ -54,9 +52,7 @@ def restrict(
     return np.asarray(np.einsum("...ai,...bj,...ijc->...abc", rows_u, rows_v, net))
 
 
-def split(
-    control_points: ArrayLike, u: float = 0.5, v: float = 0.5
-) -> NDArray[np.float64]:
+def split(control_points: ArrayLike, u: float = 0.5, v: float = 0.5) -> NDArray[np.float64]:
     """Each patch cut into four at (u, v).
 
     Parameters

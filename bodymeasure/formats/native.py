@@ -64,9 +64,7 @@ def read(content: bytes, source: str) -> Atlas:
         _check_header(msgspec.json.decode(content, type=_Header), source)
         record = msgspec.json.decode(content, type=_AtlasRecord)
     except msgspec.ValidationError as error:
-        raise InputError(
-            f"{source}: {error}; README.md describes the {FORMAT} format"
-        ) from None
+        raise InputError(f"{source}: {error}; README.md describes the {FORMAT} format") from None
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
         raise InputError(f"{source}{_place_of_fault(content, str(error))}") from None
     try:
@@ -116,9 +114,7 @@ def _check_header(header: _Header, source: str) -> None:
         )
     if header.unit is None:
         known = ", ".join(unit.value for unit in Unit)
-        raise InputError(
-            f'{source}: has no unit; add a line such as "unit": "cm" (one of {known})'
-        )
+        raise InputError(f'{source}: has no unit; add a line such as "unit": "cm" (one of {known})')
 
 
 def _atlas(record: _AtlasRecord) -> Atlas:
@@ -131,7 +127,9 @@ def _atlas(record: _AtlasRecord) -> Atlas:
         landmarks[name] = AtlasPoint(number[place.patch], place.u, place.v)
     return Atlas(
         points=np.array(record.points, dtype=np.float64).reshape(-1, 3),
-        index=np.array([patch.points for patch in record.patches], dtype=np.int64).reshape(-1, 4, 4),
+        index=np.array([patch.points for patch in record.patches], dtype=np.int64).reshape(
+            -1, 4, 4
+        ),
         unit=Unit.parse(record.unit),
         patch_names=tuple(names),
         regions=tuple(patch.region for patch in record.patches),
