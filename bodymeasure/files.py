@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -37,18 +38,54 @@ def write_bytes(path: Path, content: bytes) -> None:
     InputError
         If the folder is missing or not writable, or the disk is full. Nothing is left behind.
     """
-    with _user_errors(path):
-        descriptor, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-        try:
-            with os.fdopen(descriptor, "wb") as file:
-                file.write(content)
-                file.flush()
-                os.fsync(file.fileno())
-            Path(temporary).chmod(0o666 & ~_umask())
-            Path(temporary).replace(path)
-        except BaseException:
-            Path(temporary).unlink(missing_ok=True)
-            raise
+    write_all({path: content})
+
+
+def write_all(contents: Mapping[Path, bytes]) -> None:
+    """Write files that belong together: each whole, and all of them or none.
+
+    All content goes to temporary files first, so a full disk or an interrupt changes nothing; only
+    then are they renamed, which needs no room. Should a rename fail all the same, the files that
+    this call added are removed; a file that was there before and is replaced already stays so.
+
+    Parameters
+    ----------
+    contents : mapping of Path to bytes
+
+    Raises
+    ------
+    InputError
+        If a folder is missing or not writable, a path is a folder, or the disk is full.
+    """
+    temporaries: dict[Path, Path] = {}
+    added: list[Path] = []
+    try:
+        for path, content in contents.items():
+            with _user_errors(path):
+                _write_temporary(path, content, temporaries)
+        for path, temporary in temporaries.items():
+            with _user_errors(path):
+                is_new = not path.exists()
+                temporary.replace(path)
+            if is_new:
+                added.append(path)
+    except BaseException:
+        for leftover in (*temporaries.values(), *added):
+            leftover.unlink(missing_ok=True)
+        raise
+
+
+def _write_temporary(path: Path, content: bytes, temporaries: dict[Path, Path]) -> None:
+    """Write content to a new file beside `path`, entered in `temporaries` before it is filled."""
+    if path.is_dir():
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
+    descriptor, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    temporaries[path] = Path(name)
+    with os.fdopen(descriptor, "wb") as file:
+        file.write(content)
+        file.flush()
+        os.fsync(file.fileno())
+    Path(name).chmod(0o666 & ~_umask())
 
 
 def make_folder(path: Path) -> None:
