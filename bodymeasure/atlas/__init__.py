@@ -2,6 +2,8 @@
 
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.axes import Axes
+from bodymeasure.atlas.check import check_atlas
+from bodymeasure.atlas.finding import Finding, FindingKind, Severity
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, Edge, EdgeTable, edge_table
 from bodymeasure.atlas.units import Unit, convert_length
@@ -13,7 +15,11 @@ __all__ = [
     "Axes",
     "Edge",
     "EdgeTable",
+    "Finding",
+    "FindingKind",
+    "Severity",
     "Unit",
+    "check_atlas",
     "convert_length",
     "edge_table",
 ]

@@ -1,0 +1,189 @@
+"""Edges that nearly meet: seams with a gap, seams not joined by index, T-junctions."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import KDTree
+
+from bodymeasure.atlas.degeneracy import SAME_PLACE, side_control_points
+from bodymeasure.atlas.seams import edge_table
+from bodymeasure.bezier import bernstein
+
+# Of the shorter edge's length, and of the patches' width across it: two free edges that run so
+# close were meant to be one seam (9 mm at an edge of 9 cm). The width tells the two long sides of a
+# narrow strip, which are as far apart as the strip is wide, from two sides of a seam.
+NEAR = 0.1
+# Of an edge's length: an edge that another's end touches fits it far better than that, by intent.
+TOUCHES = 0.01
+# Points along an edge at which two are compared: cubics that agree at four agree everywhere.
+_ALONG = np.linspace(0.0, 1.0, 9)
+# Segments of an edge when a point's distance to it is taken; on a quarter circle their error is
+# 2e-4 of its length, well under TOUCHES.
+_SEGMENTS = 32
+# Free edges whose middles lie next to a given one's; more than this at one place is no atlas.
+_NEIGHBORS = 8
+
+
+class FreeEdges(NamedTuple):
+    """Sides of patches that no other patch shares.
+
+    Parameters
+    ----------
+    patch, side : ndarray of int, shape (edges,)
+        Whose they are; sides in the order of `EDGES`.
+    control_index : ndarray of int, shape (edges, 4)
+    control_points : ndarray, shape (edges, 4, 3)
+    length, width : ndarray, shape (edges,)
+        Of the control polygon, and of the patch across the side.
+    """
+
+    patch: NDArray[np.int64]
+    side: NDArray[np.int64]
+    control_index: NDArray[np.int64]
+    control_points: NDArray[np.float64]
+    length: NDArray[np.float64]
+    width: NDArray[np.float64]
+
+
+class NearSeams(NamedTuple):
+    """Pairs of free edges that run close together.
+
+    Parameters
+    ----------
+    first, second : ndarray of int, shape (pairs,)
+        Which free edges.
+    distance : ndarray, shape (pairs,)
+        Largest distance of points at equal parameters.
+    coincide : ndarray of bool, shape (pairs,)
+        Whether they differ by no more than rounding.
+    turned : ndarray of bool, shape (pairs,)
+        Whether the second runs against the first.
+    """
+
+    first: NDArray[np.int64]
+    second: NDArray[np.int64]
+    distance: NDArray[np.float64]
+    coincide: NDArray[np.bool_]
+    turned: NDArray[np.bool_]
+
+
+def free_edges(
+    control_points: NDArray[np.float64],
+    index: NDArray[np.int64],
+    collapsed: NDArray[np.bool_],
+) -> FreeEdges:
+    """Sides with one patch only, without the `collapsed` ones (patches, 4)."""
+    table = edge_table(index)
+    patch, side = np.nonzero((table.sides[table.edge] == 1) & ~collapsed)
+    points = side_control_points(control_points)[patch, side]
+    steps = np.linalg.norm(np.diff(control_points, axis=1), axis=-1).sum(axis=1)
+    steps_v = np.linalg.norm(np.diff(control_points, axis=2), axis=-1).sum(axis=2)
+    # Sides 0 and 1 run with v, so that u leads across the patch; the median of four lines across.
+    width = np.where(side < 2, np.median(steps, axis=1)[patch], np.median(steps_v, axis=1)[patch])
+    length = np.linalg.norm(np.diff(points, axis=1), axis=-1).sum(axis=1)
+    return FreeEdges(patch, side, table.control_index[patch, side], points, length, width)
+
+
+def near_seams(edges: FreeEdges) -> NearSeams:
+    """Pairs of free edges that run close together along their whole length."""
+    first, second = _neighbors(edges)
+    basis = bernstein(3, _ALONG)[:, 0]
+    curves = basis @ edges.control_points
+    reach = NEAR * np.minimum(edges.length, edges.width)
+    tolerance = np.minimum(reach[first], reach[second])
+
+    def largest(points: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.asarray(np.linalg.norm(points - other, axis=-1).max(axis=-1))
+
+    forwards = largest(curves[first], curves[second])
+    backwards = largest(curves[first], curves[second, ::-1])
+    turned = backwards < forwards
+    distance = np.where(turned, backwards, forwards)
+    net = edges.control_points
+    other = np.where(turned[:, None, None], net[second, ::-1], net[second])
+    coincide = largest(net[first], other) <= SAME_PLACE * edges.length[first]
+    near = distance <= tolerance
+    return NearSeams(first[near], second[near], distance[near], coincide[near], turned[near])
+
+
+def _neighbors(edges: FreeEdges) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Pairs of free edges whose middles are near each other, each pair once."""
+    count = len(edges.patch)
+    none = np.empty(0, dtype=np.int64)
+    if count < 2:
+        return none, none
+    middles = bernstein(3, 0.5)[0] @ edges.control_points
+    reach = NEAR * np.minimum(edges.length, edges.width)
+    _, found = KDTree(middles).query(
+        middles, k=min(_NEIGHBORS, count), distance_upper_bound=float(reach.max()) * (1 + 1e-12)
+    )
+    first = np.repeat(np.arange(count), found.shape[1])
+    second = found.ravel()
+    pairs = np.stack([first, second], axis=1)[(second < count) & (second != first)]
+    pairs = np.unique(np.sort(pairs, axis=1), axis=0)
+    return pairs[:, 0], pairs[:, 1]
+
+
+def welded_index(index: NDArray[np.int64], edges: FreeEdges, seams: NearSeams) -> NDArray[np.int64]:
+    """The index as it would be if edges that coincide were joined."""
+    forwards = edges.control_index
+    first = forwards[seams.first[seams.coincide]]
+    second = forwards[seams.second[seams.coincide]]
+    second = np.where(seams.turned[seams.coincide, None], second[:, ::-1], second)
+    count = int(index.max()) + 1
+    links = coo_array(
+        (np.ones(first.size, dtype=np.int8), (first.ravel(), second.ravel())), shape=(count, count)
+    )
+    _, label = connected_components(links, directed=False)
+    return np.asarray(label[index], dtype=np.int64)
+
+
+def t_junctions(edges: FreeEdges) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Ends of free edges that lie inside another free edge.
+
+    Returns
+    -------
+    edge, other : ndarray of int, shape (junctions,)
+        The free edge that is touched, and one whose end touches it.
+    """
+    none = np.empty(0, dtype=np.int64)
+    if len(edges.patch) < 2:
+        return none, none
+    vertices, where = np.unique(edges.control_index[:, [0, 3]].ravel(), return_index=True)
+    owner, positions = where // 2, edges.control_points[:, [0, 3]].reshape(-1, 3)[where]
+    # An end inside an edge is nearer to one of eight points along it than the edge's own ends are.
+    along = np.arange(1, 8) / 8
+    samples = bernstein(3, along)[:, 0] @ edges.control_points
+    distance, nearest = KDTree(positions).query(samples, k=min(3, len(positions)))
+    edge = np.broadcast_to(np.arange(len(samples))[:, None, None], distance.shape)
+    # Curves are shorter than their control polygons, but their speed varies: hence 1/8, not 1/16.
+    near = distance <= (1 / 8 + TOUCHES) * edges.length[edge]
+    edge, vertex = np.unique(np.stack([edge[near], nearest[near]], axis=1), axis=0).T
+    own = (vertices[vertex, None] == edges.control_index[edge][:, [0, 3]]).any(axis=1)
+    edge, vertex = edge[~own], vertex[~own]
+    separation = _distance_inside(edges.control_points[edge], positions[vertex])
+    touching = separation <= TOUCHES * np.minimum(edges.length, edges.width)[edge]
+    return edge[touching], owner[vertex[touching]]
+
+
+def _distance_inside(
+    curves: NDArray[np.float64], points: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Distance of points (n, 3) from the curves (n, 4, 3), infinite where an end is nearest."""
+    polyline = bernstein(3, np.linspace(0.0, 1.0, _SEGMENTS + 1))[:, 0] @ curves
+    start, step = polyline[:, :-1], np.diff(polyline, axis=1)
+    squared = np.einsum("nsc,nsc->ns", step, step)
+    along = np.einsum("nsc,nsc->ns", points[:, None] - start, step)
+    along = np.clip(along / np.where(squared > 0.0, squared, 1.0), 0.0, 1.0)
+    foot = start + along[..., None] * step
+    distance = np.linalg.norm(points[:, None] - foot, axis=-1)
+    nearest = distance.argmin(axis=1)
+    row = np.arange(len(points))
+    # Within a segment of an end, two edges merely share a corner that is not joined.
+    at_end = (nearest == 0) | (nearest == _SEGMENTS - 1)
+    return np.where(at_end, np.inf, distance[row, nearest])

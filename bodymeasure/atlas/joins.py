@@ -1,0 +1,116 @@
+"""How joined patches meet: how many on an edge, facing which way, at what angle."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from bodymeasure.atlas.normals import normal_vectors
+from bodymeasure.atlas.seams import EDGES, EdgeTable
+
+# Points along a seam at which the normals of both sides are compared, with its ends.
+_ALONG = np.linspace(0.0, 1.0, 9)
+# A round of the patch keeps its inside on the left: it runs with u along v = 0 and with v along
+# u = 1, and against them along v = 1 and u = 0. Sides in the order of EDGES.
+_WITH_THE_ROUND = np.array([False, True, True, False])
+
+
+class Seams(NamedTuple):
+    """Edges that two patches share.
+
+    Parameters
+    ----------
+    patch, side : ndarray of int, shape (seams, 2)
+        Both sides of each seam; sides in the order of `EDGES`.
+    against : ndarray of bool, shape (seams,)
+        Whether the second side runs against the first.
+    consistent : ndarray of bool, shape (seams,)
+        Whether both patches face the same way.
+    """
+
+    patch: NDArray[np.int64]
+    side: NDArray[np.int64]
+    against: NDArray[np.bool_]
+    consistent: NDArray[np.bool_]
+
+
+def seams_of(table: EdgeTable, collapsed: NDArray[np.bool_]) -> Seams:
+    """The edges that two sides share, without the `collapsed` sides (patches, 4)."""
+    shared = np.flatnonzero((table.sides[table.edge] == 2) & ~collapsed)
+    order = np.argsort(table.edge.ravel()[shared], kind="stable")
+    pairs = shared[order].reshape(-1, 2)
+    patch, side = np.divmod(pairs, 4)
+    turned = table.reversed.ravel()[pairs]
+    ahead = _WITH_THE_ROUND[side] ^ turned
+    return Seams(patch, side, turned[:, 0] != turned[:, 1], ahead[:, 0] != ahead[:, 1])
+
+
+def turned_patches(seams: Seams, count: int) -> tuple[NDArray[np.int64], list[NDArray[np.int64]]]:
+    """Patches that face against the others of their part.
+
+    Returns
+    -------
+    turned : ndarray of int
+        Those to turn round, the fewer of each part.
+    one_sided : list of ndarray of int
+        Parts that cannot be made to face one way, such as a Moebius band.
+
+    Notes
+    -----
+    On the atlas's double cover, a node for each patch and each way it may face: a part with two
+    sides falls in two, a part with one side does not.
+    """
+    first, second = seams.patch.T
+    other = np.where(seams.consistent, 0, count)
+    rows = np.concatenate([first, first + count])
+    columns = np.concatenate([second + other, second + count - other])
+    links = coo_array(
+        (np.ones(len(rows), dtype=np.int8), (rows, columns)), shape=(2 * count, 2 * count)
+    )
+    _, label = connected_components(links, directed=False)
+    as_is, flipped = label[:count], label[count:]
+    part = np.minimum(as_is, flipped)
+    one_sided = np.unique(part[as_is == flipped])
+    size, kept = np.bincount(part), np.bincount(part, weights=as_is == part)
+    # Keep the way that most patches of the part face.
+    keep_low = 2 * kept >= size
+    turned = (as_is == part) != keep_low[part]
+    return (
+        np.flatnonzero(turned & (as_is != flipped)),
+        [np.flatnonzero(part == number) for number in one_sided],
+    )
+
+
+def parts(seams: Seams, count: int) -> NDArray[np.int64]:
+    """Number of the connected part that each patch belongs to, shape (patches,)."""
+    first, second = seams.patch.T
+    links = coo_array((np.ones(len(first), dtype=np.int8), (first, second)), shape=(count, count))
+    return np.asarray(connected_components(links, directed=False)[1], dtype=np.int64)
+
+
+def kink_angles(control_points: NDArray[np.float64], seams: Seams) -> NDArray[np.float64]:
+    """Largest angle in degrees by which the normal jumps across each seam, shape (seams,).
+
+    Zero where either side has no normal.
+    """
+    patch = seams.patch
+    nets = control_points[patch]
+    parameters = np.empty((*patch.shape, len(_ALONG), 2))
+    fixed_axis = np.array([edge.fixed_axis for edge in EDGES])[seams.side]
+    fixed_value = np.array([edge.fixed_value for edge in EDGES])[seams.side]
+    along = np.broadcast_to(_ALONG, parameters.shape[:-1]).copy()
+    along[seams.against, 1] = _ALONG[::-1]
+    across = np.broadcast_to(fixed_value[..., None], along.shape)
+    parameters[..., 0] = np.where(fixed_axis[..., None] == 0, across, along)
+    parameters[..., 1] = np.where(fixed_axis[..., None] == 0, along, across)
+    normals = normal_vectors(nets - nets[:, :1, :1, :1], parameters)
+    normals[~seams.consistent, 1] *= -1.0
+    left, right = normals[:, 0], normals[:, 1]
+    sine = np.linalg.norm(np.cross(left, right), axis=-1)
+    cosine = np.einsum("skc,skc->sk", left, right)
+    # Also where one side has no normal: both are zero then, and so is the angle.
+    return np.asarray(np.degrees(np.arctan2(sine, cosine)).max(axis=-1, initial=0.0))

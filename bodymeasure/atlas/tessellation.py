@@ -1,0 +1,147 @@
+"""Triangle meshes of an atlas, welded along its seams."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.seams import EDGES, edge_table
+from bodymeasure.bezier import evaluate
+from bodymeasure.errors import InputError, MissingExtraError
+
+
+@dataclass(frozen=True, eq=False)
+class Tessellation:
+    """A triangle mesh that knows where on the atlas each of its vertices lies.
+
+    Parameters
+    ----------
+    vertices : ndarray, shape (n, 3)
+        Positions on the surface, in the atlas's unit.
+    faces : ndarray of int, shape (f, 3)
+        Vertex numbers, ordered so that each patch's normals point along ``S_u x S_v``.
+    patch : ndarray of int, shape (n,)
+        A patch that holds each vertex; on a seam, the one with the lowest number.
+    parameters : ndarray, shape (n, 2)
+        Each vertex's (u, v) on that patch.
+    face_patch : ndarray of int, shape (f,)
+        The patch that each face belongs to.
+    """
+
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.int64]
+    patch: NDArray[np.int64]
+    parameters: NDArray[np.float64]
+    face_patch: NDArray[np.int64]
+
+    def to_trimesh(self) -> Any:
+        """The mesh as a `trimesh.Trimesh`, with vertex attributes ``patch``, ``u`` and ``v``.
+
+        Raises
+        ------
+        MissingExtraError
+            If trimesh is not installed.
+        """
+        try:
+            import trimesh
+        except ImportError:
+            raise MissingExtraError("the mesh export", "trimesh", "oracle") from None
+        return trimesh.Trimesh(
+            self.vertices,
+            self.faces,
+            vertex_attributes={
+                "patch": self.patch,
+                "u": self.parameters[:, 0],
+                "v": self.parameters[:, 1],
+            },
+            process=False,
+        )
+
+
+def tessellate(atlas: Atlas, segments: int) -> Tessellation:
+    """A triangle mesh of the whole atlas, every patch edge cut into equal parameter steps.
+
+    Patches that share an edge or a corner by index share its vertices; nothing is welded because
+    it happens to be near. An edge whose four control points are one becomes one vertex.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    segments : int
+        Number of steps along each patch edge, at least 1.
+
+    Returns
+    -------
+    Tessellation
+
+    Raises
+    ------
+    InputError
+        If `segments` is less than 1.
+    """
+    if segments < 1:
+        raise InputError(f"segments is {segments}; expected at least 1 a patch edge")
+    grid = _welded_grids(atlas.index, segments)
+    # Number the vertices in the order in which patches first use them: the first is the owner.
+    flat, first = np.unique(grid, return_index=True)
+    patch, place = np.divmod(first, (segments + 1) ** 2)
+    parameters = np.stack(np.divmod(place, segments + 1), axis=-1) / segments
+    vertices = evaluate(atlas.control_points[patch], parameters)
+    faces = grid_faces(np.searchsorted(flat, grid))
+    face_patch = np.repeat(np.arange(len(atlas)), 2 * segments**2)
+    proper = _has_three_corners(faces)
+    return Tessellation(vertices, faces[proper], patch, parameters, face_patch[proper])
+
+
+def grid_faces(grid: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Two triangles for each cell of grids of vertex numbers, cut from (0, 0) to (1, 1).
+
+    Parameters
+    ----------
+    grid : ndarray of int, shape (*batch, k + 1, l + 1)
+        Vertex numbers; axis -2 runs with u, axis -1 with v.
+
+    Returns
+    -------
+    ndarray of int, shape (faces, 3)
+        2 k l triangles for each grid, grid after grid.
+    """
+    a, b = grid[..., :-1, :-1], grid[..., 1:, :-1]
+    c, d = grid[..., 1:, 1:], grid[..., :-1, 1:]
+    cells = np.stack([np.stack([a, b, c], axis=-1), np.stack([a, c, d], axis=-1)], axis=-2)
+    return cells.reshape(-1, 3).astype(np.int64)
+
+
+def _has_three_corners(faces: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Faces that still have three different corners; along a collapsed edge half have not."""
+    return np.asarray((faces != np.roll(faces, 1, axis=1)).all(axis=1))
+
+
+def _welded_grids(index: NDArray[np.int64], segments: int) -> NDArray[np.int64]:
+    """Vertex numbers, with gaps, of every patch's grid: corners, then edges, then interiors."""
+    count = len(index)
+    inside = segments - 1
+    table = edge_table(index)
+    grid = np.empty((count, segments + 1, segments + 1), dtype=np.int64)
+    offset = int(index.max()) + 1
+
+    for side, edge in enumerate(EDGES):
+        forwards = np.arange(inside)
+        steps = np.where(table.reversed[:, side, None], forwards[::-1], forwards)
+        numbers = offset + table.edge[:, side, None] * inside + steps
+        control = table.control_index[:, side]
+        collapsed = (control == control[:, :1]).all(axis=1)
+        numbers[collapsed] = control[collapsed, :1]
+        along = (slice(None), int(edge.fixed_value) * segments, slice(1, -1))
+        grid[along if edge.fixed_axis == 0 else (along[0], along[2], along[1])] = numbers
+    offset += len(table.sides) * inside
+
+    for i in (0, 1):
+        for j in (0, 1):
+            grid[:, i * segments, j * segments] = index[:, 3 * i, 3 * j]
+    grid[:, 1:-1, 1:-1] = offset + np.arange(count * inside**2).reshape(count, inside, inside)
+    return grid
