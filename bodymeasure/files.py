@@ -27,7 +27,7 @@ def read_bytes(path: Path) -> bytes:
     except IsADirectoryError:
         raise InputError(f"{path}: is a directory; give the file inside it") from None
     except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror})") from None
+        raise InputError(f"{path}: cannot be read ({error.strerror or error})") from None
 
 
 def write_bytes(path: Path, content: bytes) -> None:
@@ -38,6 +38,11 @@ def write_bytes(path: Path, content: bytes) -> None:
     InputError
         If the folder is missing or not writable, or the disk is full. Nothing is left behind.
     """
+    if path.exists() and not (path.is_file() or path.is_dir()):
+        # A pipe or a device such as /dev/stdout: renaming would put a plain file in its place.
+        with _user_errors(path):
+            path.write_bytes(content)
+        return
     write_all({path: content})
 
 
@@ -66,7 +71,7 @@ def write_all(contents: Mapping[Path, bytes]) -> None:
         for path, temporary in temporaries.items():
             with _user_errors(path):
                 is_new = not path.exists()
-                temporary.replace(path)
+                temporary.replace(path.resolve())
             if is_new:
                 added.append(path)
     except BaseException:
@@ -79,7 +84,9 @@ def _write_temporary(path: Path, content: bytes, temporaries: dict[Path, Path]) 
     """Write content to a new file beside `path`, entered in `temporaries` before it is filled."""
     if path.is_dir():
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
-    descriptor, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    # Where `path` is a link, beside what it points to; that is replaced, and the link stays.
+    folder = path.resolve().parent
+    descriptor, name = tempfile.mkstemp(prefix=".bodymeasure-", dir=folder)
     temporaries[path] = Path(name)
     with os.fdopen(descriptor, "wb") as file:
         file.write(content)
@@ -106,7 +113,7 @@ def _user_errors(path: Path) -> Iterator[None]:
         yield
     except OSError as error:
         raise InputError(
-            f"{path}: cannot be written ({error.strerror}); "
+            f"{path}: cannot be written ({error.strerror or error}); "
             "choose a folder that you may write to, on a disk with room"
         ) from None
 

@@ -86,7 +86,12 @@ class Atlas:
         control_points : array_like, shape (4, 4, 3) or (patches, 4, 4, 3)
         unit : Unit or str
         """
-        nets = np.asarray(control_points, dtype=np.float64)
+        try:
+            nets = np.asarray(control_points, dtype=np.float64)
+        except (TypeError, ValueError):
+            raise InputError(
+                "control points are not numbers; expected (4, 4, 3) or (patches, 4, 4, 3)"
+            ) from None
         if nets.shape[-3:] != (4, 4, 3) or nets.ndim not in (3, 4):
             raise InputError(
                 f"control points have shape {nets.shape}; expected (4, 4, 3) or (patches, 4, 4, 3)"
@@ -137,8 +142,16 @@ class Atlas:
 
 
 def _checked_index(index: ArrayLike) -> NDArray[np.int64]:
-    array = np.asarray(index)
-    if array.ndim != 3 or array.shape[1:] != (4, 4) or len(array) == 0:
+    try:
+        array = np.asarray(index)
+    except ValueError:
+        raise InputError(
+            "the patch index is ragged; expected (patches, 4, 4): 16 control points for each "
+            "bicubic patch"
+        ) from None
+    if array.ndim == 3 and len(array) == 0:
+        raise InputError("the atlas has no patch; expected at least one")
+    if array.ndim != 3 or array.shape[1:] != (4, 4):
         raise InputError(
             f"the patch index has shape {array.shape}; expected (patches, 4, 4): "
             "16 control points for each bicubic patch"
@@ -151,7 +164,10 @@ def _checked_index(index: ArrayLike) -> NDArray[np.int64]:
 
 
 def _checked_points(points: ArrayLike, index: NDArray[np.int64]) -> NDArray[np.float64]:
-    array = np.array(points, dtype=np.float64)
+    try:
+        array = np.array(points, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError("control points are not numbers; expected an array of (n, 3)") from None
     if array.ndim != 2 or array.shape[1] != 3:
         raise InputError(f"control points have shape {array.shape}; expected (n, 3)")
     outside = (index < 0) | (index >= len(array))

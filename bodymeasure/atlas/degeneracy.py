@@ -22,8 +22,8 @@ NO_AREA = 1e-9
 # but errors of the control points are amplified a hundredfold in it.
 PARALLEL = 0.01
 
-# Control point (i, j) of each corner, and the sides, in the order of EDGES, that meet there: the one
-# on which u is fixed, the one on which v is.
+# Control point (i, j) of each corner, and the sides, in the order of EDGES, that meet there: first
+# the one on which u is fixed.
 CORNERS = ((0, 0), (3, 0), (0, 3), (3, 3))
 _CORNER_SIDES = ((0, 2), (1, 2), (0, 3), (1, 3))
 

@@ -25,6 +25,8 @@ _ALONG = np.linspace(0.0, 1.0, 9)
 # Segments of an edge when a point's distance to it is taken; on a quarter circle their error is
 # 2e-4 of its length, well under TOUCHES.
 _SEGMENTS = 32
+# Pairs whose distance is taken at once, which bounds the memory where many edges crowd together.
+_BLOCK = 10_000
 # Free edges whose middles lie next to a given one's; more than this at one place is no atlas.
 _NEIGHBORS = 8
 
@@ -166,7 +168,12 @@ def t_junctions(edges: FreeEdges) -> tuple[NDArray[np.int64], NDArray[np.int64]]
     edge, vertex = np.unique(np.stack([edge[near], nearest[near]], axis=1), axis=0).T
     own = (vertices[vertex, None] == edges.control_index[edge][:, [0, 3]]).any(axis=1)
     edge, vertex = edge[~own], vertex[~own]
-    separation = _distance_inside(edges.control_points[edge], positions[vertex])
+    separation = np.concatenate(
+        [
+            _distance_inside(edges.control_points[edge[block]], positions[vertex[block]])
+            for block in np.array_split(np.arange(len(edge)), 1 + len(edge) // _BLOCK)
+        ]
+    )
     touching = separation <= TOUCHES * np.minimum(edges.length, edges.width)[edge]
     return edge[touching], owner[vertex[touching]]
 

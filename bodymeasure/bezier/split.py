@@ -49,7 +49,8 @@ def restrict(control_points: ArrayLike, lower: ArrayLike, upper: ArrayLike) -> N
     upper = np.asarray(upper, dtype=np.float64)
     rows_u = _blossom_rows(net.shape[-3] - 1, lower[..., 0], upper[..., 0])
     rows_v = _blossom_rows(net.shape[-2] - 1, lower[..., 1], upper[..., 1])
-    return np.asarray(np.einsum("...ai,...bj,...ijc->...abc", rows_u, rows_v, net))
+    along_u = np.einsum("...ai,...ijc->...ajc", rows_u, net)
+    return np.asarray(rows_v[..., None, :, :] @ along_u)
 
 
 def split(control_points: ArrayLike, u: float = 0.5, v: float = 0.5) -> NDArray[np.float64]:

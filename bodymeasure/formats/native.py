@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import codecs
 import json
 import re
 from collections.abc import Sequence
-from typing import Any
+from typing import Annotated, Any
 
 import msgspec
 import numpy as np
@@ -16,7 +17,9 @@ from bodymeasure.errors import InputError
 FORMAT = "bodymeasure atlas"
 VERSION = 1
 
-_Row = tuple[int, int, int, int]
+_Number = Annotated[int, msgspec.Meta(ge=0, le=2**31 - 1)]
+_Row = tuple[_Number, _Number, _Number, _Number]
+_Point = tuple[float, float, float]
 
 
 class _PatchRecord(msgspec.Struct, forbid_unknown_fields=True):
@@ -42,7 +45,7 @@ class _AtlasRecord(msgspec.Struct, forbid_unknown_fields=True):
     unit: str
     axes: _AxesRecord
     patches: list[_PatchRecord]
-    points: list[tuple[float, float, float]]
+    points: list[_Point]
     name: str = ""
     provenance: dict[str, str] = {}
     landmarks: dict[str, _LandmarkRecord] = {}
@@ -58,13 +61,16 @@ class _Header(msgspec.Struct):
 
 def read(content: bytes, source: str) -> Atlas:
     """The atlas in a file's content; `source` names the file in errors."""
+    # Some editors put a byte order mark in front.
+    content = content.removeprefix(codecs.BOM_UTF8)
     if not content.strip():
         raise InputError(f"{source}: is empty; expected a {FORMAT} file")
     try:
         _check_header(msgspec.json.decode(content, type=_Header), source)
         record = msgspec.json.decode(content, type=_AtlasRecord)
     except msgspec.ValidationError as error:
-        raise InputError(f"{source}: {error}; README.md describes the {FORMAT} format") from None
+        place = _place_of_misfit(content) or str(error)
+        raise InputError(f"{source}: {place}; README.md describes the {FORMAT} format") from None
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
         raise InputError(f"{source}{_place_of_fault(content, str(error))}") from None
     try:
@@ -98,7 +104,13 @@ def write(atlas: Atlas) -> bytes:
         "points": _block("[]", [_line(point) for point in atlas.points.tolist()]),
     }
     body = ",\n".join(f"{_line(key)}: {value}" for key, value in members.items())
-    return f"{{\n{body}\n}}\n".encode()
+    try:
+        return f"{{\n{body}\n}}\n".encode()
+    except UnicodeEncodeError as error:
+        raise InputError(
+            f"a name holds {error.object[error.start]!r}, which is no character; "
+            "expected text that UTF-8 can write"
+        ) from None
 
 
 def _check_header(header: _Header, source: str) -> None:
@@ -138,6 +150,38 @@ def _atlas(record: _AtlasRecord) -> Atlas:
         name=record.name,
         provenance=record.provenance,
     )
+
+
+def _place_of_misfit(content: bytes) -> str | None:
+    """What is wrong with the first patch, point or landmark that does not fit, if one is."""
+    # The standard library also takes numbers that are too large, which are among the misfits.
+    try:
+        members = json.loads(content)
+    except (ValueError, RecursionError):
+        return None
+    if not isinstance(members, dict):
+        return None
+    kinds: tuple[tuple[str, str, Any], ...] = (
+        ("patches", "patch", _PatchRecord),
+        ("points", "control point", _Point),
+        ("landmarks", "landmark", _LandmarkRecord),
+    )
+    for key, noun, kind in kinds:
+        values = members.get(key)
+        if isinstance(values, dict):
+            named = [(repr(name), value) for name, value in values.items()]
+        elif isinstance(values, list):
+            named = [(str(number), value) for number, value in enumerate(values)]
+        else:
+            continue
+        for name, value in named:
+            try:
+                msgspec.convert(value, kind)
+            except msgspec.ValidationError as error:
+                label = value.get("name") if isinstance(value, dict) else None
+                called = f" ({label!r})" if isinstance(label, str) else ""
+                return f"{noun} {name}{called}: {error}"
+    return None
 
 
 def _place_of_fault(content: bytes, reason: str) -> str:

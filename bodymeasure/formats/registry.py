@@ -43,7 +43,9 @@ def read_atlas(path: str | PathLike[str]) -> Atlas:
         place in it.
     """
     path = Path(path)
-    return _format(path).read(read_bytes(path), str(path))
+    # First the content: of a missing file or a folder, the extension is beside the point.
+    content = read_bytes(path)
+    return _format(path).read(content, str(path))
 
 
 def write_atlas(atlas: Atlas, path: str | PathLike[str]) -> None:
