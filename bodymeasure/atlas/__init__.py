@@ -6,6 +6,7 @@ from bodymeasure.atlas.check import check_atlas
 from bodymeasure.atlas.finding import Finding, FindingKind, Severity
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, Edge, EdgeTable, edge_table
+from bodymeasure.atlas.tessellation import Tessellation, tessellate
 from bodymeasure.atlas.units import Unit, convert_length
 
 __all__ = [
@@ -18,8 +19,10 @@ __all__ = [
     "Finding",
     "FindingKind",
     "Severity",
+    "Tessellation",
     "Unit",
     "check_atlas",
     "convert_length",
     "edge_table",
+    "tessellate",
 ]

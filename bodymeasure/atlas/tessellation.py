@@ -136,8 +136,8 @@ def _welded_grids(index: NDArray[np.int64], segments: int) -> NDArray[np.int64]:
         control = table.control_index[:, side]
         collapsed = (control == control[:, :1]).all(axis=1)
         numbers[collapsed] = control[collapsed, :1]
-        along = (slice(None), int(edge.fixed_value) * segments, slice(1, -1))
-        grid[along if edge.fixed_axis == 0 else (along[0], along[2], along[1])] = numbers
+        rows = grid if edge.fixed_axis == 0 else grid.swapaxes(1, 2)
+        rows[:, int(edge.fixed_value) * segments, 1:-1] = numbers
     offset += len(table.sides) * inside
 
     for i in (0, 1):

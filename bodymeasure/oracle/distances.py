@@ -1,0 +1,232 @@
+"""Distances over the tessellation of each patch, by libigl."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bodymeasure.errors import InputError
+from bodymeasure.oracle.extrapolate import richardson
+from bodymeasure.oracle.grid import grid_lines, refined_grid
+from bodymeasure.oracle.libigl import exact_distance, heat_distances
+from bodymeasure.oracle.validate import validate_mesh
+from bodymeasure.oracle.workers import map_in_processes
+
+# Chosen with tests/benchmarks/oracle_levels.py: the extrapolated length is within 4e-7 of the
+# smooth one in the median over a body's diagonals, for 30 ms of one core each.
+LEVELS = (5, 10, 15, 20)
+
+# Patches a worker measures at a time: some tenths of a second.
+CHUNK = 4
+
+
+@dataclass(frozen=True, eq=False)
+class MeshDistances:
+    """Distances between pairs of points of patches, over meshes of each patch alone.
+
+    Parameters
+    ----------
+    exact : ndarray, shape (patches, pairs)
+        Length of the shortest path in the patch, extrapolated from exact polyhedral distances.
+    exact_uncertainty : ndarray, shape (patches, pairs)
+        How far `exact` may be off, as told by the disagreement of its levels.
+    heat : ndarray, shape (patches, pairs)
+        Distance by the heat method on the finest mesh: right to about 1 %.
+    by_level : ndarray, shape (patches, pairs, len(levels))
+        Exact polyhedral distances on the mesh of each level.
+    levels : tuple of int
+        Segments of a patch along u (along v there are 8/5 as many), coarsest first.
+    failures : mapping of int to str
+        Patches that have no valid mesh, and why; all their distances are NaN.
+    """
+
+    exact: NDArray[np.float64]
+    exact_uncertainty: NDArray[np.float64]
+    heat: NDArray[np.float64]
+    by_level: NDArray[np.float64]
+    levels: tuple[int, ...]
+    failures: Mapping[int, str]
+
+
+class _Task(NamedTuple):
+    control_points: NDArray[np.float64]
+    start: NDArray[np.float64]
+    end: NDArray[np.float64]
+
+
+class _Outcome(NamedTuple):
+    by_level: NDArray[np.float64]
+    heat: NDArray[np.float64]
+    failure: str | None
+
+
+def mesh_distances(
+    control_points: ArrayLike,
+    start: ArrayLike,
+    end: ArrayLike,
+    *,
+    levels: tuple[int, ...] = LEVELS,
+    processes: int = 1,
+    progress: Callable[[int], None] | None = None,
+) -> MeshDistances:
+    """Shortest distances within patches, found on meshes, for checking a method's lengths.
+
+    Each patch is meshed alone, so that paths stay in it. Grid lines run through the end points at
+    every level; they may lie anywhere in the patch.
+
+    Parameters
+    ----------
+    control_points : array_like, shape (patches, m + 1, n + 1, 3)
+    start, end : array_like, shape (patches, pairs, 2)
+        (u, v) in [0, 1].
+    levels : tuple of int
+        Segments of a patch along u for each mesh, ascending; at least two, all multiples of the
+        first. Three or more make the uncertainty sharp.
+    processes : int
+        Worker processes; 1 works here. With more, a script needs the guard
+        ``if __name__ == "__main__":``, since workers import it.
+    progress : callable, optional
+        Called with the number of pairs measured so far.
+
+    Returns
+    -------
+    MeshDistances
+
+    Raises
+    ------
+    InputError
+        If a shape or value is not what is said above.
+    MissingExtraError
+        If libigl is not installed.
+    WorkerError
+        If a worker process died.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> third = np.arange(4) / 3
+    >>> square = np.stack([*np.meshgrid(third, third, indexing="ij"), np.zeros((4, 4))], axis=-1)
+    >>> measured = mesh_distances(square[None], [[(0, 0)]], [[(1, 1)]])
+    >>> print(f"{measured.exact[0, 0]:.6f}")
+    1.414214
+    """
+    nets, starts, ends = _checked(control_points, start, end)
+    levels = _checked_levels(levels)
+    if processes < 1:
+        raise InputError(f"processes is {processes}; expected at least 1")
+
+    count, pairs = starts.shape[:2]
+    tasks = [_Task(*task) for task in zip(nets, starts, ends, strict=True)]
+    chunks = [tasks[i : i + CHUNK] for i in range(0, count, CHUNK)]
+
+    def count_pairs(finished_chunks: int) -> None:
+        if progress is not None:
+            progress(min(finished_chunks * CHUNK, count) * pairs)
+
+    chunk_outcomes = map_in_processes(
+        partial(_measure_chunk, levels=levels), chunks, processes=processes, progress=count_pairs
+    )
+    outcomes = [outcome for chunk in chunk_outcomes for outcome in chunk]
+    by_level = np.array([o.by_level for o in outcomes]).reshape(count, pairs, len(levels))
+    exact, uncertainty = richardson(by_level, levels)
+    return MeshDistances(
+        exact=exact,
+        exact_uncertainty=uncertainty,
+        heat=np.array([o.heat for o in outcomes]).reshape(count, pairs),
+        by_level=by_level,
+        levels=levels,
+        failures={i: o.failure for i, o in enumerate(outcomes) if o.failure is not None},
+    )
+
+
+def _measure_chunk(tasks: list[_Task], *, levels: tuple[int, ...]) -> list[_Outcome]:
+    return [_measure(task, levels) for task in tasks]
+
+
+def _measure(task: _Task, levels: tuple[int, ...]) -> _Outcome:
+    """All pairs of one patch; those that ask for the same grid lines share the meshes."""
+    by_level = np.empty((len(task.start), len(levels)))
+    heat = np.empty(len(task.start))
+    groups: dict[tuple[bytes, ...], list[int]] = {}
+    for pair, ends in enumerate(zip(task.start, task.end, strict=True)):
+        lines = grid_lines(np.array(ends))
+        groups.setdefault(tuple(line.tobytes() for line in lines), []).append(pair)
+    try:
+        for pairs in groups.values():
+            group = _Task(task.control_points, task.start[pairs], task.end[pairs])
+            by_level[pairs], heat[pairs] = _measure_group(group, levels)
+    except InputError as error:
+        return _Outcome(np.full_like(by_level, np.nan), np.full_like(heat, np.nan), str(error))
+    return _Outcome(by_level, heat, None)
+
+
+def _measure_group(
+    task: _Task, levels: tuple[int, ...]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    by_level = np.zeros((len(task.start), len(levels)))
+    lines = grid_lines(np.array([task.start[0], task.end[0]]))
+    for level, segments in enumerate(levels):
+        grid = refined_grid(*lines, levels[0], segments // levels[0])
+        vertices, faces, number = grid.mesh(task.control_points)
+        validate_mesh(vertices, faces)
+        sources = number[[grid.vertex(point) for point in task.start]]
+        targets = number[[grid.vertex(point) for point in task.end]]
+        for pair, (source, target) in enumerate(zip(sources, targets, strict=True)):
+            if source != target:
+                by_level[pair, level] = exact_distance(vertices, faces, source, target)
+    # The meshes run from coarse to fine: the last is the finest.
+    distinct, place = np.unique(sources, return_inverse=True)
+    heat = heat_distances(vertices, faces, distinct)[place, targets]
+    return by_level, heat
+
+
+def _checked(
+    control_points: ArrayLike, start: ArrayLike, end: ArrayLike
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    nets = np.asarray(control_points, dtype=np.float64)
+    if nets.ndim != 4 or nets.shape[3] != 3 or min(nets.shape[:3]) < 1 or min(nets.shape[1:3]) < 2:
+        raise InputError(
+            f"control points have shape {nets.shape}; expected (patches, 4, 4, 3), or other degrees"
+        )
+    ends = []
+    for name, points in (("start", start), ("end", end)):
+        array = np.asarray(points, dtype=np.float64)
+        if array.ndim != 3 or array.shape[0] != len(nets) or array.shape[2] != 2:
+            raise InputError(
+                f"{name} has shape {array.shape}; expected ({len(nets)}, pairs, 2): "
+                "(u, v) for each patch and pair"
+            )
+        outside = np.argwhere(~((array >= 0.0) & (array <= 1.0)).all(axis=-1))
+        if len(outside):
+            patch, pair = outside[0]
+            raise InputError(
+                f"{name} of pair {pair} on patch {patch} is (u, v) = "
+                f"{tuple(array[patch, pair].tolist())}; expected both in [0, 1]"
+            )
+        ends.append(array)
+    if ends[0].shape != ends[1].shape:
+        raise InputError(
+            f"start has shape {ends[0].shape}, but end has {ends[1].shape}; expected the same"
+        )
+    return nets, ends[0], ends[1]
+
+
+def _checked_levels(levels: tuple[int, ...]) -> tuple[int, ...]:
+    levels = tuple(int(level) for level in levels)
+    valid = len(levels) >= 2 and levels[0] >= 1
+    if not (
+        valid
+        and all(low < high for low, high in pairwise(levels))
+        and all(level % levels[0] == 0 for level in levels)
+    ):
+        raise InputError(
+            f"levels are {levels}; expected at least two ascending multiples of the first, "
+            f"such as {LEVELS}"
+        )
+    return levels

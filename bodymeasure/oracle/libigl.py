@@ -1,0 +1,91 @@
+"""The calls into libigl; no other module imports it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.errors import MissingExtraError
+
+
+def exact_distance(
+    vertices: NDArray[np.float64], faces: NDArray[np.int64], source: int, target: int
+) -> float:
+    """Length of the shortest path over a polyhedron between two of its vertices.
+
+    Parameters
+    ----------
+    vertices : ndarray, shape (n, 3)
+    faces : ndarray of int, shape (f, 3)
+        A mesh that `validate_mesh` accepts; libigl ends the process on others.
+    source, target : int
+        Vertex numbers.
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    MissingExtraError
+        If libigl is not installed.
+
+    Notes
+    -----
+    J. Mitchell, D. Mount and C. Papadimitriou, "The discrete geodesic problem", SIAM J. Comput.
+    16 (1987): exact on the polyhedron, which is off the smooth surface by O(h^2). Given a target,
+    libigl stops as soon as it is reached.
+    """
+    igl = _import_igl()
+    # By keyword: positional calls put the targets among the source faces and return nothing.
+    distances = igl.exact_geodesic(vertices, faces, VS=np.array([source]), VT=np.array([target]))
+    return float(distances[0])
+
+
+def heat_distances(
+    vertices: NDArray[np.float64], faces: NDArray[np.int64], sources: NDArray[np.int64]
+) -> NDArray[np.float64]:
+    """Distances by the heat method from each of several vertices to all vertices.
+
+    Parameters
+    ----------
+    vertices : ndarray, shape (n, 3)
+    faces : ndarray of int, shape (f, 3)
+        A mesh that `validate_mesh` accepts.
+    sources : ndarray of int, shape (k,)
+        Vertex numbers.
+
+    Returns
+    -------
+    ndarray, shape (k, n)
+        NaN throughout if libigl cannot factorise the mesh's Laplacian.
+
+    Raises
+    ------
+    MissingExtraError
+        If libigl is not installed.
+
+    Notes
+    -----
+    K. Crane, C. Weischedel and M. Wardetzky, "Geodesics in heat", ACM Trans. Graph. 32 (2013). Off
+    by about 1 %, and no better on finer meshes: a check for plausibility.
+    """
+    igl = _import_igl()
+    data = igl.HeatGeodesicsData()
+    # Without it, obtuse triangles made single distances wrong by up to 80 %.
+    data.use_intrinsic_delaunay = True
+    try:
+        igl.heat_geodesics_precompute(vertices, faces, data)
+    except RuntimeError:  # "Precomputation failed": seen where four vertices lie on a circle
+        return np.full((len(sources), len(vertices)), np.nan)
+    return np.array([igl.heat_geodesics_solve(data, np.array([source])) for source in sources])
+
+
+def _import_igl() -> Any:
+    try:
+        import igl
+    except ImportError:
+        raise MissingExtraError("the cross-check", "libigl", "oracle") from None
+    return igl
