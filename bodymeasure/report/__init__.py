@@ -1,1 +1,30 @@
-"""TBD."""
+"""What a survey found, for people (``report.html``) and programs (JSON, CSV).
+
+Importing this does not load jinja2; rendering a page does.
+"""
+
+from bodymeasure.report.from_survey import measurement_records, survey_document
+from bodymeasure.report.html import Pictures, render_html
+from bodymeasure.report.ranking import closeup_patches
+from bodymeasure.report.records import (
+    Document,
+    Measurement,
+    json_schema,
+    to_csv,
+    to_json,
+)
+from bodymeasure.report.write import write_report
+
+__all__ = [
+    "Document",
+    "Measurement",
+    "Pictures",
+    "closeup_patches",
+    "json_schema",
+    "measurement_records",
+    "render_html",
+    "survey_document",
+    "to_csv",
+    "to_json",
+    "write_report",
+]

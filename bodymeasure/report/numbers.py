@@ -1,0 +1,72 @@
+"""Numbers as people read them: rounded sensibly, errors in scientific notation."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from bodymeasure.atlas import Unit, convert_length
+
+if TYPE_CHECKING:
+    from markupsafe import Markup
+
+# A tape is read to the millimetre; one tenth of that is shown (inches: to 0.25 mm).
+DECIMALS = {Unit.M: 4, Unit.CM: 2, Unit.MM: 1, Unit.INCH: 2}
+
+# A tenth of a micrometer is far below what any garment or scan knows.
+SMALLEST_MILLIMETERS = 0.0001
+
+NONE = "\N{EN DASH}"
+_MINUS = "\N{MINUS SIGN}"
+_TIMES = "\N{MULTIPLICATION SIGN}"
+_SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def length_text(length: float | None, unit: Unit | str) -> str:
+    """A length without its unit, to a tenth of a millimetre or so; a dash for none."""
+    return NONE if length is None else f"{length:.{DECIMALS[Unit.parse(unit)]}f}"
+
+
+def scientific(value: float | None, *, signed: bool = False) -> str:
+    """A small number as a mantissa and a power of ten; a dash for none."""
+    if value is None:
+        return NONE
+    if value == 0.0:
+        return "0"
+    mantissa, exponent = f"{abs(value):.1e}".split("e")
+    sign = _MINUS if value < 0 else "+" if signed else ""
+    return f"{sign}{mantissa} {_TIMES} 10{str(int(exponent)).translate(_SUPERSCRIPT)}"
+
+
+def percent(value: float | None) -> str:
+    """A signed ratio in percent; a dash for none."""
+    return NONE if value is None else f"{100.0 * value:+.2f} %".replace("-", _MINUS)
+
+
+def millimeters(length: float | None, unit: Unit | str) -> str:
+    """The size of a small length in millimeters with its unit; a dash for none."""
+    if length is None:
+        return NONE
+    value = abs(convert_length(length, Unit.parse(unit), Unit.MM))
+    if value < SMALLEST_MILLIMETERS:
+        return f"< {SMALLEST_MILLIMETERS} mm"
+    decimals = 4 if value < 0.01 else 3 if value < 1.0 else 1
+    return f"{value:.{decimals}f} mm"
+
+
+def at_most(length: float | None, unit: Unit | str) -> str:
+    """A bound in words: ``at most 0.012 mm`` or ``less than 0.0001 mm``."""
+    size = millimeters(length, unit)
+    return size.replace("<", "less than") if size.startswith("<") else f"at most {size}"
+
+
+def with_code(text: str) -> Markup:
+    """Text with what stands between backquotes marked as code."""
+    from markupsafe import Markup, escape
+
+    return Markup(re.sub("`([^`]+)`", r"<code>\1</code>", str(escape(text))))
+
+
+def counted(number: int, singular: str, plural: str | None = None) -> str:
+    """A number with its noun."""
+    return f"{number:,} {singular if number == 1 else plural or singular + 's'}"

@@ -1,0 +1,69 @@
+"""Writing a report's files."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from bodymeasure.atlas import Unit
+from bodymeasure.files import make_folder, write_all
+from bodymeasure.report.from_survey import survey_document
+from bodymeasure.report.html import Pictures, render_html
+from bodymeasure.report.records import json_schema, to_csv, to_json
+
+if TYPE_CHECKING:
+    from bodymeasure.measure import Survey
+
+
+def write_report(
+    survey: Survey,
+    folder: Path,
+    *,
+    unit: Unit | str,
+    pictures: Pictures | None = None,
+    created: datetime | None = None,
+) -> tuple[Path, ...]:
+    """Write ``report.html``, ``measurements.json``, its schema and ``measurements.csv``.
+
+    All are computed before the first is written, and all are written or none.
+
+    Parameters
+    ----------
+    survey : Survey
+    folder : Path
+        Made if it is not there; files of these names in it are replaced.
+    unit : Unit or str
+        Unit of the lengths in all files.
+    pictures : Pictures, optional
+        What `bodymeasure.scene.pictures` returns; the page has none if not given.
+    created : datetime, optional
+        Now if not given.
+
+    Returns
+    -------
+    tuple of Path
+        The files, the page first.
+
+    Raises
+    ------
+    MissingExtraError
+        If jinja2 is not installed.
+    InputError
+        If the folder cannot be made or written to, or the disk is full.
+    """
+    document = survey_document(survey, unit, created=created)
+    contents = {
+        folder / "report.html": render_html(document, pictures),
+        folder / "measurements.json": to_json(document),
+        folder / "measurements.csv": to_csv(document.measurements),
+        folder / "measurements.schema.json": msgspec.json.format(
+            msgspec.json.encode(json_schema()), indent=2
+        )
+        + b"\n",
+    }
+    make_folder(folder)
+    write_all(contents)
+    return tuple(contents)
