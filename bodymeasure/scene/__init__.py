@@ -1,1 +1,38 @@
-"""TBD."""
+"""Pictures of a measured body: the scene as plain data, and renderers that draw it.
+
+Importing this loads neither VTK nor matplotlib; drawing does.
+"""
+
+from bodymeasure.scene.build import body_scene, patch_scene
+from bodymeasure.scene.camera import SIDES, View, body_views, cut_away, patch_view
+from bodymeasure.scene.charts import color_bar, histogram
+from bodymeasure.scene.choice import Choice, choose_renderer
+from bodymeasure.scene.colors import ColorScale
+from bodymeasure.scene.model import BodyScene, Label, PathKind, Paths, Polylines, Surface
+from bodymeasure.scene.overview import body_overview
+from bodymeasure.scene.pictures import Pictures, pictures, png
+
+__all__ = [
+    "SIDES",
+    "BodyScene",
+    "Choice",
+    "ColorScale",
+    "Label",
+    "PathKind",
+    "Paths",
+    "Pictures",
+    "Polylines",
+    "Surface",
+    "View",
+    "body_overview",
+    "body_scene",
+    "body_views",
+    "choose_renderer",
+    "color_bar",
+    "cut_away",
+    "histogram",
+    "patch_scene",
+    "patch_view",
+    "pictures",
+    "png",
+]

@@ -1,0 +1,155 @@
+"""Orthographic views of a body."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas import Axes
+from bodymeasure.scene.model import BodyScene, Surface
+
+SIDES = ("front", "back", "left", "right")
+# Room around what is framed, as a fraction of the picture's height.
+MARGIN = 0.02
+CLOSEUP_MARGIN = 0.18
+# A patch is seen from above when less than this of the upward direction is left in the picture.
+LYING = 0.2
+# Surroundings that rise no more than this above a patch are left, as a fraction of its picture.
+CUT_MARGIN = 0.1
+
+
+@dataclass(frozen=True)
+class View:
+    """A camera infinitely far away.
+
+    Parameters
+    ----------
+    center : ndarray, shape (3,)
+        The point in the middle of the picture.
+    towards : ndarray, shape (3,)
+        Unit vector from the body to the viewer.
+    up : ndarray, shape (3,)
+        Unit vector upwards in the picture, perpendicular to `towards`.
+    width, height : float
+        Extent of the picture, in the atlas's unit.
+    """
+
+    center: NDArray[np.float64]
+    towards: NDArray[np.float64]
+    up: NDArray[np.float64]
+    width: float
+    height: float
+
+    @property
+    def right(self) -> NDArray[np.float64]:
+        """Unit vector to the right in the picture, shape (3,)."""
+        return np.cross(self.up, self.towards)
+
+    def size(self, pixels: int) -> tuple[int, int]:
+        """Width and height in pixels of a picture of that height."""
+        return max(1, round(pixels * self.width / self.height)), pixels
+
+    def project(
+        self, points: NDArray[np.float64], size: tuple[int, int]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Where points appear in a picture.
+
+        Parameters
+        ----------
+        points : ndarray, shape (..., 3)
+        size : tuple of int
+            Width and height of the picture in pixels.
+
+        Returns
+        -------
+        pixels : ndarray, shape (..., 2)
+            From the left and from the top, in pixels; (0, 0) is the corner of the first pixel.
+        depth : ndarray, shape (...,)
+            Nearer points have more of it, in the atlas's unit.
+        """
+        offset = points - self.center
+        scale = size[1] / self.height
+        x = size[0] / 2 + scale * (offset @ self.right)
+        y = size[1] / 2 - scale * (offset @ self.up)
+        return np.stack([x, y], axis=-1), offset @ self.towards
+
+
+def body_views(scene: BodyScene, axes: Axes) -> dict[str, View]:
+    """The four sides of a body, all at one scale: front, back, the wearer's left and right."""
+    towards = {
+        "front": axes.front_vector,
+        "back": -axes.front_vector,
+        "left": axes.left_vector,
+        "right": -axes.left_vector,
+    }
+    points = scene.surface.points
+    height = float(np.ptp(points @ axes.up_vector))
+    # A flat patch may have no height at all; it must not have an empty picture.
+    margin = MARGIN * max(height, float(np.ptp(points, axis=0).max()) / 4)
+    return {
+        side: _framed(points, direction, axes.up_vector, margin)
+        for side, direction in towards.items()
+    }
+
+
+def patch_view(scene: BodyScene, axes: Axes) -> View:
+    """A square view straight onto the part of a scene that is not faded, from outside the body."""
+    surface = scene.surface
+    points, normals = surface.points[~surface.faded], surface.normals[~surface.faded]
+    normal = normals.mean(axis=0)
+    length = float(np.linalg.norm(normal))
+    towards = normal / length * _outward(surface) if length > 0.0 else axes.front_vector
+    # Upright as on the body, but for patches that lie flat, which are seen from above or below.
+    upward = axes.up_vector - (axes.up_vector @ towards) * towards
+    if np.linalg.norm(upward) < LYING:
+        upward = axes.front_vector - (axes.front_vector @ towards) * towards
+    upward /= np.linalg.norm(upward)
+    finite = np.isfinite(scene.paths.lines.points).all(axis=-1)
+    framed = np.concatenate([points, scene.paths.lines.points[finite]])
+    right = np.cross(upward, towards)
+    extent = max(float(np.ptp(framed @ upward)), float(np.ptp(framed @ right)))
+    view = _framed(framed, towards, upward, CLOSEUP_MARGIN * extent)
+    side = max(view.width, view.height)
+    return View(view.center, towards, upward, side, side)
+
+
+def cut_away(scene: BodyScene, view: View) -> BodyScene:
+    """A scene without those of its surroundings that lie before what it shows, such as an arm."""
+    surface = scene.surface
+    depth = surface.points @ view.towards
+    shown = depth[~surface.faded]
+    limit = shown.max() + CUT_MARGIN * view.height
+    before = (surface.faded & (depth > limit))[surface.triangles].any(axis=1)
+    edges = scene.faded_edges.points.copy()
+    edges[edges @ view.towards > limit] = np.nan
+    return replace(
+        scene,
+        surface=replace(
+            surface, triangles=surface.triangles[~before], patch=surface.patch[~before]
+        ),
+        faded_edges=replace(scene.faded_edges, points=edges),
+    )
+
+
+def _outward(surface: Surface) -> float:
+    """1 where normals point out of the body, -1 where they point into it, by its volume's sign."""
+    corners = surface.points[surface.triangles] - surface.points.mean(axis=0)
+    volume = np.einsum("ti,ti->t", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])).sum()
+    return -1.0 if volume < 0.0 else 1.0
+
+
+def _framed(
+    points: NDArray[np.float64],
+    towards: NDArray[np.float64],
+    up: NDArray[np.float64],
+    margin: float,
+) -> View:
+    right = np.cross(up, towards)
+    low = np.array([(points @ axis).min() for axis in (right, up, towards)])
+    high = np.array([(points @ axis).max() for axis in (right, up, towards)])
+    middle = (low + high) / 2
+    center = middle[0] * right + middle[1] * up + middle[2] * towards
+    width, height = high[:2] - low[:2] + 2 * margin
+    return View(center, towards, up, float(width), float(height))

@@ -1,0 +1,84 @@
+"""Lines and texts drawn over a picture by matplotlib, without pyplot and its global state."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.errors import MissingExtraError
+
+# Only relates the widths of lines, which are said in pixels, to matplotlib's points.
+DPI = 72
+INK = "#26282c"
+
+Lines = tuple[Sequence[NDArray[np.float64]], Sequence[NDArray[np.float64]], float]
+
+
+@dataclass(frozen=True)
+class Text:
+    """A text at a place in pixels from the top left; alignments are matplotlib's."""
+
+    x: float
+    y: float
+    text: str
+    size: float
+    horizontal: str = "center"
+    vertical: str = "center"
+
+
+def draw_on(
+    image: NDArray[Any], *, lines: Sequence[Lines] = (), texts: Sequence[Text] = ()
+) -> NDArray[np.uint8]:
+    """Draw over a picture.
+
+    Parameters
+    ----------
+    image : ndarray, shape (height, width, 3)
+        Of uint8, or of floats in [0, 1].
+    lines : sequence of (curves, colors, width)
+        Curves of shape (k, 2) in pixels from the top left, a color each, and a width in pixels.
+    texts : sequence of Text
+
+    Returns
+    -------
+    ndarray of uint8, shape (height, width, 3)
+    """
+    try:
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.collections import LineCollection
+        from matplotlib.figure import Figure
+        from matplotlib.patheffects import withStroke
+    except ImportError:
+        raise MissingExtraError("a picture", "matplotlib", "report") from None
+    height, width = image.shape[:2]
+    figure = Figure(figsize=(width / DPI, height / DPI), dpi=DPI)
+    canvas = FigureCanvasAgg(figure)
+    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+    axes.set_axis_off()
+    axes.imshow(image, extent=(0, width, height, 0), interpolation="nearest", aspect="auto")
+    axes.set_xlim(0, width)
+    axes.set_ylim(height, 0)
+    for curves, colors, line_width in lines:
+        axes.add_collection(
+            LineCollection(
+                list(curves), colors=list(colors), linewidths=line_width, capstyle="round"
+            ),
+            autolim=False,
+        )
+    for text in texts:
+        axes.text(
+            text.x,
+            text.y,
+            text.text,
+            size=text.size,
+            ha=text.horizontal,
+            va=text.vertical,
+            color=INK,
+            path_effects=[withStroke(linewidth=text.size / 4, foreground="white")],
+        )
+    canvas.draw()
+    return np.array(np.asarray(canvas.buffer_rgba())[..., :3])

@@ -1,0 +1,94 @@
+"""Which renderer draws: pyvista where OpenGL works, otherwise our own."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from functools import cache
+from importlib.util import find_spec
+from typing import NamedTuple
+
+from bodymeasure.errors import InputError
+
+VARIABLE = "BODYMEASURE_RENDERER"
+PYVISTA = "pyvista"
+SOFTWARE = "software"
+# The probe takes about a second; a machine that needs a minute draws faster without OpenGL.
+PROBE_SECONDS = 60
+# VTK ends the whole process when it finds neither a display nor EGL nor OSMesa, so that only
+# another process can find out. It draws a background and reads it back.
+PROBE = """
+from vtkmodules.vtkCommonCore import vtkLogger
+vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+import vtkmodules.vtkRenderingOpenGL2
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+renderer, window, reader = vtkRenderer(), vtkRenderWindow(), vtkWindowToImageFilter()
+renderer.SetBackground(1.0, 0.0, 0.0)
+window.SetOffScreenRendering(True)
+window.SetSize(8, 8)
+window.AddRenderer(renderer)
+window.Render()
+reader.SetInput(window)
+reader.Update()
+pixel = [reader.GetOutput().GetScalarComponentAsDouble(4, 4, 0, i) for i in range(3)]
+print("drawn" if pixel == [255, 0, 0] else f"blank {pixel}")
+"""
+
+
+class Choice(NamedTuple):
+    """A renderer's name, and a sentence on why it isn't the usual one, or nothing."""
+
+    renderer: str
+    note: str
+
+
+def choose_renderer(name: str | None = None) -> Choice:
+    """Choose a renderer.
+
+    Parameters
+    ----------
+    name : str, optional
+        ``pyvista`` or ``software``; by default what the environment variable
+        BODYMEASURE_RENDERER says, or else pyvista if it can draw here.
+
+    Raises
+    ------
+    InputError
+        If there is no such renderer, or it cannot draw here.
+    """
+    source = "renderer"
+    if name is None:
+        source, name = VARIABLE, os.environ.get(VARIABLE) or None
+    if name not in (None, PYVISTA, SOFTWARE):
+        raise InputError(f"{source} is {name!r}; expected {PYVISTA!r} or {SOFTWARE!r}")
+    if name == SOFTWARE:
+        return Choice(SOFTWARE, "")
+    trouble = opengl_trouble()
+    if not trouble:
+        return Choice(PYVISTA, "")
+    if name == PYVISTA:
+        raise InputError(
+            f"{source} is {PYVISTA!r}, but {trouble}; leave it out, or use {SOFTWARE!r}"
+        )
+    return Choice(SOFTWARE, f"Pictures were drawn without OpenGL, since {trouble}.")
+
+
+@cache
+def opengl_trouble() -> str:
+    """Why pyvista cannot draw off screen here; empty if it can. Found out once a process."""
+    if find_spec("pyvista") is None:
+        return "pyvista is not installed"
+    try:
+        result = subprocess.run(
+            [sys.executable, "-c", PROBE],
+            capture_output=True,
+            stdin=subprocess.DEVNULL,
+            timeout=PROBE_SECONDS,
+            check=False,
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return "VTK could not be tried"
+    if result.returncode == 0 and result.stdout.strip() == b"drawn":
+        return ""
+    return "VTK found no OpenGL (neither a display nor EGL nor OSMesa)"

@@ -1,0 +1,110 @@
+"""What a picture shows, as plain arrays that any renderer can draw."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class PathKind(Enum):
+    """What is known of a path's length; the value is its caption in a legend."""
+
+    COMPARED = "difference from libigl exact"
+    NOT_COMPARED = "length not compared"
+    NO_LENGTH = "no length"
+
+
+@dataclass(frozen=True)
+class Surface:
+    """Triangles of a tessellated atlas.
+
+    Parameters
+    ----------
+    points : ndarray, shape (n, 3)
+        Vertices, in the atlas's unit; each patch has its own.
+    normals : ndarray, shape (n, 3)
+        Unit normals at the vertices, of either orientation.
+    triangles : ndarray of int, shape (m, 3)
+    patch : ndarray of int, shape (m,)
+        Number of the patch that each triangle lies on.
+    faded : ndarray of bool, shape (n,)
+        Whether a vertex belongs to the surroundings of what is shown, to be drawn paler.
+    """
+
+    points: NDArray[np.float64]
+    normals: NDArray[np.float64]
+    triangles: NDArray[np.int64]
+    patch: NDArray[np.int64]
+    faded: NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Polylines:
+    """Curves on a surface.
+
+    Parameters
+    ----------
+    points : ndarray, shape (n, k, 3)
+        Points along each curve, in the atlas's unit; NaN where a curve has a gap.
+    normals : ndarray, shape (n, k, 3)
+        Unit normals of the surface there, to lift a curve off the surface by.
+    """
+
+    points: NDArray[np.float64]
+    normals: NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Paths:
+    """Diagonal paths, and what to color them by.
+
+    Parameters
+    ----------
+    lines : Polylines
+        One curve a path.
+    patch, diagonal : ndarray of int, shape (n,)
+        Number of the patch, and which of its diagonals: 0 runs from (0, 0) to (1, 1), 1 from
+        (1, 0) to (0, 1).
+    kind : ndarray of PathKind, shape (n,)
+    value : ndarray, shape (n,)
+        Relative difference from libigl exact, without its sign; NaN unless the kind is COMPARED.
+    """
+
+    lines: Polylines
+    patch: NDArray[np.int64]
+    diagonal: NDArray[np.int64]
+    kind: NDArray[np.object_]
+    value: NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Label:
+    """A short text at a point of space."""
+
+    position: NDArray[np.float64]
+    text: str
+
+
+@dataclass(frozen=True)
+class BodyScene:
+    """A measured body, or a part of it, ready to be drawn.
+
+    Parameters
+    ----------
+    surface : Surface
+    edges : Polylines
+        Edges of patches, each seam once.
+    faded_edges : Polylines
+        Edges of the surroundings, to be drawn paler.
+    paths : Paths
+    labels : tuple of Label
+    """
+
+    surface: Surface
+    edges: Polylines
+    faded_edges: Polylines
+    paths: Paths
+    labels: tuple[Label, ...] = ()

@@ -1,0 +1,110 @@
+"""Pictures drawn off screen by pyvista."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.errors import MissingExtraError
+from bodymeasure.scene.camera import View
+from bodymeasure.scene.colors import BACKGROUND, ColorScale
+from bodymeasure.scene.lighting import shaded
+from bodymeasure.scene.model import BodyScene, Surface
+from bodymeasure.scene.strokes import Stroke, Style, runs, strokes
+
+# Each pixel is the mean of this many squared samples: alike on all machines, where multisampling
+# and smooth lines are up to the driver.
+SAMPLES = 2
+
+
+def render(
+    scene: BodyScene, view: View, size: tuple[int, int], scale: ColorScale | None, style: Style
+) -> NDArray[np.uint8]:
+    """A picture of a scene; see `software.render`.
+
+    Raises
+    ------
+    MissingExtraError
+        If pyvista is not installed.
+    """
+    try:
+        import pyvista
+    except ImportError:
+        raise MissingExtraError("OpenGL rendering", "pyvista", "viewer") from None
+    # Off screen, VTK first tries a display, and complains in the log if there is none.
+    with pyvista.vtk_verbosity("off"):
+        window_size = [SAMPLES * size[0], SAMPLES * size[1]]
+        plotter = pyvista.Plotter(off_screen=True, window_size=window_size, lighting="none")
+        try:
+            _fill(plotter, scene, view, scale, style)
+            image = np.asarray(plotter.screenshot(None, return_img=True))
+        finally:
+            plotter.close()
+    blocks = image[..., :3].reshape(size[1], SAMPLES, size[0], SAMPLES, 3)
+    return np.round(blocks.mean(axis=(1, 3))).astype(np.uint8)
+
+
+def _fill(
+    plotter: Any, scene: BodyScene, view: View, scale: ColorScale | None, style: Style
+) -> None:
+    plotter.background_color = BACKGROUND
+    colors = shaded(scene.surface.normals, scene.surface.faded, view)
+    plotter.add_mesh(
+        surface_mesh(scene.surface), scalars=_bytes(colors), rgb=True, lighting=False
+    )
+    for stroke in strokes(scene, view, scale, style):
+        mesh, curve = stroke_mesh(stroke)
+        if mesh.n_points:
+            plotter.add_mesh(
+                mesh,
+                scalars=_bytes(stroke.colors[curve]),
+                rgb=True,
+                lighting=False,
+                line_width=SAMPLES * stroke.width,
+            )
+    set_camera(plotter, scene, view)
+
+
+def surface_mesh(surface: Surface) -> Any:
+    """A surface as pyvista's PolyData."""
+    import pyvista
+
+    return pyvista.PolyData.from_regular_faces(surface.points, surface.triangles)
+
+
+def stroke_mesh(stroke: Stroke) -> tuple[Any, NDArray[np.int64]]:
+    """Curves as pyvista's PolyData, and the number of the curve that each of its lines is from."""
+    import pyvista
+
+    pieces, curve = [], []
+    for number, points in enumerate(stroke.points):
+        for piece in runs(points):
+            pieces.append(piece)
+            curve.append(number)
+    mesh = pyvista.PolyData()
+    if pieces:
+        ends = np.cumsum([len(piece) for piece in pieces])
+        cells = [
+            np.concatenate([[len(piece)], np.arange(end - len(piece), end)])
+            for piece, end in zip(pieces, ends, strict=True)
+        ]
+        mesh = pyvista.PolyData(np.concatenate(pieces), lines=np.concatenate(cells))
+    return mesh, np.array(curve, dtype=np.int64)
+
+
+def set_camera(plotter: Any, scene: BodyScene, view: View) -> None:
+    """Make a plotter look at a scene as a view says."""
+    camera = plotter.camera
+    distance = 2.0 * float(np.ptp(scene.surface.points, axis=0).max()) + view.height
+    camera.enable_parallel_projection()
+    camera.focal_point = view.center
+    camera.position = view.center + distance * view.towards
+    camera.up = view.up
+    camera.parallel_scale = view.height / 2
+    plotter.reset_camera_clipping_range()
+
+
+def _bytes(colors: NDArray[np.float64]) -> NDArray[np.uint8]:
+    return np.round(255.0 * colors).astype(np.uint8)

@@ -1,0 +1,129 @@
+"""A depth buffer in NumPy: which triangle each pixel of an orthographic picture shows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+# Widens a triangle's span in a row by so many pixels, so that round-off leaves no crack between
+# neighbours; where both then cover a pixel, the nearer wins.
+CRACK = 1e-7
+# Twice the area in pixels below which a triangle is seen edge-on and covers nothing.
+EDGE_ON = 1e-9
+# Triangles at a time: bounds the memory for what they cover to some tens of megabytes.
+CHUNK = 4096
+
+
+@dataclass(frozen=True)
+class DepthBuffer:
+    """What each pixel shows.
+
+    Parameters
+    ----------
+    depth : ndarray, shape (height, width)
+        Depth of the nearest triangle, -inf where there is none.
+    pixel : ndarray of int, shape (covered,)
+        Flat indices of the covered pixels.
+    triangle : ndarray of int, shape (covered,)
+        The triangle that each of them shows.
+    weights : ndarray, shape (covered, 3)
+        Barycentric coordinates on it.
+    """
+
+    depth: NDArray[np.float64]
+    pixel: NDArray[np.int64]
+    triangle: NDArray[np.int64]
+    weights: NDArray[np.float64]
+
+
+def rasterize(
+    pixels: NDArray[np.float64],
+    depth: NDArray[np.float64],
+    triangles: NDArray[np.int64],
+    size: tuple[int, int],
+) -> DepthBuffer:
+    """Find the nearest triangle at the center of each pixel.
+
+    Parameters
+    ----------
+    pixels : ndarray, shape (n, 2)
+        Projected vertices, from the picture's top left corner.
+    depth : ndarray, shape (n,)
+        Their depth; nearer is more.
+    triangles : ndarray of int, shape (m, 3)
+    size : tuple of int
+        Width and height in pixels.
+    """
+    width, height = size
+    buffer = np.full(height * width, -np.inf)
+    nearest = np.full(height * width, -1)
+    corner = pixels[triangles] - 0.5  # pixel centers now lie at whole numbers
+    edge, area = _edge_functions(corner)
+    edge /= np.where(np.abs(area) > EDGE_ON, area, np.inf)[:, None, None]
+    plane = np.einsum("tij,ti->tj", edge, depth[triangles])
+    seen = np.flatnonzero(np.abs(area) > EDGE_ON)
+    for chunk in np.array_split(seen, max(1, -(-len(seen) // CHUNK))):
+        which, row = _rows(corner[chunk, :, 1], height)
+        which = chunk[which]
+        first, last = _span(edge[which], row, width)
+        count = np.maximum(last - first + 1, 0)
+        which, row, column = np.repeat(which, count), np.repeat(row, count), _ranges(first, count)
+        z = plane[which, 0] * column + plane[which, 1] * row + plane[which, 2]
+        pixel = row * width + column
+        np.maximum.at(buffer, pixel, z)
+        # Of triangles at the same depth, any one will do.
+        wins = z == buffer[pixel]
+        nearest[pixel[wins]] = which[wins]
+
+    covered = np.flatnonzero(nearest >= 0)
+    shown = nearest[covered]
+    row, column = np.divmod(covered, width)
+    place = np.stack([column, row, np.ones(len(covered))], axis=-1)
+    weights = np.einsum("tij,tj->ti", edge[shown], place)
+    return DepthBuffer(buffer.reshape(height, width), covered, shown, weights)
+
+
+def _edge_functions(
+    corner: NDArray[np.float64],
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Coefficients (a, b, c), shape (m, 3, 3), of a x + b y + c = area times the barycentrics."""
+    following, last = np.roll(corner, -1, axis=1), np.roll(corner, -2, axis=1)
+    a = following[..., 1] - last[..., 1]
+    b = last[..., 0] - following[..., 0]
+    c = following[..., 0] * last[..., 1] - last[..., 0] * following[..., 1]
+    return np.stack([a, b, c], axis=-1), c.sum(axis=-1)
+
+
+def _rows(
+    y: NDArray[np.float64], height: int
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Pairs of a triangle and a row of pixels that it crosses."""
+    first = np.clip(np.ceil(y.min(axis=1)), 0, height).astype(np.int64)
+    last = np.clip(np.floor(y.max(axis=1)), -1, height - 1).astype(np.int64)
+    count = np.maximum(last - first + 1, 0)
+    return np.repeat(np.arange(len(y)), count), _ranges(first, count)
+
+
+def _ranges(first: NDArray[np.int64], count: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Runs of whole numbers one after the other, each with its first and how many they are."""
+    ends = np.cumsum(count)
+    return np.repeat(first - (ends - count), count) + np.arange(count.sum())
+
+
+def _span(
+    edge: NDArray[np.float64], row: NDArray[np.int64], width: int
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """First and last pixel of a row inside a triangle."""
+    slope = edge[..., 0]
+    rest = edge[..., 1] * row[:, None] + edge[..., 2]
+    crossing = np.divide(-rest, slope, out=np.zeros_like(rest), where=slope != 0.0)
+    first = np.where(slope > 0.0, crossing, -np.inf).max(axis=1)
+    last = np.where(slope < 0.0, crossing, np.inf).min(axis=1)
+    outside = ((slope == 0.0) & (rest < 0.0)).any(axis=1)
+    first = np.where(outside, np.inf, first)
+    return (
+        np.ceil(np.clip(first - CRACK, 0, width)).astype(np.int64),
+        np.floor(np.clip(last + CRACK, -1, width - 1)).astype(np.int64),
+    )
