@@ -1,0 +1,85 @@
+"""The sample atlases that come with bodymeasure."""
+
+from __future__ import annotations
+
+import difflib
+from dataclasses import dataclass
+from pathlib import Path
+
+from bodymeasure.atlas import Atlas
+from bodymeasure.errors import InputError
+from bodymeasure.formats import read_atlas
+
+
+@dataclass(frozen=True)
+class Sample:
+    """A sample's name, what it shows in one line, and its file."""
+
+    name: str
+    description: str
+    path: Path
+
+
+def load_sample(name: str) -> Atlas:
+    """Read a sample atlas.
+
+    Parameters
+    ----------
+    name : str
+        One of `sample_names`; ``bodymeasure samples`` lists them with a description.
+
+    Returns
+    -------
+    Atlas
+
+    Raises
+    ------
+    InputError
+        If there is no sample of that name; the message lists those that there are.
+
+    Examples
+    --------
+    >>> atlas = load_sample("female_average")
+    >>> len(atlas), atlas.unit
+    (376, <Unit.M: 'm'>)
+    """
+    return read_atlas(sample_path(name))
+
+
+def sample_names() -> tuple[str, ...]:
+    """Names of all samples, in alphabetical order."""
+    return tuple(sorted(path.stem for path in _folder().glob("*.atlas")))
+
+
+def sample_path(name: str) -> Path:
+    """File of a sample.
+
+    Raises
+    ------
+    InputError
+        If there is no sample of that name.
+    """
+    names = sample_names()
+    if name not in names:
+        nearest = difflib.get_close_matches(name, names, n=1)
+        hint = f"did you mean {nearest[0]!r}? " if nearest else ""
+        raise InputError(f"no sample is named {name!r}; {hint}There are: {', '.join(names)}")
+    return _folder() / f"{name}.atlas"
+
+
+def samples() -> tuple[Sample, ...]:
+    """All samples with a description, in alphabetical order."""
+    result = []
+    for name in sample_names():
+        atlas = load_sample(name)
+        count = f"{len(atlas)} patch{'es' if len(atlas) > 1 else ''}"
+        result.append(Sample(name, f"{atlas.name}; {count}, in {atlas.unit}", sample_path(name)))
+    return tuple(result)
+
+
+def _folder() -> Path:
+    """Where the samples are: inside the installed package, or at the top of the checkout."""
+    installed = Path(__file__).parent / "sample_patches"
+    if installed.is_dir():
+        return installed
+    return Path(__file__).parents[1] / "sample_patches"

@@ -1,0 +1,73 @@
+"""The quadrilateral control mesh of a Catmull-Clark surface, and points of that surface."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True)
+class ControlMesh:
+    """A closed quad mesh: vertices (n, 3), quads (m, 4), and the quads of each named group."""
+
+    vertices: NDArray[np.float64]
+    quads: NDArray[np.int64]
+    groups: dict[str, NDArray[np.int64]]
+
+
+def read_mesh(path: Path) -> ControlMesh:
+    """Read a Wavefront OBJ file of vertices, groups and quads, and nothing else."""
+    vertices: list[list[float]] = []
+    groups: dict[str, list[list[int]]] = {}
+    group: list[list[int]] = []
+    for line in path.read_text(encoding="utf-8").splitlines():
+        word, *rest = line.split() or [""]
+        if word == "v":
+            vertices.append([float(number) for number in rest])
+        elif word == "g":
+            group = groups.setdefault(rest[0], [])
+        elif word == "f":
+            group.append([int(number) - 1 for number in rest])
+    quads = {name: np.array(rows) for name, rows in groups.items()}
+    return ControlMesh(np.array(vertices), np.concatenate(list(quads.values())), quads)
+
+
+def read_landmarks(path: Path) -> dict[str, int]:
+    """Vertex numbers of the landmarks, by name."""
+    landmarks: dict[str, int] = json.loads(path.read_text(encoding="utf-8"))["landmarks"]
+    return landmarks
+
+
+def limit_positions(mesh: ControlMesh, numbers: Sequence[int]) -> NDArray[np.float64]:
+    """Where vertices of a mesh come to lie on its Catmull-Clark surface.
+
+    Parameters
+    ----------
+    mesh : ControlMesh
+    numbers : sequence of int, length k
+        Vertices wanted.
+
+    Returns
+    -------
+    ndarray, shape (k, 3)
+
+    Notes
+    -----
+    For a vertex V of valence n, with E the sum of its n neighbors along edges and F that of the n
+    opposite corners of its quads, the limit is ``(n^2 V + 4 E + F) / (n (n + 5))``: M. Halstead,
+    M. Kass, T. DeRose, *Efficient, fair interpolation using Catmull-Clark surfaces*, SIGGRAPH 1993,
+    section 4.1.
+    """
+    vertices, quads = mesh.vertices, mesh.quads
+    valence = np.bincount(quads.ravel(), minlength=len(vertices))[:, None]
+    total = valence**2 * vertices
+    for corner in range(4):
+        # In a closed mesh each neighbor along an edge is the next corner of exactly one quad.
+        np.add.at(total, quads[:, corner], 4.0 * vertices[quads[:, (corner + 1) % 4]])
+        np.add.at(total, quads[:, corner], vertices[quads[:, (corner + 2) % 4]])
+    return np.asarray((total / (valence * (valence + 5)))[list(numbers)])
