@@ -11,10 +11,17 @@ from bodymeasure.atlas.finding import Finding, FindingKind, Severity
 from bodymeasure.atlas.normals import NORMAL_DEGREE, normal_vectors
 from bodymeasure.bezier import split
 
-# A patch is folded if its normal turns by more than 90 degrees between neighbouring points a
-# 2**-6-th of its side apart. On a patch of 10 cm that is a bend of radius under 1 mm. A patch that
-# bends evenly, even into a closed tube, turns by no more than 6 degrees there.
+# Cells of a 2**-6-th of the patch's side, sampled with half a cell around them: a fold may run
+# along their border, where each by itself shows only half the turn.
 FINEST_LEVEL = 6
+_AROUND = 0.5
+# A patch is folded if its normal turns by more than 90 degrees within a 32nd of its side. On a
+# patch of 10 cm that is a bend of radius 2 mm. One that bends evenly turns by 6 degrees there if it
+# is a half cylinder, by 11 if it closes to a tube.
+_WITHIN = round(2**FINEST_LEVEL / (1 + 2 * _AROUND))
+# Cosine of the angle to the mean normal under which a cell is proven: any two of its normals are
+# then within 90 degrees.
+_CONE = np.sqrt(0.5)
 # Of a patch's largest normal: rounding of coordinates leaves less, so that a smaller normal has no
 # direction to be trusted.
 NO_NORMAL = 1e-9
@@ -39,8 +46,8 @@ def fold_findings(
 
     Notes
     -----
-    The Bernstein coefficients of the normal field bound it. Where all of them lie on one side of a
-    plane through the origin, the patch has no fold; else it is split into four and looked at again.
+    The Bernstein coefficients of the normal field bound it. Where all of them lie in a narrow cone,
+    the patch has no fold; else it is split into four, and each cell is looked at again.
     Few cells stay without proof at the finest level, and those are sampled.
     """
     largest = np.linalg.norm(normals, axis=-1).max(axis=(1, 2), initial=0.0)
@@ -57,12 +64,14 @@ def fold_findings(
 
 
 def _regular(coefficients: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Whether all coefficients of each cell point to one side, clear of zero."""
+    """Whether all coefficients of each cell lie in a cone round their mean, clear of zero."""
     mean = coefficients.mean(axis=(-3, -2))
     length = np.linalg.norm(mean, axis=-1, keepdims=True)
     direction = mean / np.where(length > 0.0, length, 1.0)
     heights = np.einsum("...ijc,...c->...ij", coefficients, direction)
-    return np.asarray(heights.min(axis=(-2, -1)) > NO_NORMAL)
+    lengths = np.linalg.norm(coefficients, axis=-1)
+    inside = (heights > NO_NORMAL) & (heights >= _CONE * lengths)
+    return np.asarray(inside.all(axis=(-2, -1)))
 
 
 def _unproven_cells(
@@ -90,10 +99,11 @@ def _judge(
 ) -> list[Finding]:
     """Findings from the normals sampled in each unproven cell."""
     width = 0.5**FINEST_LEVEL
-    steps = np.linspace(0.0, width, _SAMPLES)
+    steps = np.linspace(-_AROUND, 1.0 + _AROUND, _SAMPLES) * width
     offsets = np.stack(np.meshgrid(steps, steps, indexing="ij"), axis=-1).reshape(-1, 2)
     nets = atlas.control_points[patches]
-    normals = normal_vectors(nets - nets[:, :1, :1], corners[:, None] + offsets)
+    places = np.clip(corners[:, None] + offsets, 0.0, 1.0)
+    normals = normal_vectors(nets - nets[:, :1, :1], places)
     lengths = np.linalg.norm(normals, axis=-1, keepdims=True)
     vanishing = lengths <= NO_NORMAL * largest[patches, None, None]
     directions = np.where(vanishing, 0.0, normals / np.where(vanishing, 1.0, lengths))
@@ -139,7 +149,7 @@ def _folded(atlas: Atlas, patch: int, place: NDArray[np.float64], cosine: float)
         FindingKind.FOLDED_PATCH,
         (patch,),
         f"patch {atlas.patch_names[patch]!r} folds over: its normal turns by {angle:.0f} degrees "
-        f"within 1/{2**FINEST_LEVEL} of the patch near (u, v) = ({place[0]:.2f}, {place[1]:.2f}); "
+        f"within 1/{_WITHIN} of the patch near (u, v) = ({place[0]:.2f}, {place[1]:.2f}); "
         "expected a surface that bends gradually; spread the control points there, or fit the "
         "patch again with more fairness",
     )
