@@ -61,7 +61,7 @@ class Atlas:
 
     def __post_init__(self) -> None:
         index = _checked_index(self.index)
-        points = _checked_points(self.points, index)
+        points = _checked_points(self.points, index, tuple(self.patch_names))
         set_field = object.__setattr__
         set_field(self, "points", points)
         set_field(self, "index", index)
@@ -163,7 +163,9 @@ def _checked_index(index: ArrayLike) -> NDArray[np.int64]:
     return array
 
 
-def _checked_points(points: ArrayLike, index: NDArray[np.int64]) -> NDArray[np.float64]:
+def _checked_points(
+    points: ArrayLike, index: NDArray[np.int64], names: tuple[str, ...]
+) -> NDArray[np.float64]:
     try:
         array = np.array(points, dtype=np.float64)
     except (TypeError, ValueError):
@@ -174,8 +176,9 @@ def _checked_points(points: ArrayLike, index: NDArray[np.int64]) -> NDArray[np.f
     if outside.any():
         patch = int(np.flatnonzero(outside.any(axis=(1, 2)))[0])
         number = int(index[patch][outside[patch]][0])
+        called = f" ({names[patch]!r})" if patch < len(names) else ""
         raise InputError(
-            f"patch {patch} refers to control point {number}, but the points are numbered "
+            f"patch {patch}{called} refers to control point {number}, but the points are numbered "
             f"0 to {len(array) - 1}"
         )
     bad = np.flatnonzero(~np.isfinite(array).all(axis=1))
