@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 from datetime import UTC, datetime
 from enum import Enum
 from statistics import median
@@ -23,7 +23,7 @@ ALL_KINDS: tuple[Kind, ...] = ("diagonal", "boundary")
 
 
 def measurement_records(
-    survey: Survey, unit: Unit | str, *, kinds: Collection[Kind] = ALL_KINDS
+    survey: Survey, unit: Unit | str, *, kinds: tuple[Kind, ...] = ALL_KINDS
 ) -> list[Measurement]:
     """One record for each length of a survey: by patch, diagonals before sides.
 
@@ -32,7 +32,7 @@ def measurement_records(
     survey : Survey
     unit : Unit or str
         Unit of the records.
-    kinds : collection of "diagonal", "boundary"
+    kinds : tuple of "diagonal", "boundary"
     """
     unit = Unit.parse(unit)
     diagonals = _diagonals(survey, unit) if "diagonal" in kinds else []
@@ -45,7 +45,7 @@ def survey_document(
     survey: Survey,
     unit: Unit | str,
     *,
-    kinds: Collection[Kind] = ALL_KINDS,
+    kinds: tuple[Kind, ...] = ALL_KINDS,
     created: datetime | None = None,
 ) -> Document:
     """All that a survey found, as the content of ``measurements.json``.
@@ -54,7 +54,7 @@ def survey_document(
     ----------
     survey : Survey
     unit : Unit or str
-    kinds : collection of "diagonal", "boundary"
+    kinds : tuple of "diagonal", "boundary"
     created : datetime, optional
         Now if not given.
     """
@@ -168,7 +168,7 @@ def _finite(values: NDArray[np.float64]) -> list[list[float | None]]:
 
 def _meanings(members: NDArray[np.object_]) -> dict[str, str]:
     """The sentence of each member that occurs, in the order of their definition."""
-    present: set[Enum] = set(members.flat)
+    present: set[Enum] = set(members.ravel().tolist())
     return {
         code(member): str(member.value)
         for kind in {type(member) for member in present}

@@ -17,6 +17,7 @@ DECIMALS = {Unit.M: 4, Unit.CM: 2, Unit.MM: 1, Unit.INCH: 2}
 SMALLEST_MILLIMETERS = 0.0001
 
 NONE = "\N{EN DASH}"
+_SPACE = "\N{NO-BREAK SPACE}"
 _MINUS = "\N{MINUS SIGN}"
 _TIMES = "\N{MULTIPLICATION SIGN}"
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -35,12 +36,12 @@ def scientific(value: float | None, *, signed: bool = False) -> str:
         return "0"
     mantissa, exponent = f"{abs(value):.1e}".split("e")
     sign = _MINUS if value < 0 else "+" if signed else ""
-    return f"{sign}{mantissa} {_TIMES} 10{str(int(exponent)).translate(_SUPERSCRIPT)}"
+    return f"{sign}{mantissa}{_SPACE}{_TIMES}{_SPACE}10{str(int(exponent)).translate(_SUPERSCRIPT)}"
 
 
 def percent(value: float | None) -> str:
     """A signed ratio in percent; a dash for none."""
-    return NONE if value is None else f"{100.0 * value:+.2f} %".replace("-", _MINUS)
+    return NONE if value is None else f"{100.0 * value:+.2f}{_SPACE}%".replace("-", _MINUS)
 
 
 def millimeters(length: float | None, unit: Unit | str) -> str:
@@ -49,9 +50,9 @@ def millimeters(length: float | None, unit: Unit | str) -> str:
         return NONE
     value = abs(convert_length(length, Unit.parse(unit), Unit.MM))
     if value < SMALLEST_MILLIMETERS:
-        return f"< {SMALLEST_MILLIMETERS} mm"
+        return f"<{_SPACE}{SMALLEST_MILLIMETERS}{_SPACE}mm"
     decimals = 4 if value < 0.01 else 3 if value < 1.0 else 1
-    return f"{value:.{decimals}f} mm"
+    return f"{value:.{decimals}f}{_SPACE}mm"
 
 
 def at_most(length: float | None, unit: Unit | str) -> str:

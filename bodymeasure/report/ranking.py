@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from bodymeasure.report.from_survey import measurement_records
-from bodymeasure.report.records import Kind, Measurement
+from bodymeasure.report.records import Measurement
 
 if TYPE_CHECKING:
     from bodymeasure.measure import Survey
@@ -21,8 +21,7 @@ def closeup_patches(survey: Survey) -> tuple[int, ...]:
 
     Those with the largest differences, then those with a diagonal that has no length.
     """
-    kinds: tuple[Kind, ...] = ("diagonal",)
-    records = measurement_records(survey, survey.atlas.unit, kinds=kinds)
+    records = measurement_records(survey, survey.atlas.unit, kinds=("diagonal",))
     shown = worst(records)[:WORST_SHOWN] + first_unmeasured(records)[:UNMEASURED_SHOWN]
     return tuple(dict.fromkeys(record.patch_number for record in shown))
 

@@ -57,7 +57,10 @@ class Measurement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
     iterations: Annotated[int | None, Meta(description="Newton iterations.")] = None
     exact: Annotated[
         float | None,
-        Meta(description="Exact shortest path on the triangle mesh, extrapolated over its levels."),
+        Meta(
+            description="Exact shortest path inside the patch on triangle meshes, "
+            "extrapolated over their sizes."
+        ),
     ] = None
     exact_uncertainty: Annotated[
         float | None, Meta(description="Uncertainty of `exact`, from the extrapolation.")
@@ -67,7 +70,8 @@ class Measurement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
         float | None, Meta(description="(length - exact) / exact; no unit.")
     ] = None
     heat: Annotated[
-        float | None, Meta(description="Heat distance on the triangle mesh: plausibility only.")
+        float | None,
+        Meta(description="Heat distance on the finest of these meshes: plausibility only."),
     ] = None
     verdict: Annotated[
         str | None, Meta(description="A key of `verdicts`; null where nothing was compared.")

@@ -11,6 +11,14 @@ from bodymeasure.report.records import Document, Finding, Measurement
 
 UNIT_NAMES = {"m": "meters", "cm": "centimeters", "mm": "millimeters", "inch": "inches"}
 
+# Statuses in the words of a table; the sentences beside them explain.
+LABELS = {
+    "converged": "measured",
+    "leaves_patch": "leaves the patch",
+    "not_a_minimum": "not a shortest path",
+    "singular": "singular equations",
+}
+
 # Findings beyond these stand in measurements.json only: a broken atlas may have thousands.
 FINDINGS_SHOWN = 40
 
@@ -59,18 +67,13 @@ def has_check(document: Document) -> bool:
     return bool(document.verdicts)
 
 
-def label(code: str) -> str:
-    """A status, verdict or severity in words."""
-    return code.replace("_", " ")
-
-
 def status_rows(document: Document) -> dict[str, StatusRow]:
     """Each status that occurs, by its code."""
     counts = document.summary.by_status
     return {
         code: StatusRow(
             code=code,
-            label="measured" if code == "converged" else label(code),
+            label=LABELS.get(code, code.replace("_", " ")),
             mark={"converged": "✓", "leaves_patch": "△"}.get(code, "✕"),
             tone={"converged": "good", "leaves_patch": "fair"}.get(code, "poor"),
             sentence=sentence,
@@ -123,8 +126,8 @@ def _measured(document: Document) -> str:
     missing = summary.diagonals - summary.measured
     if not missing:
         return f"All {counted(summary.diagonals, 'diagonal')} could be measured."
-    reasons = ", ".join(
-        f"{row.count} {row.label}"
+    reasons = "; ".join(
+        f"{row.label}: {row.count}"
         for row in status_rows(document).values()
         if row.code != "converged"
     )
@@ -144,10 +147,13 @@ def _checked(document: Document) -> list[str]:
     if not compared:
         return ["The cross-check could not compare any diagonal."]
     sentences = [
-        "Each length was checked against the shortest path on a fine triangle mesh of the same "
-        f"body, found by independent software: of {compared} compared, {agrees} agree with it "
-        "within its own uncertainty"
-        + (f" and {disagrees} do not. See “Worst cases”." if disagrees else ".")
+        "Each length was checked against the shortest path on fine triangle meshes of the same "
+        f"patch, found by independent software: of {compared} compared, "
+        + (
+            f"{agrees} agree with it and {disagrees} do not; see “Worst cases”."
+            if disagrees
+            else f"{'all' if agrees == compared else agrees} agree with it."
+        )
     ]
     median = summary.difference.median
     sentences.append(
@@ -165,8 +171,8 @@ def _precision(document: Document) -> str:
         return "No length has an error estimate."
     return (
         "By their own estimates the measured lengths are in error by "
-        f"{at_most(spread.maximum, document.unit)}, half of them by "
-        f"{at_most(spread.median, document.unit)}. This is the error of the computation on "
+        f"at most {scientific(spread.maximum)} {document.unit}, half of them by at most "
+        f"{scientific(spread.median)} {document.unit}. This is the error of the computation on "
         "this body's surface, not that of the scan or the model that it was made from."
     )
 
