@@ -11,10 +11,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError
 from bodymeasure.oracle.extrapolate import richardson
 from bodymeasure.oracle.grid import grid_lines, refined_grid
-from bodymeasure.oracle.libigl import exact_distance, heat_distances
+from bodymeasure.oracle.libigl import ROUND_OFF, exact_distance, heat_distances
 from bodymeasure.oracle.validate import validate_mesh
 from bodymeasure.oracle.workers import map_in_processes
 
@@ -61,8 +62,9 @@ class _Task(NamedTuple):
 
 
 class _Outcome(NamedTuple):
-    by_level: NDArray[np.float64]
-    heat: NDArray[np.float64]
+    """For each pair a row: distances by level, by heat, how far the ends were moved."""
+
+    rows: NDArray[np.float64]
     failure: str | None
 
 
@@ -133,12 +135,13 @@ def mesh_distances(
         partial(_measure_chunk, levels=levels), chunks, processes=processes, progress=count_pairs
     )
     outcomes = [outcome for chunk in chunk_outcomes for outcome in chunk]
-    by_level = np.array([o.by_level for o in outcomes]).reshape(count, pairs, len(levels))
+    rows = np.stack([outcome.rows for outcome in outcomes])
+    by_level, heat, moved = rows[..., :-2], rows[..., -2], rows[..., -1]
     exact, uncertainty = richardson(by_level, levels)
     return MeshDistances(
         exact=exact,
-        exact_uncertainty=uncertainty,
-        heat=np.array([o.heat for o in outcomes]).reshape(count, pairs),
+        exact_uncertainty=uncertainty + moved + ROUND_OFF * exact,
+        heat=heat,
         by_level=by_level,
         levels=levels,
         failures={i: o.failure for i, o in enumerate(outcomes) if o.failure is not None},
@@ -151,24 +154,21 @@ def _measure_chunk(tasks: list[_Task], *, levels: tuple[int, ...]) -> list[_Outc
 
 def _measure(task: _Task, levels: tuple[int, ...]) -> _Outcome:
     """All pairs of one patch; those that ask for the same grid lines share the meshes."""
-    by_level = np.empty((len(task.start), len(levels)))
-    heat = np.empty(len(task.start))
+    rows = np.full((len(task.start), len(levels) + 2), np.nan)
     groups: dict[tuple[bytes, ...], list[int]] = {}
     for pair, ends in enumerate(zip(task.start, task.end, strict=True)):
         lines = grid_lines(np.array(ends))
         groups.setdefault(tuple(line.tobytes() for line in lines), []).append(pair)
     try:
-        for pairs in groups.values():
-            group = _Task(task.control_points, task.start[pairs], task.end[pairs])
-            by_level[pairs], heat[pairs] = _measure_group(group, levels)
+        for group in groups.values():
+            part = _Task(task.control_points, task.start[group], task.end[group])
+            rows[group] = _measure_group(part, levels)
     except InputError as error:
-        return _Outcome(np.full_like(by_level, np.nan), np.full_like(heat, np.nan), str(error))
-    return _Outcome(by_level, heat, None)
+        return _Outcome(np.full_like(rows, np.nan), str(error))
+    return _Outcome(rows, None)
 
 
-def _measure_group(
-    task: _Task, levels: tuple[int, ...]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _measure_group(task: _Task, levels: tuple[int, ...]) -> NDArray[np.float64]:
     by_level = np.zeros((len(task.start), len(levels)))
     lines = grid_lines(np.array([task.start[0], task.end[0]]))
     for level, segments in enumerate(levels):
@@ -183,7 +183,11 @@ def _measure_group(
     # The meshes run from coarse to fine: the last is the finest.
     distinct, place = np.unique(sources, return_inverse=True)
     heat = heat_distances(vertices, faces, distinct)[place, targets]
-    return by_level, heat
+    moved = np.zeros(len(task.start))
+    for points, numbers in ((task.start, sources), (task.end, targets)):
+        positions = evaluate(task.control_points, points)
+        moved += np.linalg.norm(positions - vertices[numbers], axis=-1)
+    return np.column_stack([by_level, heat, moved])
 
 
 def _checked(

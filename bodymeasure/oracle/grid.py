@@ -19,9 +19,9 @@ Scalar = TypeVar("Scalar", bound=np.generic)
 # lengths were five times worse. 8/5 is far from the ratios of small whole numbers.
 CELLS_V_PER_U = 1.6
 
-# Grid lines nearer than this are one line: cells between them would be lost in round-off, and
-# moving an end point so little moves its position by less than a billionth of the patch.
-SAME_LINE = 1e-9
+# Grid lines nearer than this are one line: thinner cells exhaust libigl's tolerances (from 1e-7
+# on it ran out of memory). End points may be moved that much; the uncertainty counts it.
+SAME_LINE = 1e-6
 
 
 @dataclass(frozen=True, eq=False)

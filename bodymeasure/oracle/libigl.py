@@ -7,7 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.errors import MissingExtraError
+from bodymeasure.errors import InputError, MissingExtraError
+
+# libigl adds some hundred lengths in double precision.
+ROUND_OFF = 1e-9
 
 
 def exact_distance(
@@ -29,6 +32,8 @@ def exact_distance(
 
     Raises
     ------
+    InputError
+        If libigl cannot measure this mesh, although it is valid.
     MissingExtraError
         If libigl is not installed.
 
@@ -39,9 +44,19 @@ def exact_distance(
     libigl stops as soon as it is reached.
     """
     igl = _import_igl()
-    # By keyword: positional calls put the targets among the source faces and return nothing.
-    distances = igl.exact_geodesic(vertices, faces, VS=np.array([source]), VT=np.array([target]))
-    return float(distances[0])
+    ends = {"VS": np.array([source]), "VT": np.array([target])}
+    try:
+        # By keyword: positional calls put the targets among the source faces and return nothing.
+        distance = float(igl.exact_geodesic(vertices, faces, **ends)[0])
+    except MemoryError:  # seen on cells of 1e-8 of the patch
+        raise InputError("libigl ran out of memory; some triangles may be too thin") from None
+    chord = float(np.linalg.norm(vertices[source] - vertices[target]))
+    if not chord * (1.0 - ROUND_OFF) <= distance < np.inf:
+        raise InputError(
+            f"libigl gives {distance} as the distance between points {chord} apart; "
+            "some triangles may be too thin"
+        )
+    return distance
 
 
 def heat_distances(
