@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from bodymeasure.atlas import Atlas, Finding, FindingKind, Severity, Unit, check_atlas
+from bodymeasure.samples import load_sample, sample_names
 
 Array = NDArray[np.float64]
 ARC = 4 / 3 * (np.sqrt(2) - 1)
@@ -118,6 +119,12 @@ def test_a_closed_tube_of_one_patch_is_sound() -> None:
     numbers = np.arange(24).reshape(6, 4)
     index = np.stack([numbers[:4], numbers[[3, 4, 5, 0]]])
     findings = check_atlas(Atlas(lattice.reshape(-1, 3), index, Unit.CM))
+    assert {finding.kind for finding in findings} <= {FindingKind.KINKED_SEAM}
+
+
+@pytest.mark.parametrize("name", sample_names())
+def test_samples_have_no_fault_but_kinks(name: str) -> None:
+    findings = check_atlas(load_sample(name))
     assert {finding.kind for finding in findings} <= {FindingKind.KINKED_SEAM}
 
 

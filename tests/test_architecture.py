@@ -1,0 +1,183 @@
+"""The layers of the package, read off its syntax trees."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+import bodymeasure
+
+ROOT = Path(bodymeasure.__file__).parent.parent
+# Folders by the name under which they are installed.
+FOLDERS = {
+    "bodymeasure": ROOT / "bodymeasure",
+    "bodymeasure.viewer": ROOT / "viewer",
+    "bodymeasure.sample_patches": ROOT / "sample_patches",
+}
+
+# Each layer imports from those above it in this list, not from others of its own line.
+LAYERS = (
+    ("errors",),
+    ("files",),
+    ("bezier",),
+    ("atlas",),
+    ("formats",),
+    ("samples", "sample_patches"),
+    ("geodesic", "oracle"),
+    ("measure",),
+    ("scene",),
+    ("report", "viewer"),
+    ("cli",),
+)
+LEVEL = {layer: level for level, layers in enumerate(LAYERS) for layer in layers}
+
+# Who may import what is heavy, optional or talks to the user.
+RESERVED = {
+    "igl": {"oracle"},
+    "trimesh": {"atlas", "oracle"},
+    "pyvista": {"scene", "viewer"},
+    "vtk": {"scene", "viewer"},
+    "vtkmodules": {"scene", "viewer"},
+    "matplotlib": {"scene", "report"},
+    "jinja2": {"report"},
+    "typer": {"cli"},
+    "rich": {"cli"},
+}
+# What `import bodymeasure` must not load.
+HEAVY = set(RESERVED)
+
+
+class Module(NamedTuple):
+    """A source file: its dotted name, its layer (empty for the package itself) and its tree."""
+
+    name: str
+    layer: str
+    tree: ast.Module
+
+    def imports(self) -> Iterator[tuple[str, int]]:
+        """All imported modules, wherever in the file, and the lines."""
+        for node in ast.walk(self.tree):
+            if isinstance(node, ast.Import):
+                for alias in node.names:
+                    yield alias.name, node.lineno
+            elif isinstance(node, ast.ImportFrom):
+                if node.level:
+                    # The samples' folder is also a package by itself, which its build script uses.
+                    assert (node.level, self.layer) == (1, "sample_patches"), (
+                        f"{self.name}, line {node.lineno}: imports must be absolute"
+                    )
+                    yield f"bodymeasure.{self.layer}.{node.module}", node.lineno
+                elif node.module == "bodymeasure":
+                    # `from bodymeasure import geodesic` names a layer, `import Atlas` the package.
+                    for alias in node.names:
+                        yield f"bodymeasure.{alias.name}", node.lineno
+                else:
+                    yield str(node.module), node.lineno
+
+
+def _modules() -> list[Module]:
+    modules = []
+    for package, folder in FOLDERS.items():
+        for path in sorted(folder.rglob("*.py")):
+            parts = (*package.split("."), *path.relative_to(folder).with_suffix("").parts)
+            parts = parts[:-1] if parts[-1] == "__init__" else parts
+            layer = parts[1] if len(parts) > 1 else ""
+            modules.append(Module(".".join(parts), layer, ast.parse(path.read_text("utf-8"))))
+    return modules
+
+
+MODULES = _modules()
+LAYERED = [module for module in MODULES if module.layer]
+
+
+def test_every_module_has_a_layer() -> None:
+    assert len(MODULES) > 20
+    assert {module.layer for module in LAYERED} <= set(LEVEL)
+
+
+@pytest.mark.parametrize("module", LAYERED, ids=lambda module: module.name)
+def test_imports_point_downwards(module: Module) -> None:
+    for name, line in module.imports():
+        if name.split(".")[0] != "bodymeasure":
+            continue
+        # The package itself gathers all layers, so only those on top may take from it.
+        target = name.split(".")[1] if "." in name else ""
+        level = LEVEL.get(target, len(LAYERS) - 2)
+        allowed = target == module.layer or level < LEVEL[module.layer]
+        assert allowed, f"{module.name}, line {line}: {module.layer} must not import {name}"
+
+
+@pytest.mark.parametrize("module", MODULES, ids=lambda module: module.name)
+def test_packages_are_imported_only_where_they_belong(module: Module) -> None:
+    for name, line in module.imports():
+        package = name.split(".")[0]
+        allowed = RESERVED.get(package, {module.layer})
+        assert module.layer in allowed, f"{module.name}, line {line}: imports {name}"
+
+
+@pytest.mark.parametrize("module", MODULES, ids=lambda module: module.name)
+def test_only_the_command_line_prints_or_exits(module: Module) -> None:
+    if module.layer == "cli":
+        return
+    for node in ast.walk(module.tree):
+        if isinstance(node, ast.Name):
+            assert node.id not in {"print", "input", "exit", "quit"}, f"{module.name}:{node.lineno}"
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+            called = f"{node.value.id}.{node.attr}"
+            assert called not in {
+                "sys.exit",
+                "sys.stdout",
+                "sys.stderr",
+                "np.seterr",
+                "warnings.simplefilter",
+                "warnings.filterwarnings",
+            }, f"{module.name}:{node.lineno}: {called}"
+
+
+@pytest.mark.parametrize("module", MODULES, ids=lambda module: module.name)
+def test_no_global_random_numbers(module: Module) -> None:
+    for node in ast.walk(module.tree):
+        if isinstance(node, ast.Attribute) and ast.unparse(node.value) in {"np.random", "random"}:
+            assert node.attr in {"default_rng", "Generator"}, f"{module.name}:{node.lineno}"
+
+
+def test_importing_the_package_loads_nothing_heavy() -> None:
+    script = "import sys, bodymeasure; print('\\n'.join(sys.modules))"
+    run = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True, timeout=60
+    )
+    loaded = {name.split(".")[0] for name in run.stdout.split()}
+    assert "bodymeasure" in loaded
+    assert loaded.isdisjoint(HEAVY), loaded & HEAVY
+
+
+def test_the_repository_stands_alone() -> None:
+    # Put together, so that this file does not hold them.
+    outside = ["../" + "shared", "/work/" + "shared", "/work/" + "main"]
+    folders = [*FOLDERS.values(), ROOT / "tests", ROOT / ".ci"]
+    files = [path for folder in folders for path in folder.rglob("*") if path.is_file()]
+    files += [path for path in ROOT.iterdir() if path.is_file()]
+    for path in files:
+        if "__pycache__" in path.parts:
+            continue
+        content = path.read_bytes()
+        for text in outside:
+            assert text.encode() not in content, f"{path} mentions {text}"
+
+
+@pytest.mark.parametrize("name", sorted(bodymeasure.__all__))
+def test_public_names_are_documented(name: str) -> None:
+    member = getattr(bodymeasure, name)
+    if not (inspect.isclass(member) or inspect.isroutine(member)):
+        return
+    documentation = inspect.getdoc(member) or ""
+    # Dataclasses without a docstring are given their signature.
+    assert documentation, f"{name} has no docstring"
+    assert not documentation.startswith(f"{name}("), f"{name} has no docstring"
