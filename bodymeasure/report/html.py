@@ -60,6 +60,7 @@ def render_html(document: Document, pictures: Pictures | None = None) -> bytes:
     )
     environment.filters["scientific"] = numbers.scientific
     environment.filters["percent"] = numbers.percent
+    environment.filters["unbroken"] = numbers.unbroken
     environment.filters["with_code"] = numbers.with_code
     template = environment.from_string(templates.joinpath("report.html.j2").read_text("utf-8"))
     css = templates.joinpath("report.css").read_text("utf-8")

@@ -68,6 +68,14 @@ def with_code(text: str) -> Markup:
     return Markup(re.sub("`([^`]+)`", r"<code>\1</code>", str(escape(text))))
 
 
+def unbroken(name: str) -> Markup:
+    """A name in which no line ends inside a number such as ``3-2``."""
+    from markupsafe import Markup, escape
+
+    number = r"(?<!\S)(\w{1,4}-\w{1,4})(?!\S)"
+    return Markup(re.sub(number, r'<span class="whole">\1</span>', str(escape(name))))
+
+
 def counted(number: int, singular: str, plural: str | None = None) -> str:
     """A number with its noun."""
     return f"{number:,} {singular if number == 1 else plural or singular + 's'}"

@@ -12,6 +12,7 @@ from bodymeasure.report.numbers import (
     millimeters,
     percent,
     scientific,
+    unbroken,
     with_code,
 )
 
@@ -69,6 +70,10 @@ def test_bounds_are_in_words() -> None:
 
 def test_code_is_marked_and_the_rest_escaped() -> None:
     assert with_code("run `a < b` & <i>") == "run <code>a &lt; b</code> &amp; &lt;i&gt;"
+
+
+def test_numbers_in_names_stay_on_one_line() -> None:
+    assert unbroken("arm <left> 3-2") == 'arm &lt;left&gt; <span class="whole">3-2</span>'
 
 
 def test_a_histogram_counts_every_value_once_and_has_no_gaps() -> None:
