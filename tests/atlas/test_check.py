@@ -156,8 +156,11 @@ def test_a_collapsed_patch_among_sound_ones_is_found(rng: np.random.Generator) -
     assert kinds[FindingKind.COLLAPSED_PATCH] == (4,)
 
 
-def test_a_lids_tip_is_only_a_warning() -> None:
-    finding = only(check_atlas(Atlas.from_control_points(lid(), "cm")))
+@pytest.mark.parametrize("noise", [0.0, 1e-12, 1e-9, 3e-7])
+def test_a_lids_tip_is_only_a_warning(noise: float, rng: np.random.Generator) -> None:
+    net = lid()
+    net[0] += noise * rng.uniform(-1, 1, size=(4, 3))
+    finding = only(check_atlas(Atlas.from_control_points(net, "cm")))
     assert (finding.severity, finding.kind) == (Severity.WARNING, FindingKind.COLLAPSED_EDGE)
     assert "edge u = 0 of patch 'patch 0' is a single point" in finding.message
 
@@ -177,13 +180,16 @@ def test_the_patches_round_a_lids_tip_are_one_surface() -> None:
     ("corner", "name"),
     [((0, 0), "(0, 0)"), ((3, 0), "(1, 0)"), ((0, 3), "(0, 1)"), ((3, 3), "(1, 1)")],
 )
-def test_parallel_tangents_at_a_corner_are_a_warning(corner: tuple[int, int], name: str) -> None:
+@pytest.mark.parametrize("excess", [-1e-3, -1e-12, 0.0, 1e-12, 1e-3])
+def test_parallel_tangents_at_a_corner_are_a_warning(
+    corner: tuple[int, int], name: str, excess: float
+) -> None:
     # The control points next to the corner straighten it to an angle of 180 degrees.
     i, j = corner
     net = grid_atlas(1, 1).control_points[0].copy()
     along_u, along_v = (abs(i - 1), j), (i, abs(j - 1))
     middle = (net[along_u] + net[along_v]) / 2
-    net[i, j] = middle
+    net[i, j] = middle + excess * (net[1, 1] - net[i, j])
     finding = only(check_atlas(Atlas.from_control_points(net, "cm")))
     assert (finding.severity, finding.kind) == (Severity.WARNING, FindingKind.SINGULAR_CORNER)
     assert f"(u, v) = {name} have tangents there" in finding.message
