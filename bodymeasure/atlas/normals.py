@@ -30,13 +30,23 @@ def normal_coefficients(control_points: NDArray[np.float64]) -> NDArray[np.float
     By interpolation at 6 x 6 Chebyshev points, which determine the field.
     """
     nodes = 0.5 - 0.5 * np.cos(np.pi * (np.arange(NORMAL_DEGREE + 1) + 0.5) / (NORMAL_DEGREE + 1))
-    to_coefficients = np.linalg.inv(bernstein(NORMAL_DEGREE, nodes)[:, 0])
-    grid = np.stack(np.meshgrid(nodes, nodes, indexing="ij"), axis=-1)
+    values = bernstein(NORMAL_DEGREE, nodes)[:, 0]
+    to_coefficients = np.asarray(np.linalg.inv(values), dtype=np.float64)
+    basis = bernstein(3, nodes, order=1)
     # Far from the origin, differences of coordinates are all that is exact.
     local = control_points - control_points[:, :1, :1]
-    normals = normal_vectors(local, np.broadcast_to(grid, (len(local), *grid.shape)))
-    along_v = to_coefficients @ normals
-    return np.asarray(np.einsum("ai,pijc->pajc", to_coefficients, along_v))
+    along_u = _apply(basis[:, 1], basis[:, 0], local)
+    along_v = _apply(basis[:, 0], basis[:, 1], local)
+    return _apply(to_coefficients, to_coefficients, np.cross(along_u, along_v))
+
+
+def _apply(
+    rows_u: NDArray[np.float64], rows_v: NDArray[np.float64], nets: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Linear maps along both axes of nets (patches, m, n, 3)."""
+    count, _, columns, _ = nets.shape
+    first = rows_u @ nets.reshape(count, -1, columns * 3)
+    return np.asarray(rows_v @ first.reshape(count, -1, columns, 3))
 
 
 def normal_vectors(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -77,5 +78,6 @@ def split(control_points: ArrayLike, u: float = 0.5, v: float = 0.5) -> NDArray[
     return parts
 
 
+@lru_cache(maxsize=32)
 def _halves(degree: int, t: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     return _blossom_rows(degree, 0.0, t), _blossom_rows(degree, t, 1.0)
