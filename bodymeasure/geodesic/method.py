@@ -1,0 +1,75 @@
+"""What a method is: settings, and how a batch of problems is solved with them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.geodesic.length_error import MeasuredLength
+from bodymeasure.geodesic.surface import Surface
+from bodymeasure.geodesic.trial_space import TrialSpace
+
+
+@dataclass(frozen=True)
+class Piece:
+    """Paths of those problems that ended on one trial space.
+
+    Parameters
+    ----------
+    problems : ndarray of int, shape (k,)
+    space : TrialSpace
+    values : ndarray, shape (k, 2, n + 1)
+        u and v at the space's nodes.
+    measured : MeasuredLength
+        Of shape (k,).
+    converged, singular : ndarray of bool, shape (k,)
+    """
+
+    problems: NDArray[np.int64]
+    space: TrialSpace
+    values: NDArray[np.float64]
+    measured: MeasuredLength
+    converged: NDArray[np.bool_]
+    singular: NDArray[np.bool_]
+
+    def take(self, rows: NDArray[np.int64]) -> Piece:
+        """Some of the problems, by their place in this piece."""
+        return Piece(
+            self.problems[rows],
+            self.space,
+            self.values[rows],
+            self.measured.take(rows),
+            self.converged[rows],
+            self.singular[rows],
+        )
+
+    def renumbered(self, problems: NDArray[np.int64]) -> Piece:
+        """The same paths under other problem numbers."""
+        return replace(self, problems=problems)
+
+
+@dataclass(frozen=True)
+class MethodResult:
+    """What a method found for a batch of problems.
+
+    Parameters
+    ----------
+    pieces : tuple of Piece
+        Every problem is in exactly one.
+    iterations : ndarray of int, shape (problems,)
+    """
+
+    pieces: tuple[Piece, ...]
+    iterations: NDArray[np.int64]
+
+
+class Method(Protocol):
+    """A way to solve geodesic boundary value problems: a frozen dataclass of its settings."""
+
+    def solve(
+        self, surface: Surface, start: NDArray[np.float64], end: NDArray[np.float64]
+    ) -> MethodResult:
+        """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""

@@ -1,0 +1,70 @@
+"""Speed, geodesic curvature and Gaussian curvature along a path."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.geodesic.equations import acceleration, dot
+from bodymeasure.geodesic.surface import Surface
+
+_Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class PathGeometry:
+    """What a path looks like on its surface at k points; arrays of shape (problems, k).
+
+    Parameters
+    ----------
+    speed : ndarray
+        ``|dx/dt|``.
+    geodesic_curvature : ndarray
+        How much the path bends within the surface: 0 along a geodesic.
+    gaussian_curvature : ndarray
+        Of the surface.
+    """
+
+    speed: _Array
+    geodesic_curvature: _Array
+    gaussian_curvature: _Array
+
+
+def path_geometry(
+    surface: Surface, values: _Array, velocity: _Array, second: _Array
+) -> PathGeometry:
+    """The geometry of paths given by (u, v) and their two derivatives by t.
+
+    Parameters
+    ----------
+    surface : Surface
+    values, velocity, second : ndarray, shape (problems, 2, k)
+
+    Notes
+    -----
+    With n the unit normal, ``kappa_g = (x' x x'') . n / |x'|^3`` and
+    ``K = (L N - M^2) / (E G - F^2)``: M. do Carmo, *Differential Geometry of Curves and Surfaces*,
+    sections 4-4 and 3-3.
+    """
+    jet = surface.jet(np.moveaxis(values, 1, 2), 2)
+    _, s_u, s_v, s_uu, s_uv, s_vv = jet
+    du, dv = np.moveaxis(velocity, 1, 0)
+    tangent = s_u * du + s_v * dv
+    bend = acceleration(jet, np.moveaxis(velocity, 1, 0), np.moveaxis(second, 1, 0))
+    normal = _cross(s_u, s_v)
+    area_squared = dot(normal, normal)
+    speed = np.sqrt(dot(tangent, tangent))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        geodesic_curvature = dot(_cross(tangent, bend), normal) / (speed**3 * np.sqrt(area_squared))
+        gaussian_curvature = (
+            dot(s_uu, normal) * dot(s_vv, normal) - dot(s_uv, normal) ** 2
+        ) / area_squared**2
+    return PathGeometry(speed, geodesic_curvature, gaussian_curvature)
+
+
+def _cross(a: _Array, b: _Array) -> _Array:
+    return np.stack(
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    )

@@ -1,0 +1,46 @@
+"""Piecewise polynomials on [0, 1] in Chebyshev form."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.polynomial import chebyshev
+from numpy.typing import NDArray
+
+_Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class PiecewisePolynomials:
+    """Functions that are polynomials on each piece of [0, 1], with their first two derivatives.
+
+    The derivatives are held for themselves, and all of it in extended precision where the machine
+    has it: the derivatives of cardinal functions are large and cancel, and a length can be no more
+    exact than they are.
+
+    Parameters
+    ----------
+    edges : ndarray, shape (pieces + 1,)
+        Increasing, from 0 to 1.
+    coefficients : ndarray of longdouble, shape (3, degree + 1, functions, pieces)
+        Chebyshev coefficients on each piece, of the functions and their two derivatives.
+    """
+
+    edges: _Array
+    coefficients: NDArray[np.longdouble]
+
+    def __call__(self, t: _Array) -> _Array:
+        """Values, first and second derivatives at t of shape (k,); shape (3, k, functions)."""
+        piece = np.clip(np.searchsorted(self.edges, t, side="right") - 1, 0, len(self.edges) - 2)
+        left, right = self.edges[piece], self.edges[piece + 1]
+        vandermonde = chebyshev.chebvander(_local(t, left, right), self.coefficients.shape[1] - 1)
+        return np.asarray(
+            np.einsum("tk,dkft->dtf", vandermonde, self.coefficients[..., piece], optimize=True)
+        )
+
+
+def sample_points(edges: _Array, degree: int) -> _Array:
+    """Where polynomials of a degree are sampled on each piece, shape (pieces, degree + 1)."""
+    x = (chebyshev.chebpts1(degree + 1) + 1.0) / 2.0
+    return np.asarray(edges[:-1, None] + np.diff(edges)[:, None] * x)

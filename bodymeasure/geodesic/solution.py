@@ -1,0 +1,128 @@
+"""What is known of the geodesics of a batch of problems."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bodymeasure.geodesic.method import Piece
+from bodymeasure.geodesic.status import Status
+
+_Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class GeodesicSolution:
+    """Geodesics between pairs of points of a batch of surfaces.
+
+    Every array has the shape of the batch; for a single problem the numbers are plain floats,
+    ints, bools and a `Status`.
+
+    Parameters
+    ----------
+    start, end : ndarray, shape (*batch, 2)
+        End points (u, v).
+    length : ndarray or float
+        Length of the geodesic, in the unit of the control points: of the computed path, less its
+        excess. NaN unless the status is ``CONVERGED``, so that no wrong number can slip through.
+    raw_length : ndarray or float
+        Length of the computed path itself, whatever the status.
+    error_estimate : ndarray or float
+        Estimated error of `length`, in the same unit (see `bodymeasure.geodesic.length_error`).
+        Infinite where nothing is known.
+    residual : ndarray or float
+        Largest geodesic curvature between the collocation points, times the length; 0 for an exact
+        geodesic.
+    status : ndarray of Status, or Status
+    local_minimum : ndarray of bool, or bool
+        The path is proven to be shorter than all paths close to it: no conjugate point. That a
+        path elsewhere on the patch is not shorter still is not proven.
+    functions : ndarray of int, or int
+        How many functions the path was found with.
+    iterations : ndarray of int, or int
+        Newton iterations, all trial spaces together.
+    pieces : tuple of Piece
+        The paths, by trial space; problems are numbered through the flattened batch. For `path`.
+    """
+
+    start: _Array
+    end: _Array
+    length: Any
+    raw_length: Any
+    error_estimate: Any
+    residual: Any
+    status: Any
+    local_minimum: Any
+    functions: Any
+    iterations: Any
+    pieces: tuple[Piece, ...] = field(repr=False)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the batch; () for a single problem."""
+        return self.start.shape[:-1]
+
+    @property
+    def converged(self) -> Any:
+        """Whether the length can be trusted, of the batch's shape."""
+        result = np.asarray(self.status) == Status.CONVERGED
+        return result if self.shape else bool(result)
+
+    @property
+    def condition(self) -> Any:
+        """Condition number of the collocation system of each path's trial space."""
+        result = np.ones(int(np.prod(self.shape)))
+        for piece in self.pieces:
+            result[piece.problems] = piece.space.condition
+        return result.reshape(self.shape) if self.shape else float(result[0])
+
+    def path(self, t: ArrayLike) -> _Array:
+        """Points of the paths.
+
+        Parameters
+        ----------
+        t : array_like, shape () or (k,)
+            In [0, 1], from start to end.
+
+        Returns
+        -------
+        ndarray, shape (*batch, *t.shape, 2)
+            (u, v). With the status ``LEAVES_PATCH`` they go outside [0, 1].
+
+        Raises
+        ------
+        ValueError
+            If a t is not in [0, 1].
+        """
+        times = np.asarray(t, dtype=np.float64)
+        if not ((times >= 0.0) & (times <= 1.0)).all():
+            raise ValueError(f"path parameters must lie in [0, 1]; got {times}")
+        points = np.empty((int(np.prod(self.shape)), times.size, 2))
+        # Problems without a piece have coinciding ends: the path stays there.
+        points[:] = self.start.reshape(-1, 1, 2)
+        for piece in self.pieces:
+            values = piece.values @ piece.space.matrices(times.ravel())[0].T
+            points[piece.problems] = values.transpose(0, 2, 1)
+        return points.reshape(*self.shape, *times.shape, 2)
+
+    def __getitem__(self, key: Any) -> GeodesicSolution:
+        """Some of the problems, by indexing the batch as an array."""
+        numbers = np.arange(int(np.prod(self.shape))).reshape(self.shape)[key]
+        place = np.full(int(np.prod(self.shape)), -1)
+        # Indices may repeat a problem; then each piece gives its rows as often.
+        chosen = np.atleast_1d(np.asarray(numbers)).ravel()
+        pieces = []
+        for piece in self.pieces:
+            place[:] = -1
+            place[piece.problems] = np.arange(len(piece.problems))
+            rows = place[chosen]
+            inside = np.flatnonzero(rows >= 0)
+            if len(inside):
+                pieces.append(piece.take(rows[inside]).renumbered(inside))
+        return GeodesicSolution(
+            **{item.name: getattr(self, item.name)[key] for item in fields(self)[:-1]},
+            pieces=tuple(pieces),
+        )

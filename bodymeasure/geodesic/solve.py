@@ -1,0 +1,230 @@
+"""The one entry to geodesics: checks, scales, solves, judges."""
+
+from __future__ import annotations
+
+from typing import Any, Literal, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bodymeasure.errors import ConvergenceError, InputError
+from bodymeasure.geodesic.method import Method, MethodResult
+from bodymeasure.geodesic.rbf import RBFCollocation
+from bodymeasure.geodesic.solution import GeodesicSolution
+from bodymeasure.geodesic.status import Status
+from bodymeasure.geodesic.surface import BezierSurfaces, CustomSurface, Surface
+
+_Array = NDArray[np.float64]
+
+# A path is outside its patch if it is so by more than this in u or v: more than rounding errors of
+# a path along the edge, less than anything that could be measured.
+OUTSIDE = 1e-9
+# How many failed problems an error message lists.
+LISTED = 5
+
+
+class HasDerivatives(Protocol):
+    """A parametric surface of the user's own."""
+
+    def derivatives(self, parameters: _Array) -> ArrayLike:
+        """All partial derivatives up to the third order.
+
+        Parameters
+        ----------
+        parameters : ndarray, shape (..., 2)
+
+        Returns
+        -------
+        array_like, shape (..., 10, 3)
+            S, S_u, S_v, S_uu, S_uv, S_vv, S_uuu, S_uuv, S_uvv, S_vvv.
+        """
+
+
+def solve_geodesic(
+    surface: ArrayLike | HasDerivatives,
+    start: ArrayLike,
+    end: ArrayLike,
+    *,
+    method: Method | None = None,
+    on_failure: Literal["raise", "status"] = "raise",
+) -> GeodesicSolution:
+    """Geodesics between pairs of points, each on one patch.
+
+    Parameters
+    ----------
+    surface : array_like of shape (*batch, m + 1, n + 1, 3), or object with ``derivatives``
+        Control points of Bezier patches, or one parametric surface over [0, 1] x [0, 1].
+    start, end : array_like, shape (*batch, 2)
+        Points (u, v) in [0, 1]; they broadcast with each other and with the patches.
+    method : Method, optional
+        `RBFCollocation()` by default.
+    on_failure : {"raise", "status"}
+        What to do if a problem has no length that can be trusted: raise, or say so in its status,
+        with NaN for a length.
+
+    Returns
+    -------
+    GeodesicSolution
+
+    Raises
+    ------
+    InputError
+        If a shape or value is wrong, or a patch is collapsed to a point.
+    ConvergenceError
+        If a problem failed and `on_failure` is "raise".
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> u, v = np.meshgrid(np.linspace(0, 3, 4), np.linspace(0, 4, 4), indexing="ij")
+    >>> plane = np.stack([u, v, np.zeros_like(u)], axis=-1)
+    >>> round(solve_geodesic(plane, (0.0, 0.0), (1.0, 1.0)).length, 12)
+    5.0
+    """
+    if on_failure not in ("raise", "status"):
+        raise InputError(f"on_failure is {on_failure!r}; expected 'raise' or 'status'")
+    start, end = _checked_parameters("start", start), _checked_parameters("end", end)
+    if hasattr(surface, "derivatives"):
+        batch = _broadcast(start.shape[:-1], end.shape[:-1])
+        count = int(np.prod(batch))
+        surfaces: Surface = CustomSurface(surface.derivatives)
+        scale = np.ones(count)
+    else:
+        nets = _checked_control_points(surface)
+        batch = _broadcast(nets.shape[:-3], start.shape[:-1], end.shape[:-1])
+        nets = np.broadcast_to(nets, (*batch, *nets.shape[-3:])).reshape(-1, *nets.shape[-3:])
+        nets, scale = _normalized(nets)
+        surfaces = BezierSurfaces(nets)
+        count = len(nets)
+    starts = np.broadcast_to(start, (*batch, 2)).reshape(-1, 2).copy()
+    ends = np.broadcast_to(end, (*batch, 2)).reshape(-1, 2).copy()
+    solution = _solve(surfaces, starts, ends, scale, batch, method or RBFCollocation())
+    if on_failure == "raise" and not np.all(solution.converged):
+        raise ConvergenceError(_failures(solution, count))
+    return solution
+
+
+def _solve(
+    surfaces: Surface,
+    starts: _Array,
+    ends: _Array,
+    scale: _Array,
+    batch: tuple[int, ...],
+    method: Method,
+) -> GeodesicSolution:
+    count = len(starts)
+    raw, length, residual = np.zeros(count), np.zeros(count), np.zeros(count)
+    error = np.zeros(count)
+    status = np.full(count, Status.CONVERGED, dtype=object)
+    minimal = np.ones(count, bool)
+    functions, iterations = np.zeros(count, np.int64), np.zeros(count, np.int64)
+    # The geodesic from a point to itself has length zero and needs no solving.
+    apart = np.flatnonzero((starts != ends).any(axis=1))
+    result = method.solve(surfaces.take(apart), starts[apart], ends[apart])
+    result = _renumbered(result, apart)
+    iterations[apart] = result.iterations
+    for piece in result.pieces:
+        here, measured = piece.problems, piece.measured
+        raw[here] = measured.raw * scale[here]
+        length[here] = (measured.raw - measured.correction) * scale[here]
+        error[here] = measured.error * scale[here]
+        residual[here] = measured.residual
+        minimal[here] = measured.minimal
+        functions[here] = piece.space.size
+        path = piece.values @ piece.space.between_nodes.T
+        outside = (np.abs(path - 0.5) > 0.5 + OUTSIDE).any(axis=(1, 2))
+        status[here[~measured.minimal]] = Status.NOT_A_MINIMUM
+        status[here[outside]] = Status.LEAVES_PATCH
+        status[here[~piece.converged & ~outside]] = Status.NOT_CONVERGED
+        status[here[piece.singular]] = Status.SINGULAR
+    length[status != Status.CONVERGED] = np.nan
+    arrays = {
+        "length": length,
+        "raw_length": raw,
+        "error_estimate": error,
+        "residual": residual,
+        "status": status,
+        "local_minimum": minimal,
+        "functions": functions,
+        "iterations": iterations,
+    }
+    return GeodesicSolution(
+        start=starts.reshape(*batch, 2),
+        end=ends.reshape(*batch, 2),
+        **{
+            key: array.reshape(batch) if batch else array.tolist()[0]
+            for key, array in arrays.items()
+        },
+        pieces=result.pieces,
+    )
+
+
+def _renumbered(result: MethodResult, numbers: NDArray[np.int64]) -> MethodResult:
+    pieces = tuple(piece.renumbered(numbers[piece.problems]) for piece in result.pieces)
+    return MethodResult(pieces, result.iterations)
+
+
+def _checked_parameters(name: str, value: ArrayLike) -> _Array:
+    array = np.asarray(value, dtype=np.float64)
+    if array.ndim == 0 or array.shape[-1] != 2:
+        raise InputError(f"{name} has shape {array.shape}; expected (..., 2): u and v")
+    # `not inside` rather than `outside`, so that NaN is refused too.
+    bad = ~((array >= 0.0) & (array <= 1.0)).all(axis=-1)
+    if bad.any():
+        raise InputError(f"{name} holds {array[bad][0].tolist()}; expected u and v in [0, 1]")
+    return array
+
+
+def _checked_control_points(value: Any) -> _Array:
+    try:
+        nets = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError(
+            f"a surface of type {type(value).__name__} is neither an array of control points nor "
+            "an object with a method `derivatives`"
+        ) from None
+    if nets.ndim < 3 or nets.shape[-1] != 3 or min(nets.shape[-3:-1]) < 2:
+        raise InputError(
+            f"control points have shape {nets.shape}; expected (..., m + 1, n + 1, 3), "
+            "such as (4, 4, 3) for one bicubic patch"
+        )
+    flat = nets.reshape(-1, *nets.shape[-3:])
+    bad = np.flatnonzero(~np.isfinite(flat).all(axis=(1, 2, 3)))
+    if len(bad):
+        raise InputError(f"patch {bad[0]} has control points that are not finite")
+    collapsed = np.flatnonzero(np.ptp(flat, axis=(1, 2)).max(axis=-1) == 0.0)
+    if len(collapsed):
+        raise InputError(
+            f"patch {collapsed[0]} is degenerate: all its control points are equal; remove it"
+        )
+    return nets
+
+
+def _normalized(nets: _Array) -> tuple[_Array, _Array]:
+    """Patches moved to the origin and scaled to size 1, so that tolerances mean the same to all."""
+    centered = nets - nets.mean(axis=(1, 2), keepdims=True)
+    scale = np.abs(centered).max(axis=(1, 2, 3))
+    return centered / scale[:, None, None, None], scale
+
+
+def _broadcast(*shapes: tuple[int, ...]) -> tuple[int, ...]:
+    try:
+        return np.broadcast_shapes(*shapes)
+    except ValueError:
+        raise InputError(
+            f"batch shapes {', '.join(map(str, shapes))} of surface, start and end do not "
+            "broadcast with one another"
+        ) from None
+
+
+def _failures(solution: GeodesicSolution, count: int) -> str:
+    failed = np.flatnonzero(~np.atleast_1d(solution.converged).ravel())
+    statuses = np.atleast_1d(np.asarray(solution.status, dtype=object)).ravel()
+    if count == 1:
+        return str(statuses[0].sentence)
+    listed = "; ".join(f"problem {i}: {statuses[i].sentence}" for i in failed[:LISTED])
+    more = f"; and {len(failed) - LISTED} more" if len(failed) > LISTED else ""
+    return (
+        f"{len(failed)} of {count} geodesics have no length that can be trusted: {listed}{more} "
+        '(on_failure="status" gives the others)'
+    )

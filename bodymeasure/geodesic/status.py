@@ -1,0 +1,32 @@
+"""How a geodesic problem ended."""
+
+from __future__ import annotations
+
+from enum import Enum
+
+
+class Status(Enum):
+    """The outcome of one geodesic problem; each value is a sentence that says what to do."""
+
+    CONVERGED = "The path is a geodesic on the patch; its length holds to the stated error."
+    LEAVES_PATCH = (
+        "The geodesic between these points leaves the patch, so its length is not a length on the "
+        "patch; measure across the neighboring patches, or take the mesh distance."
+    )
+    NOT_A_MINIMUM = (
+        "The path is a geodesic, but not a shortest one: it passes a conjugate point, and a "
+        "shorter path lies beside it; choose end points that are closer together."
+    )
+    NOT_CONVERGED = (
+        "No trial space met the tolerance; allow more functions, loosen the tolerance, or split "
+        "the patch."
+    )
+    SINGULAR = (
+        "The collocation equations became singular; the patch is probably degenerate or folded "
+        "near the path, which `bodymeasure check` would tell."
+    )
+
+    @property
+    def sentence(self) -> str:
+        """The status in words for the user."""
+        return self.value

@@ -1,0 +1,79 @@
+"""Trial spaces: nodes, differentiation matrices, and evaluation anywhere on [0, 1]."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bodymeasure.geodesic.piecewise import PiecewisePolynomials
+from bodymeasure.geodesic.quadrature import Quadrature
+
+_Array = NDArray[np.float64]
+
+# A speed is the square root of a polynomial: it takes about twice as many Gauss points as the path
+# has nodes until quadrature no longer limits the length (measured on random patches: with one point
+# a node, lengths lose one to two digits).
+POINTS_PER_NODE = 2
+# And some for spaces with few nodes; on each piece of a piecewise space at least these.
+FEWEST_POINTS = 8
+
+
+@dataclass(frozen=True, eq=False)
+class TrialSpace:
+    """Functions on [0, 1] that are given by their values at nodes.
+
+    The solver sees only this: which functions span the space is the maker's business. The maps
+    from nodal values to values and derivatives elsewhere are plain matrices.
+
+    Parameters
+    ----------
+    nodes : ndarray, shape (n + 1,)
+        Increasing, first 0 and last 1; the inner ones are the collocation points.
+    condition : float
+        Condition number of the system that takes expansion coefficients to nodal values.
+    functions : PiecewisePolynomials
+        The n + 1 cardinal functions: each 1 at its node and 0 at the others.
+    description : str
+        The space in words, for reports.
+    """
+
+    nodes: _Array
+    condition: float
+    functions: PiecewisePolynomials
+    description: str
+
+    def matrices(self, t: ArrayLike) -> _Array:
+        """Maps from nodal values to values and two derivatives at t, shape (3, k, n + 1)."""
+        return self.functions(np.atleast_1d(np.asarray(t, dtype=np.float64)))
+
+    @property
+    def size(self) -> int:
+        """Number n of intervals between nodes: the degree, of a polynomial space."""
+        return len(self.nodes) - 1
+
+    @cached_property
+    def differentiation(self) -> _Array:
+        """First and second derivative at the inner nodes, shape (2, n - 1, n + 1)."""
+        return np.ascontiguousarray(self.matrices(self.nodes[1:-1])[1:])
+
+    @cached_property
+    def quadrature(self) -> Quadrature:
+        """Gauss-Legendre quadrature on [0, 1], exact enough for the length of a path."""
+        edges = self.functions.edges
+        wanted = POINTS_PER_NODE * self.size + FEWEST_POINTS
+        return Quadrature(edges, max(FEWEST_POINTS, -(-wanted // (len(edges) - 1))))
+
+    @cached_property
+    def at_quadrature(self) -> _Array:
+        """The maps of `matrices` at the quadrature points."""
+        return self.matrices(self.quadrature.points)
+
+    @cached_property
+    def between_nodes(self) -> _Array:
+        """Map to values at points that lie close together everywhere, shape (k, n + 1)."""
+        k = np.arange(8 * self.size + 1)
+        values: _Array = self.matrices(0.5 - 0.5 * np.cos(np.pi * k / k[-1]))[0]
+        return values
