@@ -17,7 +17,7 @@ LABEL_OFFSET = 0.038
 BAR_MILLIMETRES = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 BAR_PART = 0.2
 BAR_MARGIN = 0.05
-INK = np.array([0.15, 0.16, 0.17])
+INK = np.array([[0.15, 0.16, 0.17]])
 
 
 def annotated(
@@ -49,7 +49,7 @@ def annotated(
     tick = 0.4 * size
     outline = np.array([(x, y - tick), (x, y), (x + bar, y), (x + bar, y - tick)])
     texts.append(Text(x + bar / 2, y - 0.9 * size, caption, size))
-    return draw_on(image, lines=[([outline], [INK], 0.12 * size)], texts=texts)
+    return draw_on(image, lines=[([outline], INK, 0.12 * size)], texts=texts)
 
 
 def _bar(view: View, unit: Unit) -> tuple[float, str]:

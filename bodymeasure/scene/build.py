@@ -138,7 +138,7 @@ def _paths(survey: Survey, patches: NDArray[np.int64]) -> Paths:
 def _surface_at(
     atlas: Atlas, patches: NDArray[np.int64], parameters: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Points and unit normals, each of shape (patches, k, 3), at (u, v) of shape (patches, k, 2)."""
+    """Points and unit normals, both (patches, k, 3), at parameters of shape (patches, k, 2)."""
     jet = derivatives(atlas.control_points[patches], parameters, order=1)
     normals = np.cross(jet[..., 1, 0, :], jet[..., 0, 1, :])
     length = np.linalg.norm(normals, axis=-1, keepdims=True)

@@ -100,7 +100,7 @@ def patch_view(scene: BodyScene, axes: Axes) -> View:
     points, normals = surface.points[~surface.faded], surface.normals[~surface.faded]
     normal = normals.mean(axis=0)
     length = float(np.linalg.norm(normal))
-    towards = normal / length * _outward(surface) if length > 0.0 else axes.front_vector
+    towards = normal / length * outward(surface) if length > 0.0 else axes.front_vector
     # Upright as on the body, but for patches that lie flat, which are seen from above or below.
     upward = axes.up_vector - (axes.up_vector @ towards) * towards
     if np.linalg.norm(upward) < LYING:
@@ -133,7 +133,7 @@ def cut_away(scene: BodyScene, view: View) -> BodyScene:
     )
 
 
-def _outward(surface: Surface) -> float:
+def outward(surface: Surface) -> float:
     """1 where normals point out of the body, -1 where they point into it, by its volume's sign."""
     corners = surface.points[surface.triangles] - surface.points.mean(axis=0)
     volume = np.einsum("ti,ti->t", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])).sum()

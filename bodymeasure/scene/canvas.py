@@ -15,7 +15,7 @@ from bodymeasure.errors import MissingExtraError
 DPI = 72
 INK = "#26282c"
 
-Lines = tuple[Sequence[NDArray[np.float64]], Sequence[NDArray[np.float64]], float]
+Lines = tuple[Sequence[NDArray[np.float64]], NDArray[np.float64], float]
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,8 @@ def draw_on(
     image : ndarray, shape (height, width, 3)
         Of uint8, or of floats in [0, 1].
     lines : sequence of (curves, colors, width)
-        Curves of shape (k, 2) in pixels from the top left, a color each, and a width in pixels.
+        n curves of shape (k, 2) in pixels from the top left, their colors in [0, 1] of shape
+        (n, 3), and a width in pixels.
     texts : sequence of Text
 
     Returns
@@ -48,7 +49,6 @@ def draw_on(
     ndarray of uint8, shape (height, width, 3)
     """
     try:
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.collections import LineCollection
         from matplotlib.figure import Figure
         from matplotlib.patheffects import withStroke
@@ -56,7 +56,6 @@ def draw_on(
         raise MissingExtraError("a picture", "matplotlib", "report") from None
     height, width = image.shape[:2]
     figure = Figure(figsize=(width / DPI, height / DPI), dpi=DPI)
-    canvas = FigureCanvasAgg(figure)
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
     axes.set_axis_off()
     axes.imshow(image, extent=(0, width, height, 0), interpolation="nearest", aspect="auto")
@@ -65,7 +64,10 @@ def draw_on(
     for curves, colors, line_width in lines:
         axes.add_collection(
             LineCollection(
-                list(curves), colors=list(colors), linewidths=line_width, capstyle="round"
+                list(curves),
+                colors=np.insert(colors, 3, 1.0, axis=1),
+                linewidths=line_width,
+                capstyle="round",
             ),
             autolim=False,
         )
@@ -80,5 +82,13 @@ def draw_on(
             color=INK,
             path_effects=[withStroke(linewidth=text.size / 4, foreground="white")],
         )
+    return figure_pixels(figure)
+
+
+def figure_pixels(figure: Any) -> NDArray[np.uint8]:
+    """A matplotlib figure drawn, shape (height, width, 3)."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    canvas: Any = FigureCanvasAgg(figure)
     canvas.draw()
     return np.array(np.asarray(canvas.buffer_rgba())[..., :3])

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import io
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.errors import InputError, MissingExtraError
-from bodymeasure.scene.canvas import INK
+from bodymeasure.scene.canvas import INK, figure_pixels
 from bodymeasure.scene.colors import (
     NO_LENGTH,
     NOT_COMPARED,
@@ -25,7 +27,8 @@ if TYPE_CHECKING:
 
 TEXT_SIZE = 9.0
 BINS_PER_DECADE = 4
-STYLE = {
+STYLE: Any = {
+    "svg.hashsalt": "bodymeasure",  # the same chart gives the same file
     "svg.fonttype": "none",  # text stays text: it can be searched, and takes the page's size
     "font.family": "sans-serif",
     "font.size": TEXT_SIZE,
@@ -45,15 +48,25 @@ def color_bar(paths: Paths) -> bytes:
     paths : Paths
         Of the whole body, as the pictures' scale.
     """
-    return _svg(draw_color_bar(paths), "color-bar")
+    with _style():
+        return _svg(_draw_color_bar(paths), "color-bar")
 
 
-def draw_color_bar(paths: Paths) -> Any:
-    """What the colors of paths mean, as matplotlib's Figure."""
+def color_bar_image(paths: Paths, dots_per_inch: int) -> NDArray[np.uint8]:
+    """What the colors of paths mean, as pixels, shape (height, width, 3)."""
+    with _style():
+        figure = _draw_color_bar(paths)
+        figure.set_dpi(dots_per_inch)
+        return figure_pixels(figure)
+
+
+def _draw_color_bar(paths: Paths) -> Any:
+    from matplotlib.figure import Figure
+
     scale = ColorScale.of(paths)
-    figure = _figure(5.2, 0.72)
+    figure = Figure(figsize=(5.6, 0.72))
     if scale is not None:
-        axes = figure.add_axes((0.04, 0.40, 0.60, 0.20))
+        axes = figure.add_axes((0.04, 0.40, 0.56, 0.20))
         axes.imshow(
             color_map(np.linspace(0.0, 1.0, 128))[None],
             extent=(np.log10(scale.low), np.log10(scale.high), 0, 1),
@@ -61,10 +74,8 @@ def draw_color_bar(paths: Paths) -> Any:
         )
         _decades(axes, np.log10([scale.low, scale.high]))
         axes.set_yticks([])
-        axes.set_title(
-            f"relative {PathKind.COMPARED.value}", size=TEXT_SIZE, loc="left", pad=4.0
-        )
-    key = figure.add_axes((0.70, 0.0, 0.30, 1.0))
+        axes.set_title(f"relative {PathKind.COMPARED.value}", size=TEXT_SIZE, loc="left", pad=4.0)
+    key = figure.add_axes((0.66, 0.0, 0.34, 1.0))
     key.set_axis_off()
     key.set_xlim(0, 1)
     key.set_ylim(0, 1)
@@ -95,46 +106,55 @@ def histogram(survey: Survey) -> bytes:
         raise InputError(
             "there are no differences to draw a histogram of; run the survey with its cross-check"
         )
+    with _style():
+        return _svg(_draw_histogram(value), "histogram")
+
+
+def _draw_histogram(value: NDArray[np.float64]) -> Any:
+    from matplotlib.figure import Figure
+
     place = np.log10(np.maximum(value, SMALLEST))
     low, high = np.floor(place.min()), np.ceil(place.max())
     high = max(high, low + 1)
     edges = np.linspace(low, high, round((high - low) * BINS_PER_DECADE) + 1)
     count, _ = np.histogram(place, edges)
 
-    figure = _figure(5.2, 2.5)
-    axes = figure.add_axes((0.095, 0.20, 0.885, 0.70))
-    scale = ColorScale(10.0**low, 10.0**high)
-    colors = scale.rgb(10.0 ** ((edges[:-1] + edges[1:]) / 2))
+    figure = Figure(figsize=(5.6, 2.5))
+    axes = figure.add_axes((0.105, 0.19, 0.865, 0.78))
+    colors = ColorScale.spanning(value).rgb(10.0 ** ((edges[:-1] + edges[1:]) / 2))
     axes.bar(edges[:-1], count, np.diff(edges), align="edge", color=colors, ec="white", lw=0.8)
     axes.set_xlim(low, high)
-    axes.set_ylim(0, 1.16 * count.max())
+    axes.set_ylim(0, 1.25 * count.max())
     _decades(axes, np.array([low, high]))
-    for caption, at in (("median", np.median(place)), ("largest", place.max())):
+    # One caption below the other, so that they never meet.
+    for line, (caption, at) in enumerate((("median", np.median(place)), ("largest", place.max()))):
         axes.axvline(at, color=INK, linewidth=0.9, linestyle=(0, (4, 2)))
-        on_right = at < low + 0.75 * (high - low)
+        on_right = at < low + 0.7 * (high - low)
         axes.annotate(
-            f"{caption} {10.0**at:.1e}",
+            f"{caption} {_number(10.0**at)}",
             (at, 1.0),
             xycoords=("data", "axes fraction"),
-            xytext=(4 if on_right else -4, -4),
+            xytext=(4 if on_right else -4, -1.25 * TEXT_SIZE * line),
             textcoords="offset points",
             ha="left" if on_right else "right",
             va="top",
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5},
         )
     axes.spines[["top", "right"]].set_visible(False)
     axes.set_xlabel(f"relative {PathKind.COMPARED.value}, without its sign")
     axes.set_ylabel("diagonals")
-    return _svg(figure, "histogram")
+    return figure
 
 
-def _figure(width: float, height: float) -> Any:
+@contextmanager
+def _style() -> Iterator[None]:
+    """Matplotlib's settings for charts, for as long as one is drawn."""
     try:
-        import matplotlib
-        from matplotlib.figure import Figure
+        from matplotlib import rc_context
     except ImportError:
         raise MissingExtraError("a chart", "matplotlib", "report") from None
-    with matplotlib.rc_context(STYLE):
-        return Figure(figsize=(width, height))
+    with rc_context(STYLE):
+        yield
 
 
 def _decades(axes: Any, ends: NDArray[np.float64]) -> None:
@@ -149,15 +169,16 @@ def _power(power: int) -> str:
     return "10" + str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 
+def _number(value: float) -> str:
+    """Two digits and a power of ten."""
+    digits, power = f"{value:.1e}".split("e")
+    return f"{digits} \N{MULTIPLICATION SIGN} {_power(int(power))}"
+
+
 def _svg(figure: Any, name: str) -> bytes:
     """A figure as an SVG element that may stand in a page beside others."""
-    import matplotlib
-
     file = io.BytesIO()
-    with matplotlib.rc_context({**STYLE, "svg.hashsalt": name}):
-        figure.savefig(
-            file, format="svg", transparent=True, metadata={"Date": None, "Creator": None}
-        )
+    figure.savefig(file, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
     text = file.getvalue().decode()
     text = text[text.index("<svg") :]
     # Two charts of one page must not share identifiers.

@@ -75,15 +75,26 @@ def choose_renderer(name: str | None = None) -> Choice:
 
 
 @cache
-def opengl_trouble() -> str:
-    """Why pyvista cannot draw off screen here; empty if it can. Found out once a process."""
+def opengl_trouble(*, window: bool = False) -> str:
+    """Why pyvista cannot draw here; empty if it can. Found out once a process.
+
+    Parameters
+    ----------
+    window : bool
+        Whether a window is to be opened; otherwise pictures are drawn off screen.
+    """
     if find_spec("pyvista") is None:
         return "pyvista is not installed"
+    environment = dict(os.environ)
+    if window and sys.platform.startswith("linux"):
+        # Without a display VTK would draw off screen, and the window would never appear.
+        environment["VTK_DEFAULT_OPENGL_WINDOW"] = "vtkXOpenGLRenderWindow"
     try:
         result = subprocess.run(
             [sys.executable, "-c", PROBE],
             capture_output=True,
             stdin=subprocess.DEVNULL,
+            env=environment,
             timeout=PROBE_SECONDS,
             check=False,
         )
@@ -91,4 +102,6 @@ def opengl_trouble() -> str:
         return "VTK could not be tried"
     if result.returncode == 0 and result.stdout.strip() == b"drawn":
         return ""
+    if window:
+        return "there is no display that VTK can open a window on"
     return "VTK found no OpenGL (neither a display nor EGL nor OSMesa)"

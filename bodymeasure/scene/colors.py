@@ -43,8 +43,11 @@ class ColorScale:
     def of(cls, paths: Paths) -> ColorScale | None:
         """The scale that holds all compared paths; None if there are none."""
         value = paths.value[np.isfinite(paths.value)]
-        if len(value) == 0:
-            return None
+        return cls.spanning(value) if len(value) else None
+
+    @classmethod
+    def spanning(cls, value: NDArray[np.float64]) -> ColorScale:
+        """The scale that holds some differences, but for the smallest hundredth of them."""
         value = np.maximum(value, SMALLEST)
         # A power of ten itself must not open a decade of its own for its rounding.
         high = int(np.ceil(np.log10(value.max()) - 1e-9))

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from bodymeasure.scene.camera import View
 from bodymeasure.scene.colors import BODY
+from bodymeasure.scene.model import Surface
 
 # Direction towards the light: right, up and towards the viewer.
 LIGHT = (-0.45, 0.55, 1.0)
@@ -32,19 +33,21 @@ def shade(normals: NDArray[np.float64], view: View) -> NDArray[np.float64]:
         out=np.zeros_like(length),
         where=length > 0.0,
     )
-    return np.minimum(AMBIENT + DIFFUSE * np.maximum(cosine, 0.0), 1.0)
+    return np.asarray(np.minimum(AMBIENT + DIFFUSE * np.maximum(cosine, 0.0), 1.0))
 
 
-def shaded(
-    normals: NDArray[np.float64], faded: NDArray[np.bool_], view: View
-) -> NDArray[np.float64]:
-    """Colors in [0, 1], shape (n, 3), of the body's surface.
+def glow(surface: Surface, view: View) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Light from a surface's vertices: how much white, and how much of the body's color.
 
-    Parameters
-    ----------
-    normals : ndarray, shape (n, 3)
-    faded : ndarray of bool, shape (n,)
-    view : View
+    Returns
+    -------
+    white, body : ndarray, shape (n,)
+        The color is ``white + body * BODY``.
     """
-    color = np.array(BODY) * shade(normals, view)[:, None]
-    return np.where(faded[:, None], 1.0 - FADED * (1.0 - color), color)
+    gain = np.where(surface.faded, FADED, 1.0)
+    return 1.0 - gain, gain * shade(surface.normals, view)
+
+
+def glowing(white: NDArray[np.float64], body: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Colors in [0, 1], shape (..., 3), of what `glow` says."""
+    return np.asarray(white[..., None] + body[..., None] * np.array(BODY))

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from bodymeasure.errors import MissingExtraError
 from bodymeasure.scene.camera import View
 from bodymeasure.scene.colors import BACKGROUND, ColorScale
-from bodymeasure.scene.lighting import shaded
+from bodymeasure.scene.lighting import glow, glowing
 from bodymeasure.scene.model import BodyScene, Surface
-from bodymeasure.scene.strokes import Stroke, Style, runs, strokes
+from bodymeasure.scene.strokes import Style, runs, strokes
 
 # Each pixel is the mean of this many squared samples: alike on all machines, where multisampling
 # and smooth lines are up to the driver.
@@ -43,19 +43,17 @@ def render(
         finally:
             plotter.close()
     blocks = image[..., :3].reshape(size[1], SAMPLES, size[0], SAMPLES, 3)
-    return np.round(blocks.mean(axis=(1, 3))).astype(np.uint8)
+    return np.asarray(np.round(blocks.mean(axis=(1, 3))), dtype=np.uint8)
 
 
 def _fill(
     plotter: Any, scene: BodyScene, view: View, scale: ColorScale | None, style: Style
 ) -> None:
     plotter.background_color = BACKGROUND
-    colors = shaded(scene.surface.normals, scene.surface.faded, view)
-    plotter.add_mesh(
-        surface_mesh(scene.surface), scalars=_bytes(colors), rgb=True, lighting=False
-    )
+    colors = glowing(*glow(scene.surface, view))
+    plotter.add_mesh(surface_mesh(scene.surface), scalars=_bytes(colors), rgb=True, lighting=False)
     for stroke in strokes(scene, view, scale, style):
-        mesh, curve = stroke_mesh(stroke)
+        mesh, curve = stroke_mesh(stroke.points)
         if mesh.n_points:
             plotter.add_mesh(
                 mesh,
@@ -71,15 +69,16 @@ def surface_mesh(surface: Surface) -> Any:
     """A surface as pyvista's PolyData."""
     import pyvista
 
-    return pyvista.PolyData.from_regular_faces(surface.points, surface.triangles)
+    faces: Any = surface.triangles
+    return pyvista.PolyData.from_regular_faces(surface.points, faces)
 
 
-def stroke_mesh(stroke: Stroke) -> tuple[Any, NDArray[np.int64]]:
-    """Curves as pyvista's PolyData, and the number of the curve that each of its lines is from."""
+def stroke_mesh(curves: NDArray[np.float64]) -> tuple[Any, NDArray[np.int64]]:
+    """Curves, shape (n, k, 3), as pyvista's PolyData; and which of them each of its lines is of."""
     import pyvista
 
     pieces, curve = [], []
-    for number, points in enumerate(stroke.points):
+    for number, points in enumerate(curves):
         for piece in runs(points):
             pieces.append(piece)
             curve.append(number)
@@ -107,4 +106,4 @@ def set_camera(plotter: Any, scene: BodyScene, view: View) -> None:
 
 
 def _bytes(colors: NDArray[np.float64]) -> NDArray[np.uint8]:
-    return np.round(255.0 * colors).astype(np.uint8)
+    return np.asarray(np.round(255.0 * colors), dtype=np.uint8)

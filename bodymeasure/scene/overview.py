@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,7 +9,7 @@ import numpy as np
 from bodymeasure.scene.build import body_scene
 from bodymeasure.scene.camera import body_views
 from bodymeasure.scene.canvas import Text, draw_on
-from bodymeasure.scene.charts import draw_color_bar
+from bodymeasure.scene.charts import color_bar_image
 from bodymeasure.scene.choice import choose_renderer
 from bodymeasure.scene.colors import ColorScale
 from bodymeasure.scene.pictures import RENDERERS, png
@@ -49,11 +48,7 @@ def body_overview(survey: Survey, *, renderer: str | None = None) -> bytes:
         left += image.shape[1] + GAP
     row = np.concatenate(images, axis=1)
 
-    from PIL import Image
-
-    file = io.BytesIO()
-    draw_color_bar(scene.paths).savefig(file, format="png", dpi=BAR_DPI)
-    bar = np.asarray(Image.open(file).convert("RGB"))
+    bar = color_bar_image(scene.paths, BAR_DPI)
     width = max(row.shape[1], bar.shape[1])
     parts = [np.full((TITLE_PIXELS, width, 3), 255, dtype=np.uint8)]
     for part in (row, bar):

@@ -38,7 +38,8 @@ class Renderer(Protocol):
         size: tuple[int, int],
         scale: ColorScale | None,
         style: Style,
-    ) -> NDArray[np.uint8]: ...
+    ) -> NDArray[np.uint8]:
+        """A picture of a scene; see `software.render`."""
 
 
 RENDERERS: Mapping[str, Renderer] = {PYVISTA: opengl.render, SOFTWARE: software.render}
@@ -130,5 +131,5 @@ def png(image: NDArray[np.uint8]) -> bytes:
     except ImportError:
         raise MissingExtraError("a picture", "matplotlib", "report") from None
     file = io.BytesIO()
-    Image.fromarray(image).save(file, format="PNG", optimize=True)
+    Image.fromarray(image).save(file, format="PNG")
     return file.getvalue()

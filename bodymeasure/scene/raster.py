@@ -24,18 +24,27 @@ class DepthBuffer:
     ----------
     depth : ndarray, shape (height, width)
         Depth of the nearest triangle, -inf where there is none.
-    pixel : ndarray of int, shape (covered,)
-        Flat indices of the covered pixels.
-    triangle : ndarray of int, shape (covered,)
-        The triangle that each of them shows.
-    weights : ndarray, shape (covered, 3)
-        Barycentric coordinates on it.
+    triangle : ndarray of int, shape (height, width)
+        Its number, -1 where there is none.
+    triangles : ndarray of int, shape (m, 3)
+    edge : ndarray, shape (m, 3, 3)
+        Coefficients (a, b, c) of each triangle's barycentric coordinates a column + b row + c.
     """
 
     depth: NDArray[np.float64]
-    pixel: NDArray[np.int64]
     triangle: NDArray[np.int64]
-    weights: NDArray[np.float64]
+    triangles: NDArray[np.int64]
+    edge: NDArray[np.float64]
+
+    def interpolated(self, values: NDArray[np.float64], background: float) -> NDArray[np.float64]:
+        """What each pixel shows of a quantity given at the vertices, shape (height, width)."""
+        flat = self.triangle.ravel()
+        covered = np.flatnonzero(flat >= 0)
+        shown = flat[covered]
+        row, column = np.divmod(covered, self.triangle.shape[1])
+        picture = np.full(flat.shape, background)
+        picture[covered] = _at(_planes(self.edge, values[self.triangles]), shown, column, row)
+        return picture.reshape(self.triangle.shape)
 
 
 def rasterize(
@@ -62,27 +71,39 @@ def rasterize(
     corner = pixels[triangles] - 0.5  # pixel centers now lie at whole numbers
     edge, area = _edge_functions(corner)
     edge /= np.where(np.abs(area) > EDGE_ON, area, np.inf)[:, None, None]
-    plane = np.einsum("tij,ti->tj", edge, depth[triangles])
-    seen = np.flatnonzero(np.abs(area) > EDGE_ON)
+    plane = _planes(edge, depth[triangles])
+    low, high = corner.min(axis=1), corner.max(axis=1)
+    inside = (high[:, 0] >= 0) & (low[:, 0] < width) & (high[:, 1] >= 0) & (low[:, 1] < height)
+    seen = np.flatnonzero(inside & (np.abs(area) > EDGE_ON))
     for chunk in np.array_split(seen, max(1, -(-len(seen) // CHUNK))):
         which, row = _rows(corner[chunk, :, 1], height)
         which = chunk[which]
         first, last = _span(edge[which], row, width)
         count = np.maximum(last - first + 1, 0)
         which, row, column = np.repeat(which, count), np.repeat(row, count), _ranges(first, count)
-        z = plane[which, 0] * column + plane[which, 1] * row + plane[which, 2]
+        z = _at(plane, which, column, row)
         pixel = row * width + column
         np.maximum.at(buffer, pixel, z)
         # Of triangles at the same depth, any one will do.
         wins = z == buffer[pixel]
         nearest[pixel[wins]] = which[wins]
+    shape = (height, width)
+    return DepthBuffer(buffer.reshape(shape), nearest.reshape(shape), triangles, edge)
 
-    covered = np.flatnonzero(nearest >= 0)
-    shown = nearest[covered]
-    row, column = np.divmod(covered, width)
-    place = np.stack([column, row, np.ones(len(covered))], axis=-1)
-    weights = np.einsum("tij,tj->ti", edge[shown], place)
-    return DepthBuffer(buffer.reshape(height, width), covered, shown, weights)
+
+def _planes(edge: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Coefficients, shape (m, 3), of the linear functions with given values at the corners."""
+    return np.asarray((values[:, None, :] @ edge)[:, 0])
+
+
+def _at(
+    plane: NDArray[np.float64],
+    triangle: NDArray[np.int64],
+    column: NDArray[np.int64],
+    row: NDArray[np.int64],
+) -> NDArray[np.float64]:
+    a, b, c = plane.T
+    return np.asarray(a[triangle] * column + b[triangle] * row + c[triangle])
 
 
 def _edge_functions(
@@ -96,9 +117,7 @@ def _edge_functions(
     return np.stack([a, b, c], axis=-1), c.sum(axis=-1)
 
 
-def _rows(
-    y: NDArray[np.float64], height: int
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _rows(y: NDArray[np.float64], height: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Pairs of a triangle and a row of pixels that it crosses."""
     first = np.clip(np.ceil(y.min(axis=1)), 0, height).astype(np.int64)
     last = np.clip(np.floor(y.max(axis=1)), -1, height - 1).astype(np.int64)
