@@ -45,7 +45,8 @@ RESERVED = {
     "pyvista": {"scene", "viewer"},
     "vtk": {"scene", "viewer"},
     "vtkmodules": {"scene", "viewer"},
-    "matplotlib": {"scene", "report"},
+    # pyvista takes its color maps from it.
+    "matplotlib": {"scene", "report", "viewer"},
     "jinja2": {"report"},
     "typer": {"cli"},
     "rich": {"cli"},
