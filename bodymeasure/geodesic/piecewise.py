@@ -34,10 +34,11 @@ class PiecewisePolynomials:
         """Values, first and second derivatives at t of shape (k,); shape (3, k, functions)."""
         piece = np.clip(np.searchsorted(self.edges, t, side="right") - 1, 0, len(self.edges) - 2)
         left, right = self.edges[piece], self.edges[piece + 1]
-        vandermonde = chebyshev.chebvander(_local(t, left, right), self.coefficients.shape[1] - 1)
-        return np.asarray(
-            np.einsum("tk,dkft->dtf", vandermonde, self.coefficients[..., piece], optimize=True)
-        )
+        place = t.astype(np.longdouble)
+        x = ((place - left) - (right - place)) / (right - left)
+        vandermonde = chebyshev.chebvander(x, self.coefficients.shape[1] - 1)
+        values = np.einsum("tk,dkft->dtf", vandermonde, self.coefficients[..., piece])
+        return np.asarray(values, dtype=np.float64)
 
 
 def sample_points(edges: _Array, degree: int) -> _Array:
