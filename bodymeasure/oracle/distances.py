@@ -15,7 +15,7 @@ from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError
 from bodymeasure.oracle.extrapolate import richardson
 from bodymeasure.oracle.grid import grid_lines, refined_grid
-from bodymeasure.oracle.libigl import ROUND_OFF, exact_distance, heat_distances
+from bodymeasure.oracle.libigl import ROUND_OFF, exact_distance, heat_distances, require_libigl
 from bodymeasure.oracle.validate import validate_mesh
 from bodymeasure.oracle.workers import map_in_processes
 
@@ -122,6 +122,7 @@ def mesh_distances(
     levels = _checked_levels(levels)
     if processes < 1:
         raise InputError(f"processes is {processes}; expected at least 1")
+    require_libigl()
 
     count, pairs = starts.shape[:2]
     tasks = [_Task(*task) for task in zip(nets, starts, ends, strict=True)]
@@ -198,6 +199,9 @@ def _checked(
         raise InputError(
             f"control points have shape {nets.shape}; expected (patches, 4, 4, 3), or other degrees"
         )
+    broken = np.flatnonzero(~np.isfinite(nets).all(axis=(1, 2, 3)))
+    if len(broken):
+        raise InputError(f"patch {broken[0]} has control points that are not finite")
     ends = []
     for name, points in (("start", start), ("end", end)):
         array = np.asarray(points, dtype=np.float64)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -98,9 +99,14 @@ def heat_distances(
     return np.array([igl.heat_geodesics_solve(data, np.array([source])) for source in sources])
 
 
+def require_libigl() -> None:
+    """Raise `MissingExtraError` if libigl is not installed, before any work is shared out."""
+    if find_spec("igl") is None:
+        raise MissingExtraError("the cross-check", "libigl", "oracle")
+
+
 def _import_igl() -> Any:
-    try:
-        import igl
-    except ImportError:
-        raise MissingExtraError("the cross-check", "libigl", "oracle") from None
+    require_libigl()
+    import igl
+
     return igl
