@@ -10,14 +10,16 @@ import argparse
 import os
 import time
 import warnings
+from unittest import mock
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_bvp
 
-from bodymeasure import load_sample
 from bodymeasure.bezier import derivatives
 from bodymeasure.oracle import LEVELS, MeshDistances, mesh_distances
+from bodymeasure.oracle.grid import CELLS_V_PER_U
+from bodymeasure.samples import load_sample
 
 Array = NDArray[np.float64]
 
@@ -91,31 +93,39 @@ def main() -> None:
     print(f"{options.sample}: {smooth.size} diagonals, {len(length)} stay in their patches")
 
     print(
-        "\nrelative error                   median       90 %      99 %       max   ms a diagonal"
+        "\nextrapolated from                 median       90 %      99 %       max   ms a diagonal"
     )
-    for levels in ((4, 8, 16), (5, 10, 20), LEVELS, (6, 12, 18, 24)):
-        measured, _, own = measure(nets, levels, processes=1)
-        exact = measured.exact[stays]
+    # Square cells, whose edges the diagonals follow, show why the grids are oblong.
+    for levels, shape in (
+        ((6, 12, 18, 24), 1.0),
+        ((4, 8, 16), CELLS_V_PER_U),
+        ((5, 10, 20), CELLS_V_PER_U),
+        (LEVELS, CELLS_V_PER_U),
+        ((6, 12, 18, 24), CELLS_V_PER_U),
+    ):
+        with mock.patch("bodymeasure.oracle.grid.CELLS_V_PER_U", shape):
+            measured, _, own = measure(nets, levels, processes=1)
+        cells = ", ".join(f"{level}x{round(level * shape)}" for level in levels)
         print(
-            f"extrapolated from {levels!s:16s}",
-            quantiles(np.abs(exact / length - 1.0)),
+            f"{cells:33s}",
+            quantiles(np.abs(measured.exact[stays] / length - 1.0)),
             f"{1e3 * own / smooth.size:9.1f}",
         )
         if levels == LEVELS:
             kept = measured
     for level, raw in zip(LEVELS, np.moveaxis(kept.by_level, -1, 0), strict=True):
         print(
-            f"exact, {level:2d} segments along u      ", quantiles(np.abs(raw[stays] / length - 1))
+            f"not extrapolated, {level:2d} along u    ", quantiles(np.abs(raw[stays] / length - 1))
         )
-    print("heat                             ", quantiles(np.abs(kept.heat[stays] / length - 1)))
+    print(f"{'heat':33s}", quantiles(np.abs(kept.heat[stays] / length - 1)))
 
     error = np.abs(kept.exact[stays] - length)
     uncertainty = kept.exact_uncertainty[stays]
+    share = uncertainty / length
     print(
-        f"\nuncertainty: covers {100 * (error <= uncertainty).mean():.1f} % of the errors, "
-        f"{np.median(uncertainty / length):.1e} of the length in the median "
-        f"({np.median(uncertainty / error):.0f} times the error), {(uncertainty / length).max():.1e} "
-        "at most"
+        f"\nuncertainty: covers {100 * (error <= uncertainty).mean():.1f} % of the errors; "
+        f"{np.median(share):.1e} of the length in the median, {share.max():.1e} at most; "
+        f"{np.median(uncertainty / error):.0f} times the error in the median"
     )
     processes = os.cpu_count() or 1
     clock = measure(nets, LEVELS, processes)[1]

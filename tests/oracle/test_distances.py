@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -169,8 +170,8 @@ def test_workers_give_the_same() -> None:
         ({"processes": 0}, "processes is 0; expected at least 1"),
     ],
 )
-def test_bad_input_is_named(change: dict[str, object], message: str) -> None:
-    arguments = {
+def test_bad_input_is_named(change: dict[str, Any], message: str) -> None:
+    arguments: dict[str, Any] = {
         "control_points": ENNEPER[None],
         "start": [[(0, 0)]],
         "end": [[(1, 1)]],
