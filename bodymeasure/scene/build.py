@@ -111,7 +111,7 @@ def _paths(survey: Survey, patches: NDArray[np.int64]) -> Paths:
     t = np.linspace(0.0, 1.0, PATH_POINTS)
     parameters = solution.path(t)[patches]
     # A path that could not be computed at all is shown where it should have been.
-    missing = ~np.isfinite(parameters).all(axis=(-2, -1))
+    missing = np.asarray(~np.isfinite(parameters).all(axis=(-2, -1)))
     start, end = solution.start[patches], solution.end[patches]
     straight = start[..., None, :] + t[:, None] * (end - start)[..., None, :]
     parameters = np.where(missing[..., None, None], straight, parameters)

@@ -1,0 +1,84 @@
+"""Lengths of the boundary curves of patches."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas import Atlas
+from bodymeasure.bezier import bernstein
+
+_Array = NDArray[np.float64]
+
+# Gauss points on each part of a curve; parts are halved until two results agree.
+POINTS = 16
+# Relative agreement that is asked for: what rounding leaves of a sum of this kind.
+AGREEMENT = 1e-14
+# Halvings at most. Only a cusp inside an edge needs more, and its error estimate says so.
+MAX_HALVINGS = 10
+# Relative rounding error of a sum of some dozens of positive terms.
+ROUNDING = 4e-16
+
+
+@dataclass(frozen=True, eq=False)
+class BoundaryLengths:
+    """Lengths of the four sides of each patch, in the order of `bodymeasure.atlas.EDGES`.
+
+    Parameters
+    ----------
+    length : ndarray, shape (patches, 4)
+        In the atlas's unit.
+    error_estimate : ndarray, shape (patches, 4)
+        In the same unit.
+    """
+
+    length: _Array
+    error_estimate: _Array
+
+
+def boundary_lengths(atlas: Atlas) -> BoundaryLengths:
+    """Arc lengths of all patches' boundary curves.
+
+    Gauss-Legendre quadrature of the speed on ever smaller parts of each curve, until two results
+    agree to rounding. The paper's section 6.3 makes the same lengths equal to the physical ones.
+    """
+    nets = atlas.control_points
+    curves = np.stack([nets[:, 0], nets[:, 3], nets[:, :, 0], nets[:, :, 3]], axis=1)
+    flat = curves.reshape(-1, *curves.shape[-2:])
+    length, error = curve_lengths(flat)
+    return BoundaryLengths(length.reshape(-1, 4), error.reshape(-1, 4))
+
+
+def curve_lengths(control_points: _Array) -> tuple[_Array, _Array]:
+    """Arc lengths of Bezier curves, and estimates of their errors.
+
+    Parameters
+    ----------
+    control_points : ndarray, shape (curves, degree + 1, 3)
+
+    Returns
+    -------
+    length, error : ndarray, shape (curves,)
+    """
+    length = _composite(control_points, parts=1)
+    error = np.full_like(length, np.inf)
+    rest = np.arange(len(control_points))
+    for halvings in range(1, MAX_HALVINGS + 1):
+        finer = _composite(control_points[rest], parts=2**halvings)
+        error[rest] = np.abs(finer - length[rest]) + ROUNDING * finer
+        length[rest] = finer
+        rest = rest[error[rest] > AGREEMENT * finer]
+        if len(rest) == 0:
+            break
+    return length, error
+
+
+def _composite(control_points: _Array, parts: int) -> _Array:
+    nodes, weights = np.polynomial.legendre.leggauss(POINTS)
+    t = ((np.arange(parts)[:, None] + (nodes + 1.0) / 2.0) / parts).ravel()
+    slopes = bernstein(control_points.shape[1] - 1, t, order=1)[:, 1]
+    speed = np.linalg.norm(slopes @ control_points, axis=-1)
+    result: _Array = speed @ np.tile(weights / (2.0 * parts), parts)
+    return result

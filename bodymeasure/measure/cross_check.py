@@ -1,0 +1,130 @@
+"""Lengths held against libigl's on meshes of the patches."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas import Atlas
+from bodymeasure.geodesic import GeodesicSolution
+from bodymeasure.oracle import LEVELS, mesh_distances
+
+_Array = NDArray[np.float64]
+
+# The mesh distance's own uncertainty covers its error for 99.6 % of a body's diagonals
+# (tests/benchmarks/oracle_levels.py): of 752, three would be called wrong by chance. So a
+# difference counts from three times that, and never below a millionth, which is as far as meshes
+# of this size can tell.
+DOUBT = 3.0
+RESOLUTION = 1e-6
+
+
+class Verdict(Enum):
+    """How a length compares with the mesh's; each value is a sentence for the user."""
+
+    AGREES = "The length and the mesh distance agree, as far as the meshes can tell."
+    LONGER = (
+        "The mesh knows a path that is shorter by more than the meshes' doubt: the geodesic is "
+        "probably not the shortest on its patch."
+    )
+    SHORTER = (
+        "The length is below the mesh distance by more than the meshes' doubt, which cannot be: "
+        "one of the two is wrong, and the length should not be used."
+    )
+    NOT_COMPARED = "There is no length to compare; the mesh distance is given for itself."
+
+    @property
+    def sentence(self) -> str:
+        """The verdict in words for the user."""
+        return self.value
+
+
+@dataclass(frozen=True, eq=False)
+class CrossCheck:
+    """Mesh distances beside lengths; every array has the shape of the solution.
+
+    Parameters
+    ----------
+    exact : ndarray
+        Shortest path inside the patch, extrapolated from exact polyhedral distances.
+    exact_uncertainty : ndarray
+        How far `exact` may be off.
+    heat : ndarray
+        Distance by the heat method: a plausibility check, right to some percent.
+    difference : ndarray
+        Length less `exact`; NaN where there is no length.
+    relative_difference : ndarray
+        `difference` over `exact`.
+    verdict : ndarray of Verdict
+    levels : tuple of int
+        Segments a side of the meshes.
+    """
+
+    exact: _Array
+    exact_uncertainty: _Array
+    heat: _Array
+    difference: _Array
+    relative_difference: _Array
+    verdict: NDArray[Any]
+    levels: tuple[int, ...]
+
+
+def cross_check(
+    atlas: Atlas,
+    solution: GeodesicSolution,
+    *,
+    levels: tuple[int, ...] = LEVELS,
+    processes: int = 1,
+    progress: Callable[[int], None] | None = None,
+) -> CrossCheck:
+    """Compare geodesics with distances on tessellations, which share no code with them.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    solution : GeodesicSolution, shape (patches, pairs)
+        As `diagonals` returns it.
+    levels : tuple of int
+        Segments a side of the meshes that are extrapolated from.
+    processes : int
+        Worker processes.
+    progress : callable, optional
+        Called with the number of patches done.
+
+    Raises
+    ------
+    MissingExtraError
+        If libigl is not installed.
+    """
+    mesh = mesh_distances(
+        atlas.control_points,
+        solution.start,
+        solution.end,
+        levels=levels,
+        processes=processes,
+        progress=progress,
+    )
+    difference = solution.length - mesh.exact
+    doubt = np.maximum(DOUBT * mesh.exact_uncertainty, RESOLUTION * mesh.exact)
+    allowed = doubt + solution.error_estimate
+    verdict = np.full(solution.shape, Verdict.AGREES, dtype=object)
+    verdict[difference > allowed] = Verdict.LONGER
+    verdict[difference < -allowed] = Verdict.SHORTER
+    verdict[~np.isfinite(difference)] = Verdict.NOT_COMPARED
+    # Two points at the same place have distance 0, and their lengths differ by nothing.
+    with np.errstate(invalid="ignore"):
+        relative = np.where(mesh.exact > 0.0, difference / mesh.exact, difference)
+    return CrossCheck(
+        exact=mesh.exact,
+        exact_uncertainty=mesh.exact_uncertainty,
+        heat=mesh.heat,
+        difference=difference,
+        relative_difference=relative,
+        verdict=verdict,
+        levels=levels,
+    )

@@ -1,0 +1,52 @@
+"""The diagonals of an atlas's patches."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+
+from bodymeasure.atlas import Atlas
+from bodymeasure.geodesic import GeodesicSolution, Method, solve_geodesic
+
+# Ends (u, v) of a patch's two diagonals; shape (2, 2).
+DIAGONAL_STARTS = np.array([[0.0, 0.0], [1.0, 0.0]])
+DIAGONAL_ENDS = np.array([[1.0, 1.0], [0.0, 1.0]])
+
+
+def diagonals(
+    atlas: Atlas,
+    *,
+    method: Method | None = None,
+    on_failure: Literal["raise", "status"] = "status",
+) -> GeodesicSolution:
+    """Both diagonal geodesics of every patch, in one batch.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    method : Method, optional
+        `RBFCollocation()` by default.
+    on_failure : {"status", "raise"}
+        See `solve_geodesic`; a body always has some diagonals that leave their patch, so here the
+        statuses say so by default.
+
+    Returns
+    -------
+    GeodesicSolution
+        Of shape (patches, 2): ``[:, 0]`` runs from (0, 0) to (1, 1), ``[:, 1]`` from (1, 0) to
+        (0, 1). Lengths are in the atlas's unit.
+
+    Raises
+    ------
+    InputError
+        If a patch is collapsed to a point. Whether patches are folded, and the like, is for
+        `check_atlas` to say.
+    """
+    return solve_geodesic(
+        atlas.control_points[:, None],
+        DIAGONAL_STARTS,
+        DIAGONAL_ENDS,
+        method=method,
+        on_failure=on_failure,
+    )
