@@ -15,6 +15,7 @@ from bodymeasure.scene import (
     SIDES,
     ColorScale,
     PathKind,
+    View,
     body_overview,
     body_scene,
     body_views,
@@ -40,7 +41,7 @@ if TYPE_CHECKING:
 WINDOW_SIZE = (1000, 1100)
 # How far curves stand off the surface, as a fraction of the body's size: above the tessellation's
 # distance from the curved surface, below a line's width.
-LIFT = 0.0006
+LIFT = 0.001
 EDGE_WIDTH = 1.2
 PATH_WIDTH = 3.0
 PICKED_WIDTH = 6.0
@@ -121,24 +122,24 @@ class Window:
         self.plotter = plotter
         self.scene = body_scene(survey)
         self.views = body_views(self.scene, survey.atlas.axes)
-        self._edge_actors: list[Any] = []
-        self._path_actors: list[Any] = []
+        self.edge_actors: list[Any] = []
+        self.path_actors: list[Any] = []
         points = self.scene.surface.points
         self._lift = LIFT * float(np.ptp(points, axis=0).max()) * outward(self.scene.surface)
         self._fill()
 
     def look_from(self, side: str) -> None:
         """Turn the camera to one of `SIDES`."""
-        set_camera(self.plotter, self.scene, self._fitted(side))
+        set_camera(self.plotter, self.scene, self.framed(side))
         self.plotter.render()
 
     def toggle_edges(self) -> None:
         """Show or hide the patches' edges."""
-        self._toggle(self._edge_actors)
+        self._toggle(self.edge_actors)
 
     def toggle_paths(self) -> None:
         """Show or hide the diagonals."""
-        self._toggle(self._path_actors)
+        self._toggle(self.path_actors)
 
     def pick(self, dataset: Any, cell: int) -> str:
         """Mark the patch that a cell of one of the window's meshes lies on, and describe it.
@@ -184,7 +185,7 @@ class Window:
         plotter.add_mesh(surface, color=BODY, smooth_shading=True, ambient=AMBIENT, diffuse=DIFFUSE)
         lines = self.scene.edges
         mesh, _ = stroke_mesh(lines.points + self._lift * lines.normals)
-        self._edge_actors.append(
+        self.edge_actors.append(
             plotter.add_mesh(
                 mesh, color=EDGE, line_width=EDGE_WIDTH, lighting=False, pickable=False
             )
@@ -195,7 +196,7 @@ class Window:
         atlas = self.survey.atlas
         plotter.add_text(atlas.name, position="upper_left", font_size=TEXT_SIZE + 2, color=INK)
         plotter.enable_anti_aliasing("msaa", multi_samples=8)
-        set_camera(plotter, self.scene, self._fitted(SIDES[0]))
+        set_camera(plotter, self.scene, self.framed(SIDES[0]))
         if not plotter.off_screen:
             self._listen()
 
@@ -236,7 +237,7 @@ class Window:
                 },
             }
         actor = self.plotter.add_mesh(mesh, line_width=PATH_WIDTH, lighting=False, **looks)
-        self._path_actors.append(actor)
+        self.path_actors.append(actor)
 
     def _listen(self) -> None:
         plotter = self.plotter
@@ -269,7 +270,7 @@ class Window:
             actor.visibility = not actor.visibility
         self.plotter.render()
 
-    def _fitted(self, side: str) -> Any:
+    def framed(self, side: str) -> View:
         """A view of a side with room for the texts above and below, whatever the window's shape."""
         width, height = self.plotter.window_size
         framed = self.views[side]

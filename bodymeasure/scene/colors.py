@@ -51,7 +51,7 @@ class ColorScale:
         value = np.maximum(value, SMALLEST)
         # A power of ten itself must not open a decade of its own for its rounding.
         high = int(np.ceil(np.log10(value.max()) - 1e-9))
-        low = int(np.floor(np.log10(np.quantile(value, 0.01)) + 1e-9))
+        low = int(np.floor(np.log10(np.quantile(value, 0.01, method="lower")) + 1e-9))
         low = min(max(low, high - MOST_DECADES), high - 1)
         return cls(10.0**low, 10.0**high)
 

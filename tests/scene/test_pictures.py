@@ -1,0 +1,61 @@
+from __future__ import annotations
+
+import io
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from PIL import Image
+from straight_survey import straight_survey
+
+from bodymeasure.atlas import Atlas
+from bodymeasure.errors import InputError
+from bodymeasure.scene import body_overview, body_views, pictures
+from bodymeasure.scene.build import body_scene
+
+
+def test_all_pictures_of_a_small_atlas(square: Atlas) -> None:
+    seen: list[str] = []
+    shots = pictures(straight_survey(square), [0], renderer="software", advance=seen.append)
+    assert seen == ["front", "back", "left", "right", "patch 0"]
+    assert list(shots.body) == seen[:4]
+    assert (shots.renderer, shots.note) == ("software", "")
+    front = Image.open(io.BytesIO(shots.body["front"]))
+    assert front.format == "PNG"
+    assert front.size == (1100, 1100)
+    closeup = np.asarray(Image.open(io.BytesIO(shots.closeups[0])))
+    assert closeup.shape == (640, 640, 3)
+    # The scale bar says 2 cm of a square of 10 cm, drawn over 1 / 1.36 of the picture.
+    dark = np.asarray((closeup[600:620] < 80).all(axis=-1).any(axis=0))
+    assert dark[:300].sum() == pytest.approx(640 * 2 / 13.6, abs=4)
+
+
+def test_an_unknown_patch_is_named(square: Atlas) -> None:
+    with pytest.raises(InputError, match="no patch 7 to draw; the patches are numbered 0 to 0"):
+        pictures(straight_survey(square), [7], renderer="software")
+
+
+def test_an_unknown_renderer_is_named(square: Atlas) -> None:
+    with pytest.raises(InputError, match="renderer is 'povray'"):
+        pictures(straight_survey(square), renderer="povray")
+
+
+@pytest.mark.slow
+def test_the_overview_holds_four_sides_side_by_side(body: Atlas) -> None:
+    survey = straight_survey(body)
+    image = np.asarray(Image.open(io.BytesIO(body_overview(survey, renderer="software"))))
+    views = body_views(body_scene(survey), body.axes)
+    assert image.shape[1] > sum(view.size(900)[0] for view in views.values())
+    # Four bodies, with white between them.
+    inked = (image[44:944] < 250).any(axis=(0, 2))
+    assert np.count_nonzero(np.diff(inked.astype(int)) == 1) == 4
+
+
+def test_importing_the_scene_loads_nothing_heavy() -> None:
+    code = (
+        "import sys, bodymeasure.scene, bodymeasure.viewer; "
+        "print({'matplotlib', 'pyvista', 'vtkmodules', 'PIL'} & set(sys.modules))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "set()"
