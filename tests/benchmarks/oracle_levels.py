@@ -105,7 +105,8 @@ def main() -> None:
     ):
         with mock.patch("bodymeasure.oracle.grid.CELLS_V_PER_U", shape):
             measured, _, own = measure(nets, levels, processes=1)
-        cells = ", ".join(f"{level}x{round(level * shape)}" for level in levels)
+        along_v = round(levels[0] * shape)
+        cells = ", ".join(f"{level}x{level // levels[0] * along_v}" for level in levels)
         print(
             f"{cells:33s}",
             quantiles(np.abs(measured.exact[stays] / length - 1.0)),
