@@ -2,29 +2,20 @@
 
 from __future__ import annotations
 
-from datetime import datetime
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import msgspec
 
-from bodymeasure.atlas import Unit
 from bodymeasure.files import make_folder, write_all
-from bodymeasure.report.from_survey import survey_document
 from bodymeasure.report.html import Pictures, render_html
-from bodymeasure.report.records import json_schema, to_csv, to_json
-
-if TYPE_CHECKING:
-    from bodymeasure.measure import Survey
+from bodymeasure.report.records import Document, json_schema, to_csv, to_json
 
 
 def write_report(
-    survey: Survey,
+    document: Document,
     folder: Path,
     *,
-    unit: Unit | str,
     pictures: Pictures | None = None,
-    created: datetime | None = None,
 ) -> tuple[Path, ...]:
     """Write ``report.html``, ``measurements.json``, its schema and ``measurements.csv``.
 
@@ -32,15 +23,12 @@ def write_report(
 
     Parameters
     ----------
-    survey : Survey
+    document : Document
+        As `survey_document` makes it.
     folder : Path
         Made if it is not there; files of these names in it are replaced.
-    unit : Unit or str
-        Unit of the lengths in all files.
     pictures : Pictures, optional
         What `bodymeasure.scene.pictures` returns; the page has none if not given.
-    created : datetime, optional
-        Now if not given.
 
     Returns
     -------
@@ -54,7 +42,6 @@ def write_report(
     InputError
         If the folder cannot be made or written to, or the disk is full.
     """
-    document = survey_document(survey, unit, created=created)
     contents = {
         folder / "report.html": render_html(document, pictures),
         folder / "measurements.json": to_json(document),

@@ -12,7 +12,7 @@ import jsonschema
 import pytest
 
 from bodymeasure.errors import InputError
-from bodymeasure.report import write_report
+from bodymeasure.report import survey_document, write_report
 
 FILES = {"report.html", "measurements.json", "measurements.csv", "measurements.schema.json"}
 
@@ -23,7 +23,7 @@ def names(folder: Path) -> set[str]:
 
 def test_the_files_are_written_and_agree(tmp_path: Path, survey: Any, pictures: Any) -> None:
     folder = tmp_path / "new" / "folder"
-    paths = write_report(survey, folder, unit="mm", pictures=pictures)
+    paths = write_report(survey_document(survey, "mm"), folder, pictures=pictures)
     assert paths[0] == folder / "report.html"
     assert names(folder) == {path.name for path in paths} == FILES
     schema = json.loads((folder / "measurements.schema.json").read_bytes())
@@ -38,7 +38,7 @@ def test_the_files_are_written_and_agree(tmp_path: Path, survey: Any, pictures: 
 def test_a_full_disk_leaves_the_earlier_report_whole(
     tmp_path: Path, survey: Any, monkeypatch: pytest.MonkeyPatch, at: int
 ) -> None:
-    write_report(survey, tmp_path, unit="cm")
+    write_report(survey_document(survey, "cm"), tmp_path)
     before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
     calls = []
 
@@ -49,7 +49,7 @@ def test_a_full_disk_leaves_the_earlier_report_whole(
 
     monkeypatch.setattr(os, "fsync", full)
     with pytest.raises(InputError, match="No space left on device"):
-        write_report(survey, tmp_path, unit="mm")
+        write_report(survey_document(survey, "mm"), tmp_path)
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
 
 
@@ -65,7 +65,7 @@ def test_an_interrupt_leaves_nothing(
 
     monkeypatch.setattr(os, "fsync", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        write_report(survey, tmp_path, unit="cm")
+        write_report(survey_document(survey, "cm"), tmp_path)
     assert names(tmp_path) == set()
 
 
@@ -74,7 +74,7 @@ def test_a_failure_to_render_touches_no_file(
 ) -> None:
     monkeypatch.setitem(sys.modules, "jinja2", None)
     with pytest.raises(ImportError):
-        write_report(survey, tmp_path / "folder", unit="cm")
+        write_report(survey_document(survey, "cm"), tmp_path / "folder")
     assert names(tmp_path) == set()
 
 

@@ -1,0 +1,26 @@
+"""`bodymeasure samples`."""
+
+from __future__ import annotations
+
+import click
+from rich.markup import escape
+from rich.table import Table
+
+from bodymeasure.cli.console import RESULTS
+from bodymeasure.samples import samples as all_samples
+
+
+@click.command()
+@click.option("--paths", is_flag=True, help="Print only the files, one a line.")
+def samples(paths: bool) -> None:
+    """List the atlases that come with bodymeasure."""
+    if paths:
+        for sample in all_samples():
+            click.echo(sample.path)
+        return
+    table = Table(box=None, pad_edge=False)
+    table.add_column("name", style="bold", no_wrap=True)
+    table.add_column("what it is", overflow="fold")
+    for sample in all_samples():
+        table.add_row(sample.name, escape(sample.description))
+    RESULTS.print(table)
