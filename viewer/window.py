@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import textwrap
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -42,17 +44,25 @@ WINDOW_SIZE = (1000, 1100)
 # How far curves stand off the surface, as a fraction of the body's size: above the tessellation's
 # distance from the curved surface, below a line's width.
 LIFT = 0.001
+# Drawn as tubes in their plain color, lines have no gaps where they bend.
+LINES: Mapping[str, Any] = {"render_lines_as_tubes": True, "ambient": 1.0, "diffuse": 0.0}
 EDGE_WIDTH = 1.2
 PATH_WIDTH = 3.0
 PICKED_WIDTH = 6.0
 PICKED = (0.05, 0.05, 0.05)
 INK = (0.15, 0.16, 0.17)
 TEXT_SIZE = 10
+TEXT_COLUMNS = 60
 # How near a click must be to a line, as a fraction of the window's diagonal.
 PICK_TOLERANCE = 0.003
 # Arrays of the window's meshes that say what a cell belongs to; the diagonal is -1 on the surface.
 PATCH = "patch"
 DIAGONAL = "diagonal"
+# What the colors beside the scale mean, and where that stands in the window.
+KEYS = (
+    (PathKind.NO_LENGTH, (0.03, 0.10), NO_LENGTH),
+    (PathKind.NOT_COMPARED, (0.03, 0.07), NOT_COMPARED),
+)
 HELP = (
     "click: what is there    n: patch edges    d: diagonals    "
     "F1 front  F2 back  F3 left  F4 right    q: close"
@@ -164,7 +174,7 @@ class Window:
             mesh,
             color=PICKED,
             line_width=PICKED_WIDTH,
-            lighting=False,
+            **LINES,
             name="picked",
             pickable=False,
             reset_camera=False,
@@ -186,13 +196,16 @@ class Window:
         lines = self.scene.edges
         mesh, _ = stroke_mesh(lines.points + self._lift * lines.normals)
         self.edge_actors.append(
-            plotter.add_mesh(
-                mesh, color=EDGE, line_width=EDGE_WIDTH, lighting=False, pickable=False
-            )
+            plotter.add_mesh(mesh, color=EDGE, line_width=EDGE_WIDTH, pickable=False, **LINES)
         )
         scale = ColorScale.of(self.scene.paths)
         for kind in PathKind:
             self._add_paths(kind, scale)
+        for kind, place, color in KEYS:
+            if (self.scene.paths.kind == kind).any():
+                plotter.add_text(
+                    kind.value, position=place, viewport=True, font_size=TEXT_SIZE - 2, color=color
+                )
         atlas = self.survey.atlas
         plotter.add_text(atlas.name, position="upper_left", font_size=TEXT_SIZE + 2, color=INK)
         plotter.enable_anti_aliasing("msaa", multi_samples=8)
@@ -236,7 +249,7 @@ class Window:
                     "height": 0.06,
                 },
             }
-        actor = self.plotter.add_mesh(mesh, line_width=PATH_WIDTH, lighting=False, **looks)
+        actor = self.plotter.add_mesh(mesh, line_width=PATH_WIDTH, **LINES, **looks)
         self.path_actors.append(actor)
 
     def _listen(self) -> None:
@@ -256,8 +269,9 @@ class Window:
         )
 
     def _say(self, words: str) -> None:
+        lines = [line for part in words.splitlines() for line in textwrap.wrap(part, TEXT_COLUMNS)]
         self.plotter.add_text(
-            words,
+            "\n".join(lines),
             position="upper_right",
             font_size=TEXT_SIZE,
             color=INK,

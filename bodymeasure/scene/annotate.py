@@ -12,7 +12,7 @@ from bodymeasure.scene.model import BodyScene
 
 TEXT_SIZE = 0.026  # of the picture's height
 # A label stands outside the patch by so much of the picture's height.
-LABEL_OFFSET = 0.038
+LABEL_OFFSET = 0.03
 # The scale bar is the longest of these lengths, in millimetres, under a fifth of the picture.
 BAR_MILLIMETRES = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 BAR_PART = 0.2
@@ -38,9 +38,10 @@ def annotated(
     pixels, _ = view.project(np.array([label.position for label in scene.labels]), (width, height))
     outwards = pixels - pixels.mean(axis=0)
     outwards /= np.maximum(np.linalg.norm(outwards, axis=-1, keepdims=True), 1.0)
-    places = pixels + LABEL_OFFSET * height * outwards * [1.25, 1.0]
+    places = pixels + LABEL_OFFSET * height * outwards
     texts = [
-        Text(x, y, label.text, size) for (x, y), label in zip(places, scene.labels, strict=True)
+        Text(x, y, label.text, size, horizontal="right" if leftwards else "left")
+        for (x, y), leftwards, label in zip(places, outwards[:, 0] < 0.0, scene.labels, strict=True)
     ]
 
     length, caption = _bar(view, unit)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Axes
+from bodymeasure.scene.clip import clipped
 from bodymeasure.scene.model import BodyScene, Surface
 
 SIDES = ("front", "back", "left", "right")
@@ -121,14 +122,11 @@ def cut_away(scene: BodyScene, view: View) -> BodyScene:
     depth = surface.points @ view.towards
     shown = depth[~surface.faded]
     limit = shown.max() + CUT_MARGIN * view.height
-    before = (surface.faded & (depth > limit))[surface.triangles].any(axis=1)
     edges = scene.faded_edges.points.copy()
     edges[edges @ view.towards > limit] = np.nan
     return replace(
         scene,
-        surface=replace(
-            surface, triangles=surface.triangles[~before], patch=surface.patch[~before]
-        ),
+        surface=clipped(surface, depth - limit),
         faded_edges=replace(scene.faded_edges, points=edges),
     )
 
