@@ -44,8 +44,10 @@ def bernstein_values(degree: int, t: NDArray[np.float64]) -> list[NDArray[np.flo
     One array a polynomial: the layout that is fastest where many patches are evaluated at once.
     """
     s = 1.0 - t
-    values = [np.ones_like(t)]
-    for _ in range(degree):
+    if degree == 0:
+        return [np.ones_like(t)]
+    values = [s, t]
+    for _ in range(degree - 1):
         lower = [s * value for value in values]
         upper = [t * value for value in values]
         inner = [a + b for a, b in zip(lower[1:], upper[:-1], strict=True)]

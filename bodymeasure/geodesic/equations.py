@@ -68,9 +68,9 @@ def residual_and_jacobian(
     """
     first, second = space.differentiation
     inner = values[:, :, 1:-1]
-    velocity = np.moveaxis(values @ first.T, 1, 0)
-    bend = np.moveaxis(values @ second.T, 1, 0)
-    jet = surface.jet(np.moveaxis(inner, 1, 2), 3)
+    velocity = (values @ first.T).transpose(1, 0, 2)
+    bend = (values @ second.T).transpose(1, 0, 2)
+    jet = surface.jet(inner.transpose(0, 2, 1), 3)
     _, s_u, s_v, s_uu, s_uv, s_vv, s_uuu, s_uuv, s_uvv, s_vvv = jet
     du, dv = velocity
     a = acceleration(jet, velocity, bend)

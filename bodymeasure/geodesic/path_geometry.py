@@ -48,11 +48,12 @@ def path_geometry(
     ``K = (L N - M^2) / (E G - F^2)``: M. do Carmo, *Differential Geometry of Curves and Surfaces*,
     sections 4-4 and 3-3.
     """
-    jet = surface.jet(np.moveaxis(values, 1, 2), 2)
+    jet = surface.jet(values.transpose(0, 2, 1), 2)
     _, s_u, s_v, s_uu, s_uv, s_vv = jet
-    du, dv = np.moveaxis(velocity, 1, 0)
+    velocity, second = velocity.transpose(1, 0, 2), second.transpose(1, 0, 2)
+    du, dv = velocity
     tangent = s_u * du + s_v * dv
-    bend = acceleration(jet, np.moveaxis(velocity, 1, 0), np.moveaxis(second, 1, 0))
+    bend = acceleration(jet, velocity, second)
     normal = _cross(s_u, s_v)
     area_squared = dot(normal, normal)
     speed = np.sqrt(dot(tangent, tangent))
