@@ -94,7 +94,10 @@ def measure_length(surface: Surface, space: TrialSpace, values: _Array) -> Measu
         u and v at the nodes.
     """
     quadrature = space.quadrature
-    geometry = path_geometry(surface, *(values @ rows.T for rows in space.at_quadrature))
+    place, *slopes = space.at_quadrature
+    # As in `equations`: rounding of the sums that differentiate must not grow with the place.
+    moved = values - values[:, :, :1]
+    geometry = path_geometry(surface, values @ place.T, *(moved @ rows.T for rows in slopes))
     speed, kappa, curvature = (
         geometry.speed,
         geometry.geodesic_curvature,

@@ -70,7 +70,7 @@ class BezierSurfaces:
             for j, other in enumerate(in_v):
                 np.multiply(value, other, out=basis[:, :, i, j])
         size = JET_SIZE[order]
-        values = basis.reshape(problems, count, -1) @ self._nets[:, :, : 3 * size]
+        values = basis.reshape(problems, count, self._nets.shape[1]) @ self._nets[:, :, : 3 * size]
         return np.ascontiguousarray(values.reshape(-1, 3 * size).T).reshape(
             size, 3, problems, count
         )
