@@ -5,26 +5,20 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Mapping
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from bodymeasure.viewer.describe import describe
 
-from bodymeasure.errors import InputError, MissingExtraError
-from bodymeasure.files import write_bytes
 from bodymeasure.scene import (
     SIDES,
     ColorScale,
     PathKind,
     View,
-    body_overview,
     body_scene,
     body_views,
-    png,
 )
 from bodymeasure.scene.camera import outward
-from bodymeasure.scene.choice import SOFTWARE, opengl_trouble
 from bodymeasure.scene.colors import (
     BACKGROUND,
     BODY,
@@ -67,54 +61,6 @@ HELP = (
     "click: what is there    n: patch edges    d: diagonals    "
     "F1 front  F2 back  F3 left  F4 right    q: close"
 )
-
-
-def view(survey: Survey, screenshot: Path | None = None) -> str:
-    """Open a window on a measured body, or save what it would show.
-
-    Parameters
-    ----------
-    survey : Survey
-    screenshot : Path, optional
-        PNG file to write instead of opening a window.
-
-    Returns
-    -------
-    str
-        A sentence for the user if it had to be done in another way than usual, otherwise empty.
-
-    Raises
-    ------
-    InputError
-        If a window is wanted but there is no display, or the file cannot be written.
-    MissingExtraError
-        If pyvista is not installed.
-    """
-    try:
-        import pyvista
-    except ImportError:
-        raise MissingExtraError("the viewer", "pyvista", "viewer") from None
-    trouble = opengl_trouble(window=screenshot is None)
-    if screenshot is None:
-        if trouble:
-            raise InputError(
-                f"no window can be opened, since {trouble}; "
-                "write a picture instead with --screenshot FILE.png"
-            )
-        with pyvista.vtk_verbosity("off"):
-            build(survey).plotter.show()
-        return ""
-    if trouble:
-        write_bytes(screenshot, body_overview(survey, renderer=SOFTWARE))
-        return f"The picture was drawn without OpenGL, since {trouble}."
-    with pyvista.vtk_verbosity("off"):
-        plotter = build(survey, off_screen=True).plotter
-        try:
-            image = np.asarray(plotter.screenshot(None, return_img=True))
-        finally:
-            plotter.close()
-    write_bytes(screenshot, png(image[..., :3]))
-    return ""
 
 
 class Window:

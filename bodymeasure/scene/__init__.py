@@ -8,9 +8,9 @@ from bodymeasure.scene.camera import SIDES, View, body_views, cut_away, patch_vi
 from bodymeasure.scene.charts import color_bar, histogram
 from bodymeasure.scene.choice import Choice, choose_renderer
 from bodymeasure.scene.colors import ColorScale
+from bodymeasure.scene.gallery import Pictures, pictures, png
 from bodymeasure.scene.model import BodyScene, Label, PathKind, Paths, Polylines, Surface
 from bodymeasure.scene.overview import body_overview
-from bodymeasure.scene.pictures import Pictures, pictures, png
 
 __all__ = [
     "SIDES",

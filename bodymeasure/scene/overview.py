@@ -12,7 +12,7 @@ from bodymeasure.scene.canvas import Text, draw_on
 from bodymeasure.scene.charts import color_bar_image
 from bodymeasure.scene.choice import choose_renderer
 from bodymeasure.scene.colors import ColorScale
-from bodymeasure.scene.pictures import RENDERERS, png
+from bodymeasure.scene.gallery import RENDERERS, png
 from bodymeasure.scene.strokes import BODY_STYLE
 
 if TYPE_CHECKING:

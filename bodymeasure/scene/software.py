@@ -63,9 +63,10 @@ def _picture(surface: Surface, buffer: DepthBuffer, view: View) -> NDArray[np.fl
 
 
 def _downsampled(picture: NDArray[np.float64]) -> NDArray[np.float64]:
-    height, width = picture.shape
-    blocks = picture.reshape(height // SAMPLES, SAMPLES, width // SAMPLES, SAMPLES)
-    return np.asarray(blocks.mean(axis=(1, 3)))
+    # Several times as fast as the mean of a reshaped array over its short axes.
+    offsets = range(SAMPLES)
+    rows = sum((picture[i::SAMPLES] for i in offsets), np.zeros(()))
+    return np.asarray(sum((rows[:, j::SAMPLES] for j in offsets), np.zeros(())) / SAMPLES**2)
 
 
 def _visible(

@@ -15,7 +15,8 @@ from bodymeasure.scene import body_overview, body_views, pictures
 from bodymeasure.scene.build import body_scene
 
 
-def test_all_pictures_of_a_small_atlas(square: Atlas) -> None:
+def test_all_pictures_of_a_small_atlas(square: Atlas, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("bodymeasure.scene.gallery.BODY_PIXELS", 200)
     seen: list[str] = []
     shots = pictures(straight_survey(square), [0], renderer="software", advance=seen.append)
     assert seen == ["front", "back", "left", "right", "patch 0"]
@@ -23,7 +24,7 @@ def test_all_pictures_of_a_small_atlas(square: Atlas) -> None:
     assert (shots.renderer, shots.note) == ("software", "")
     front = Image.open(io.BytesIO(shots.body["front"]))
     assert front.format == "PNG"
-    assert front.size == (1100, 1100)
+    assert front.size == (200, 200)
     closeup = np.asarray(Image.open(io.BytesIO(shots.closeups[0])))
     assert closeup.shape == (640, 640, 3)
     # The scale bar says 2 cm of a square of 10 cm, drawn over 1 / 1.36 of the picture.

@@ -10,7 +10,7 @@ from straight_survey import straight_survey
 from bodymeasure.atlas import Atlas
 from bodymeasure.scene import ColorScale, body_scene, body_views, cut_away, patch_scene, patch_view
 from bodymeasure.scene.choice import PYVISTA, SOFTWARE, opengl_trouble
-from bodymeasure.scene.pictures import RENDERERS
+from bodymeasure.scene.gallery import RENDERERS
 from bodymeasure.scene.strokes import BODY_STYLE, CLOSEUP_STYLE
 
 PIXELS = 300
