@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any
@@ -16,10 +16,10 @@ from bodymeasure.oracle import LEVELS, mesh_distances
 
 _Array = NDArray[np.float64]
 
-# The mesh distance's own uncertainty covers its error for 99.6 % of a body's diagonals
-# (tests/benchmarks/oracle_levels.py): of 752, three would be called wrong by chance. So a
-# difference counts from three times that, and never below a millionth, which is as far as meshes
-# of this size can tell.
+# The mesh distance's own uncertainty covers its error for 99.4 to 99.9 % of pairs of points
+# (tests/benchmarks/oracle_levels.py): of a body's 752 diagonals, some would be called wrong by
+# chance. So a difference counts from three times that, and never below a millionth, which is as
+# far as meshes of this size can tell.
 DOUBT = 3.0
 RESOLUTION = 1e-6
 
@@ -36,7 +36,10 @@ class Verdict(Enum):
         "The length is below the mesh distance by more than the meshes' doubt, which cannot be: "
         "one of the two is wrong, and the length should not be used."
     )
-    NOT_COMPARED = "There is no length to compare; the mesh distance is given for itself."
+    NOT_COMPARED = (
+        "There is no length to compare with the mesh distance, which is given for itself, or the "
+        "patch could not be meshed."
+    )
 
     @property
     def sentence(self) -> str:
@@ -63,6 +66,8 @@ class CrossCheck:
     verdict : ndarray of Verdict
     levels : tuple of int
         Segments a side of the meshes.
+    failures : mapping of int to str
+        Patches that could not be meshed, by number, and why; there `exact` is NaN.
     """
 
     exact: _Array
@@ -72,6 +77,7 @@ class CrossCheck:
     relative_difference: _Array
     verdict: NDArray[Any]
     levels: tuple[int, ...]
+    failures: Mapping[int, str]
 
 
 def cross_check(
@@ -94,7 +100,7 @@ def cross_check(
     processes : int
         Worker processes.
     progress : callable, optional
-        Called with the number of patches done.
+        Called with the number of geodesics compared so far.
 
     Raises
     ------
@@ -127,4 +133,5 @@ def cross_check(
         relative_difference=relative,
         verdict=verdict,
         levels=levels,
+        failures=mesh.failures,
     )

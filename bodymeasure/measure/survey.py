@@ -71,7 +71,7 @@ def measure_atlas(
     processes : int
         Worker processes of the comparison.
     progress : callable, optional
-        Called with the number of patches compared so far.
+        Called with the number of diagonals compared so far.
 
     Raises
     ------
