@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -89,18 +90,28 @@ class RBFCollocation:
             raise InputError(f"support_radius is {self.support_radius}; expected a positive number")
         if not self.tolerance > 0.0:
             raise InputError(f"tolerance is {self.tolerance}; expected a positive number")
-        if self.centers is not None and not np.isfinite(np.asarray(self.centers)).all():
-            raise InputError("centers must be finite numbers")
-        if not self._counts or min(self._counts) < 1:
-            raise InputError(f"functions is {self.functions!r}; expected at least one function")
+        if not isinstance(self.kernel, Kernel):
+            raise InputError(f"kernel is {self.kernel!r}; expected a Kernel, such as WU_C2")
+        if self.centers is not None:
+            centers = _sequence("centers", self.centers)
+            if not (len(centers) and np.isfinite(centers).all()):
+                raise InputError("centers must be finite numbers, at least one")
+        counts = self._counts
+        if not counts or not all(isinstance(n, int | np.integer) and n >= 1 for n in counts):
+            raise InputError(
+                f"functions is {self.functions!r}; expected at least one function: a whole number, "
+                "or several to be tried in turn"
+            )
         if self.collocation_points is not None:
             _check_collocation_points(self.collocation_points, self._counts)
 
     @property
-    def _counts(self) -> tuple[int, ...]:
+    def _counts(self) -> tuple[Any, ...]:
         if self.centers is not None:
             return (len(self.centers),)
-        return (self.functions,) if isinstance(self.functions, int) else tuple(self.functions)
+        # Also numpy's integers are numbers.
+        functions: Any = self.functions
+        return (functions,) if np.ndim(functions) == 0 else tuple(functions)
 
     @property
     def spaces(self) -> Iterator[TrialSpace]:
@@ -204,9 +215,19 @@ def is_good(measured: MeasuredLength, tolerance: float) -> NDArray[np.bool_]:
     return result
 
 
+def _sequence(name: str, values: Sequence[float]) -> _Array:
+    try:
+        array = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError):
+        array = np.empty(())
+    if array.ndim != 1:
+        raise InputError(f"{name} is {values!r}; expected a sequence of numbers")
+    return array
+
+
 def _check_collocation_points(points: Sequence[float], counts: tuple[int, ...]) -> None:
-    array = np.asarray(points, dtype=np.float64)
-    if array.ndim != 1 or any(count != len(array) + 1 for count in counts):
+    array = _sequence("collocation_points", points)
+    if any(count != len(array) + 1 for count in counts):
         raise InputError(
             f"{array.size} collocation points for {', '.join(map(str, counts))} functions; "
             "expected one fewer than functions (the paper's equations (7) to (12))"

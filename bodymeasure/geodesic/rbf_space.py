@@ -30,6 +30,9 @@ LARGEST_CARDINAL_SUM = 1e3
 # functions with symmetric centers) are moved by these fractions of the gap to the next one, until
 # one choice works: the paper's section 5 and Table 1, part 1.
 SHIFTS = (0.0, 0.25, 0.4, -0.25, 0.1)
+# Places where functions change their polynomial are one place if they are closer than this: they
+# differ by rounding (-1.7 + 2 and 0.3), and no points can be told apart between them.
+CLOSEST_BREAKS = 1e-10
 
 _Array = NDArray[np.float64]
 _Matrix = NDArray[Any]  # of Decimal
@@ -151,8 +154,12 @@ def rbf_coefficients(
 
 def _breaks(centers: tuple[float, ...], support_radius: float) -> list[float]:
     """Where inside (0, 1) a function changes its polynomial: centers and ends of supports."""
-    places = {c + side * support_radius for c in centers for side in (-1.0, 0.0, 1.0)}
-    return sorted(place for place in places if 0.0 < place < 1.0)
+    places = sorted(c + side * support_radius for c in centers for side in (-1.0, 0.0, 1.0))
+    breaks = [0.0]
+    for place in places:
+        if breaks[-1] + CLOSEST_BREAKS < place < 1.0 - CLOSEST_BREAKS:
+            breaks.append(place)
+    return breaks[1:]
 
 
 def _shifted_nodes(collocation_points: tuple[float, ...], shift: float) -> _Array:

@@ -122,7 +122,15 @@ class GeodesicSolution:
             inside = np.flatnonzero(rows >= 0)
             if len(inside):
                 pieces.append(piece.take(rows[inside]).renumbered(inside))
+        start, end = (ends.reshape(-1, 2)[numbers] for ends in (self.start, self.end))
         return GeodesicSolution(
-            **{item.name: getattr(self, item.name)[key] for item in fields(self)[:-1]},
+            start=start,
+            end=end,
+            **{item.name: self._chosen(item.name, numbers) for item in fields(self)[2:-1]},
             pieces=tuple(pieces),
         )
+
+    def _chosen(self, name: str, numbers: NDArray[np.int64]) -> Any:
+        """An array's values for some of the problems; plain numbers for a single one."""
+        values = np.asarray(getattr(self, name)).reshape(-1)
+        return values[numbers] if np.ndim(numbers) else values[[numbers]].tolist()[0]

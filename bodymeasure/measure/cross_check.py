@@ -122,8 +122,8 @@ def cross_check(
     verdict[difference > allowed] = Verdict.LONGER
     verdict[difference < -allowed] = Verdict.SHORTER
     verdict[~np.isfinite(difference)] = Verdict.NOT_COMPARED
-    # Two points at the same place have distance 0, and their lengths differ by nothing.
-    with np.errstate(invalid="ignore"):
+    # Of two points at the same place, the distance is 0: their difference is given as it is.
+    with np.errstate(divide="ignore", invalid="ignore"):
         relative = np.where(mesh.exact > 0.0, difference / mesh.exact, difference)
     return CrossCheck(
         exact=mesh.exact,
