@@ -35,6 +35,7 @@ LAYERS = (
     ("scene",),
     ("report", "viewer"),
     ("cli",),
+    ("__main__",),
 )
 LEVEL = {layer: level for level, layers in enumerate(LAYERS) for layer in layers}
 
@@ -48,7 +49,7 @@ RESERVED = {
     # pyvista takes its color maps from it.
     "matplotlib": {"scene", "report", "viewer"},
     "jinja2": {"report"},
-    "typer": {"cli"},
+    "click": {"cli"},
     "rich": {"cli"},
 }
 # What `import bodymeasure` must not load.

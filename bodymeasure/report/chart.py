@@ -10,7 +10,7 @@ from bodymeasure.report.records import Document
 
 # User units of the drawing, about pixels on a phone.
 WIDTH, HEIGHT = 440.0, 230.0
-LEFT, RIGHT, TOP, BOTTOM = 40.0, 8.0, 12.0, 44.0
+LEFT, RIGHT, TOP, BOTTOM = 40.0, 24.0, 12.0, 44.0
 
 
 @dataclass(frozen=True)

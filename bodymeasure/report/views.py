@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from dataclasses import dataclass
 
@@ -178,7 +179,7 @@ def _precision(document: Document) -> str:
 
 
 def regions(document: Document) -> list[Region]:
-    """The patches by body region, in the order in which the regions first occur."""
+    """The patches by body region, regions as they first occur, by name in each."""
     rows: dict[int, list[Measurement]] = {}
     for record in document.measurements:
         rows.setdefault(record.patch_number, []).append(record)
@@ -203,11 +204,17 @@ def _region(name: str, anchor: str, patches: list[PatchRow]) -> Region:
     return Region(
         name=name or "whole body",
         anchor=anchor,
-        patches=tuple(patches),
+        patches=tuple(sorted(patches, key=_natural)),
         measured=sum(r.length is not None for r in records),
         diagonals=len(records),
         largest=max(compared, key=lambda r: abs(r.relative_difference or 0.0), default=None),
     )
+
+
+def _natural(patch: PatchRow) -> list[tuple[bool, int, str]]:
+    """Sorts names with numbers as people do: 2-10 after 2-9."""
+    words = re.findall(r"\d+|\D+", patch.name)
+    return [(word.isdigit(), int(word) if word.isdigit() else 0, word) for word in words]
 
 
 def worst_cases(document: Document) -> list[Measurement]:
