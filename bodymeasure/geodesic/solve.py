@@ -165,7 +165,10 @@ def _renumbered(result: MethodResult, numbers: NDArray[np.int64]) -> MethodResul
 
 
 def _checked_parameters(name: str, value: ArrayLike) -> _Array:
-    array = np.asarray(value, dtype=np.float64)
+    try:
+        array = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError(f"{name} is {value!r}; expected numbers (..., 2): u and v") from None
     if array.ndim == 0 or array.shape[-1] != 2:
         raise InputError(f"{name} has shape {array.shape}; expected (..., 2): u and v")
     # `not inside` rather than `outside`, so that NaN is refused too.
