@@ -6,7 +6,7 @@ import errno
 import os
 import tempfile
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from bodymeasure.errors import InputError
@@ -38,11 +38,11 @@ def write_bytes(path: Path, content: bytes) -> None:
     InputError
         If the folder is missing or not writable, or the disk is full. Nothing is left behind.
     """
-    if path.exists() and not (path.is_file() or path.is_dir()):
-        # A pipe or a device such as /dev/stdout: renaming would put a plain file in its place.
-        with _user_errors(path):
+    with _user_errors(path):
+        if _is_device(path):
+            # Renaming would put a plain file in its place.
             path.write_bytes(content)
-        return
+            return
     write_all({path: content})
 
 
@@ -103,8 +103,69 @@ def make_folder(path: Path) -> None:
     InputError
         If it cannot be made or is a file.
     """
+    _make_missing(path, [])
+
+
+@contextmanager
+def output_folder(path: Path) -> Iterator[None]:
+    """Have a folder to write to, made if it is not there; known to be writable before the work.
+
+    Should the block fail or be interrupted, those folders that this made are removed again, unless
+    there is something in them.
+
+    Raises
+    ------
+    InputError
+        If it cannot be made, is a file, or nothing can be written in it.
+    """
+    made: list[Path] = []
+    try:
+        _make_missing(path, made)
+        with _user_errors(path):
+            _try_writing(path)
+        yield
+    except BaseException:
+        for folder in reversed(made):
+            with suppress(OSError):
+                folder.rmdir()
+        raise
+
+
+def require_writable(path: Path) -> None:
+    """Refuse a file that could not be written, by trying to write beside it.
+
+    Raises
+    ------
+    InputError
+        If its folder is missing or not writable, or it is a folder itself.
+    """
     with _user_errors(path):
-        path.mkdir(parents=True, exist_ok=True)
+        if path.is_dir():
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
+        if not _is_device(path):
+            _try_writing(path.resolve().parent)
+
+
+def _try_writing(folder: Path) -> None:
+    # Permissions do not tell: not of root, nor of a disk that can only be read.
+    with tempfile.TemporaryFile(dir=folder):
+        pass
+
+
+def _is_device(path: Path) -> bool:
+    """Whether a path is a pipe or a device such as /dev/stdout."""
+    return path.exists() and not (path.is_file() or path.is_dir())
+
+
+def _make_missing(path: Path, made: list[Path]) -> None:
+    """Make a folder and its parents; those that were not there are entered in `made`."""
+    with _user_errors(path):
+        if path.exists() and not path.is_dir():
+            raise NotADirectoryError(errno.ENOTDIR, "it is a file, not a folder", str(path))
+        for folder in reversed((path, *path.parents)):
+            if not folder.exists():
+                folder.mkdir(exist_ok=True)
+                made.append(folder)
 
 
 @contextmanager

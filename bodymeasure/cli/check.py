@@ -3,35 +3,36 @@
 from __future__ import annotations
 
 import click
-from rich.markup import escape
+from rich.text import Text
 
 from bodymeasure.atlas import Severity, check_atlas
-from bodymeasure.cli.console import RESULTS
-from bodymeasure.cli.options import atlas_argument, load_atlas
+from bodymeasure.cli.console import RESULTS, counted
+from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas
 
 EXIT_FOUND_ERRORS = 1
 COLORS = {Severity.ERROR: "bold red", Severity.WARNING: "yellow"}
 
 
-@click.command()
+@click.command(short_help="Say what is wrong with an atlas.", epilog=EXIT_CODES)
 @atlas_argument
 def check(atlas: str) -> int:
-    """Say what is wrong with ATLAS: gaps in seams, folds, collapsed edges, kinks, ...
+    """Say what is wrong with ATLAS: gaps in seams, folds, collapsed edges, kinks.
 
-    Exit code 1 if there are errors, 0 if there are none (warnings do not count).
+    Errors spoil lengths, and end with exit code 1; warnings do not.
     """
     loaded = load_atlas(atlas)
     findings = check_atlas(loaded)
     for finding in findings:
-        color = COLORS[finding.severity]
-        RESULTS.print(
-            f"[{color}]{finding.severity}[/] {finding.kind}: {escape(finding.message)}",
-            soft_wrap=True,
-        )
+        severity = (str(finding.severity), COLORS[finding.severity])
+        line = Text.assemble(severity, f" {finding.kind}: {finding.message}")
+        RESULTS.print(line, soft_wrap=True)
     errors = sum(finding.severity == Severity.ERROR for finding in findings)
     RESULTS.print(
-        f"{escape(loaded.name or atlas)}: {len(loaded)} patches in {loaded.unit}, "
-        f"{errors} errors, {len(findings) - errors} warnings",
+        Text(
+            f"{loaded.name or atlas}: {counted(len(loaded), 'patch', 'patches')} in "
+            f"{loaded.unit}, {counted(errors, 'error')}, "
+            f"{counted(len(findings) - errors, 'warning')}"
+        ),
         soft_wrap=True,
     )
     return EXIT_FOUND_ERRORS if errors else 0

@@ -2,32 +2,77 @@
 
 from __future__ import annotations
 
+import errno
+import io
+import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
+import click
 from rich.console import Console
-from rich.progress import (
-    BarColumn,
-    MofNCompleteColumn,
-    Progress,
-    TextColumn,
-    TimeElapsedColumn,
-)
+from rich.text import Text
 
-RESULTS = Console(highlight=False)
-ERRORS = Console(stderr=True, highlight=False)
+if TYPE_CHECKING:
+    from rich.table import Table
+
+# Columns of a table that is not for a terminal: enough that no line of it is broken.
+UNBROKEN = 10_000
+
+
+class _Console(Console):
+    """Leaves a closed pipe to `main`: the one of rich's own ends the process with code 1."""
+
+    def on_broken_pipe(self) -> None:
+        raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE))
+
+
+RESULTS = _Console(highlight=False, emoji=False)
+ERRORS = _Console(stderr=True, highlight=False, emoji=False)
+
+
+def print_table(table: Table) -> None:
+    """Print a table to fit the terminal; into a pipe or a file, each row as one plain line."""
+    if RESULTS.is_terminal:
+        RESULTS.print(table)
+        return
+    text = io.StringIO()
+    Console(file=text, width=UNBROKEN, color_system=None, emoji=False).print(table)
+    for line in text.getvalue().splitlines():
+        click.echo(line.rstrip())
+
+
+def print_note(text: str, *, style: str = "yellow") -> None:
+    """Print a remark to stderr; long lines are the terminal's to break."""
+    ERRORS.print(Text(text, style), soft_wrap=True)
+
+
+def print_error(text: str) -> None:
+    """Print what was wrong to stderr, as the command line library prints wrong usage."""
+    ERRORS.print(Text.assemble(("Error:", "bold red"), " ", text), soft_wrap=True)
+
+
+def counted(number: int, singular: str, plural: str | None = None) -> str:
+    """A number with its noun."""
+    return f"{number:,} {singular if number == 1 else plural or singular + 's'}"
 
 
 @contextmanager
 def progress_bar(label: str, total: int) -> Iterator[Callable[[int], None]]:
     """A bar on stderr, quiet when that is not a terminal; call it with how many are done."""
+    if not ERRORS.is_terminal:
+        yield lambda _done: None
+        return
+    # Not needed by `--help` and the like, and slow to load.
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        TextColumn,
+        TimeElapsedColumn,
+    )
+
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
-    with Progress(
-        *columns,
-        TimeElapsedColumn(),
-        console=ERRORS,
-        transient=True,
-        disable=not ERRORS.is_terminal,
-    ) as progress:
+    with Progress(*columns, TimeElapsedColumn(), console=ERRORS, transient=True) as progress:
         task = progress.add_task(label, total=total)
         yield lambda done: progress.update(task, completed=done)

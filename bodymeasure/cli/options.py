@@ -2,19 +2,33 @@
 
 from __future__ import annotations
 
+import difflib
 import os
+from importlib.util import find_spec
 from pathlib import Path
 
 import click
 
 from bodymeasure.atlas import Atlas, Severity, Unit, check_atlas
-from bodymeasure.errors import InputError
+from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.formats import read_atlas
 from bodymeasure.samples import load_sample, sample_names
 
 DEFAULT_SAMPLE = "female_average"
 # How many faults an error message tells in full.
 TOLD = 3
+# Likeness of names from which one is taken for a misspelling of the other.
+NEAR = 0.7
+EXIT_CODES = (
+    "Exit codes: 0 done; 1 done, but with something to look at: the check found errors, or a "
+    "length disagrees with the mesh; 2 bad input or usage, and nothing written; 130 interrupted."
+)
+# What a feature needs: a name for it, the module, its package, and the extra that installs it.
+COMPARISON = ("the comparison (--no-cross-check leaves it out)", "igl", "libigl", "oracle")
+PICTURES = ("drawing (--no-pictures leaves it out)", "matplotlib", "matplotlib", "report")
+PAGE = ("the HTML report", "jinja2", "jinja2", "report")
+VIEWER = ("the viewer", "pyvista", "pyvista", "viewer")
+VIEWER_COLORS = ("the viewer", "matplotlib", "matplotlib", "viewer")
 
 atlas_argument = click.argument("atlas", metavar="ATLAS")
 optional_atlas_argument = click.argument(
@@ -33,7 +47,9 @@ despite_errors_option = click.option(
     help="Measure an atlas in which the check finds errors; look at each status then.",
 )
 no_cross_check_option = click.option(
-    "--no-cross-check", is_flag=True, help="Leave out the comparison with libigl."
+    "--no-cross-check",
+    is_flag=True,
+    help="Leave out the comparison with libigl, which takes most of the time.",
 )
 processes_option = click.option(
     "--processes",
@@ -60,13 +76,42 @@ def load_atlas(name: str) -> Atlas:
         If it is neither, or not a valid atlas.
     """
     path = Path(name)
-    if path.suffix or path.exists() or len(path.parts) != 1:
-        return read_atlas(path)
-    if name in sample_names():
+    # A folder may well have the name of the sample whose report it holds.
+    if name in sample_names() and not _is_file(path):
         return load_sample(name)
-    raise InputError(
-        f"{name}: no such file, and no sample of that name; `bodymeasure samples` lists the samples"
-    )
+    if len(path.parts) == 1 and not _exists(path):
+        # Whoever gives an extension means a file, unless it is nearly the name of a sample.
+        nearest = difflib.get_close_matches(path.stem, sample_names(), n=1, cutoff=NEAR)
+        hint = "`bodymeasure samples` lists the samples"
+        if nearest:
+            hint = f"did you mean the sample {nearest[0]!r}?"
+        if nearest or not path.suffix:
+            raise InputError(f"{name}: no such file, and no sample of that name; {hint}")
+    return read_atlas(path)
+
+
+def _exists(path: Path) -> bool:
+    try:
+        return path.exists()
+    except OSError:  # such as a name that is too long; reading it will say so
+        return True
+
+
+def _is_file(path: Path) -> bool:
+    return _exists(path) and not path.is_dir()
+
+
+def require(*needs: tuple[str, str, str, str]) -> None:
+    """Refuse before any work what would fail at its end for want of a package.
+
+    Raises
+    ------
+    MissingExtraError
+        The feature, the package it needs, and how to install it.
+    """
+    for feature, module, package, extra in needs:
+        if find_spec(module) is None:
+            raise MissingExtraError(feature, package, extra)
 
 
 def load_sound_atlas(name: str, *, despite_errors: bool) -> Atlas:

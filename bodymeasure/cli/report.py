@@ -2,41 +2,59 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
-from rich.markup import escape
 from rich.table import Table
+from rich.text import Text
 
-from bodymeasure.cli.console import ERRORS, RESULTS, progress_bar
+from bodymeasure.cli.console import RESULTS, counted, print_note, print_table, progress_bar
 from bodymeasure.cli.options import (
+    COMPARISON,
+    EXIT_CODES,
+    PAGE,
+    PICTURES,
     despite_errors_option,
     load_sound_atlas,
     no_cross_check_option,
     optional_atlas_argument,
     processes_option,
+    require,
     unit_option,
 )
-from bodymeasure.files import make_folder
+from bodymeasure.files import output_folder
 from bodymeasure.measure import Survey, measure_atlas
-from bodymeasure.report import Pictures, closeup_patches, survey_document, write_report
-from bodymeasure.report.records import Document
+
+if TYPE_CHECKING:
+    from bodymeasure.report import Pictures
+    from bodymeasure.report.records import Document
 
 EXIT_DISAGREES = 1
-# Verdicts under which a length and the mesh contradict each other.
+# Verdicts in the words of the table, and their colors. Under the red ones a length and the mesh
+# contradict each other.
+VERDICTS = {
+    "agrees": ("agree", "green"),
+    "not_compared": ("not compared", ""),
+    "longer": ("longer than the mesh distance", "red"),
+    "shorter": ("shorter than the mesh distance", "red"),
+}
 DISAGREEING = ("longer", "shorter")
 BODY_PICTURES = 4
 
 
-@click.command()
+@click.command(short_help="Measure a body, check the lengths, write a report.", epilog=EXIT_CODES)
 @optional_atlas_argument
 @click.option(
     "-o",
     "--output",
     type=click.Path(path_type=Path, file_okay=True),
+    metavar="FOLDER",
     default=Path("report"),
     show_default=True,
-    help="Folder for report.html, measurements.csv, measurements.json and its schema.",
+    help="Folder for report.html, measurements.csv, measurements.json and its schema; made if "
+    "it is not there.",
 )
 @unit_option
 @no_cross_check_option
@@ -54,31 +72,37 @@ def report(
 ) -> int:
     """Measure ATLAS, check the lengths against libigl, and write a report.
 
-    ATLAS is the average female sample by default. Exit code 1 if a length disagrees with the mesh.
+    ATLAS is the average female sample if not given.
     """
+    begin = time.perf_counter()
+    require(PAGE, *(() if no_cross_check else (COMPARISON,)), *(() if no_pictures else (PICTURES,)))
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
-    make_folder(output)
-    with progress_bar("comparing with libigl", len(loaded)) as progress:
-        survey = measure_atlas(
-            loaded, compare=not no_cross_check, processes=processes, progress=progress
-        )
-    pictures = None if no_pictures else _pictures(survey)
-    document = survey_document(survey, unit)
-    files = write_report(document, output, pictures=pictures)
-    RESULTS.print(_table(document))
+    with output_folder(output):
+        # Not needed by `--help` and the like, and slow to load.
+        from bodymeasure.report import survey_document, write_report
+
+        with progress_bar("comparing with libigl", 2 * len(loaded)) as progress:
+            survey = measure_atlas(
+                loaded, compare=not no_cross_check, processes=processes, progress=progress
+            )
+        pictures = None if no_pictures else _pictures(survey)
+        document = survey_document(survey, unit)
+        files = write_report(document, output, pictures=pictures)
+    print_table(_table(document, time.perf_counter() - begin))
     for path in files:
-        RESULTS.print(
-            escape(str(path)), style="bold" if path.suffix == ".html" else "", soft_wrap=True
-        )
+        style = "bold" if path.suffix == ".html" else ""
+        RESULTS.print(Text(str(path), style), soft_wrap=True)
+    if pictures is not None and pictures.note:
+        print_note(pictures.note)
     disagreements = sum(document.summary.by_verdict.get(name, 0) for name in DISAGREEING)
     if disagreements:
-        ERRORS.print(
-            f"[yellow]{disagreements} lengths disagree with the mesh; the report lists them[/]"
-        )
+        verb = "disagrees" if disagreements == 1 else "disagree"
+        print_note(f"{counted(disagreements, 'length')} {verb} with the mesh; see report.html.")
     return EXIT_DISAGREES if disagreements else 0
 
 
 def _pictures(survey: Survey) -> Pictures:
+    from bodymeasure.report import closeup_patches
     from bodymeasure.scene import pictures as draw
 
     closeups = closeup_patches(survey)
@@ -90,38 +114,38 @@ def _pictures(survey: Survey) -> Pictures:
             done += 1
             progress(done)
 
-        pictures = draw(survey, closeups, advance=advance)
-    if pictures.note:
-        ERRORS.print(escape(pictures.note), soft_wrap=True)
-    return pictures
+        return draw(survey, closeups, advance=advance)
 
 
-def _table(document: Document) -> Table:
+def _table(document: Document, seconds: float) -> Table:
     """What a reader wants to know first."""
-    summary = document.summary
-    table = Table(title=escape(document.name), title_justify="left", show_header=False, box=None)
+    summary, unit = document.summary, document.unit
+    table = Table(
+        title=Text(document.name), title_justify="left", title_style="bold", show_header=False
+    )
+    table.box = None
     table.add_column(style="dim")
-    table.add_column()
-    table.add_row("patches", str(summary.patches))
+    table.add_column(overflow="fold")
+    table.add_row("patches", f"{summary.patches:,}")
     color = "green" if summary.measured == summary.diagonals else "yellow"
-    table.add_row("diagonals measured", f"[{color}]{summary.measured} of {summary.diagonals}[/]")
+    measured = f"{summary.measured:,} of {summary.diagonals:,}"
+    table.add_row("diagonals measured", Text(measured, color))
     for status, count in summary.by_status.items():
         if status != "converged":
-            table.add_row("", f"[yellow]{count} {status.replace('_', ' ')}[/]")
+            table.add_row("", Text(f"{count:,} {status.replace('_', ' ')}", "yellow"))
     spread = summary.length
     if spread.median is not None:
         table.add_row(
             "lengths",
-            f"{spread.minimum:.2f} to {spread.maximum:.2f} {document.unit}, "
-            f"median {spread.median:.2f} {document.unit}",
+            f"{spread.minimum:.2f} to {spread.maximum:.2f} {unit}, median {spread.median:.2f} "
+            f"{unit}",
         )
-        table.add_row(
-            "largest error estimate", f"{summary.error_estimate.maximum:.0e} {document.unit}"
-        )
-    for verdict, count in summary.by_verdict.items():
-        good = verdict in ("agrees", "not_compared")
-        words = verdict.replace("_", " ")
-        table.add_row("compared with libigl", f"[{'green' if good else 'red'}]{count} {words}[/]")
+        table.add_row("largest error estimate", f"{summary.error_estimate.maximum:.0e} {unit}")
+    label = "compared with libigl"
+    for verdict, (words, color) in VERDICTS.items():
+        if count := summary.by_verdict.get(verdict, 0):
+            table.add_row(label, Text(f"{count:,} {words}", color))
+            label = ""
     difference = summary.relative_difference
     if difference.median is not None:
         table.add_row(
@@ -129,6 +153,7 @@ def _table(document: Document) -> Table:
             f"median {difference.median:.1e}, largest {difference.maximum:.1e}",
         )
     if document.findings:
-        table.add_row("check of the atlas", f"[yellow]{len(document.findings)} findings[/]")
-    table.add_row("time", f"{sum(document.seconds.values()):.1f} s")
+        findings = counted(len(document.findings), "finding")
+        table.add_row("check of the atlas", Text(findings, "yellow"))
+    table.add_row("time", f"{seconds:.1f} s")
     return table

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import click
-from rich.markup import escape
 from rich.table import Table
+from rich.text import Text
 
-from bodymeasure.cli.console import RESULTS
+from bodymeasure.cli.console import print_table
 from bodymeasure.samples import samples as all_samples
 
 
-@click.command()
+@click.command(short_help="List the atlases that come with bodymeasure.")
 @click.option("--paths", is_flag=True, help="Print only the files, one a line.")
 def samples(paths: bool) -> None:
-    """List the atlases that come with bodymeasure."""
+    """List the atlases that come with bodymeasure.
+
+    Every command takes such a name in place of a file.
+    """
     if paths:
         for sample in all_samples():
             click.echo(sample.path)
@@ -22,5 +25,5 @@ def samples(paths: bool) -> None:
     table.add_column("name", style="bold", no_wrap=True)
     table.add_column("what it is", overflow="fold")
     for sample in all_samples():
-        table.add_row(sample.name, escape(sample.description))
-    RESULTS.print(table)
+        table.add_row(sample.name, Text(sample.description))
+    print_table(table)

@@ -2,27 +2,37 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import click
 
-from bodymeasure.cli.console import ERRORS, progress_bar
+from bodymeasure.cli.console import print_note, progress_bar
 from bodymeasure.cli.options import (
+    COMPARISON,
+    EXIT_CODES,
+    VIEWER,
+    VIEWER_COLORS,
     despite_errors_option,
     load_sound_atlas,
     no_cross_check_option,
     optional_atlas_argument,
     processes_option,
+    require,
 )
 from bodymeasure.errors import InputError
-from bodymeasure.measure import measure_atlas
+from bodymeasure.files import require_writable
+from bodymeasure.measure import Survey, measure_atlas
+
+PICTURE_SUFFIXES = (".png", "")
 
 
-@click.command()
+@click.command(short_help="Show a body and its diagonals in a window.", epilog=EXIT_CODES)
 @optional_atlas_argument
 @click.option(
     "--screenshot",
-    type=click.Path(path_type=Path, dir_okay=False),
+    type=click.Path(path_type=Path),
+    metavar="FILE",
     help="Write a PNG file instead of opening a window.",
 )
 @no_cross_check_option
@@ -37,22 +47,35 @@ def view(
 ) -> None:
     """Show ATLAS in a window: patches, diagonals colored by their difference from the mesh.
 
-    Click a patch or a diagonal for its name and lengths. ATLAS is a sample's body by default.
+    Click a patch or a diagonal for its name and lengths. ATLAS is the average female sample if not
+    given.
     """
+    require(VIEWER, VIEWER_COLORS, *(() if no_cross_check else (COMPARISON,)))
+    if screenshot is not None:
+        _check_screenshot(screenshot)
     viewer = _viewer()
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
-    with progress_bar("comparing with libigl", len(loaded)) as progress:
+    with progress_bar("comparing with libigl", 2 * len(loaded)) as progress:
         survey = measure_atlas(
             loaded, compare=not no_cross_check, processes=processes, progress=progress
         )
     note = viewer(survey, screenshot)
     if note:
-        ERRORS.print(note)
+        print_note(note)
     if screenshot is not None:
         click.echo(screenshot)
 
 
-def _viewer():  # type: ignore[no-untyped-def]  # installed under another name than its folder's
+def _check_screenshot(path: Path) -> None:
+    """Refuse a file that could not be written, before the work."""
+    if path.suffix.lower() not in PICTURE_SUFFIXES:
+        raise InputError(
+            f"{path}: the picture is a PNG file; give a name that ends in .png, not {path.suffix}"
+        )
+    require_writable(path)
+
+
+def _viewer() -> Callable[[Survey, Path | None], str]:
     try:
         from bodymeasure.viewer import view as viewer
     except ModuleNotFoundError as error:
@@ -62,4 +85,6 @@ def _viewer():  # type: ignore[no-untyped-def]  # installed under another name t
             "the viewer is part of an installed bodymeasure, and this is a bare checkout; "
             "install it with: pip install -e ."
         ) from None
-    return viewer
+    # Installed under another name than its folder's, so that the type checker does not see it.
+    show: Callable[[Survey, Path | None], str] = viewer
+    return show
