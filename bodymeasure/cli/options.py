@@ -54,6 +54,7 @@ no_cross_check_option = click.option(
 processes_option = click.option(
     "--processes",
     type=click.IntRange(min=1),
+    metavar="N",
     default=lambda: available_cores(),
     show_default="all cores",
     help="Worker processes of the comparison.",
@@ -125,7 +126,7 @@ def load_sound_atlas(name: str, *, despite_errors: bool) -> Atlas:
     atlas = load_atlas(name)
     if despite_errors:
         return atlas
-    errors = [f.message for f in check_atlas(atlas) if f.severity == Severity.ERROR]
+    errors = [f"{f.kind}: {f.message}" for f in check_atlas(atlas) if f.severity == Severity.ERROR]
     if errors:
         more = f"\n  and {len(errors) - TOLD} more" if len(errors) > TOLD else ""
         listed = "".join(f"\n  {message}" for message in errors[:TOLD])

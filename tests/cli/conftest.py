@@ -1,0 +1,52 @@
+"""The command line run in this process, and small atlases to run it on."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from command_line import Edited, Ran, Run, part_of_a_body
+from grids import grid_atlas
+
+from bodymeasure import write_atlas
+from bodymeasure.cli import main
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str]) -> Run:
+    """Run a command in this process."""
+
+    def run(*arguments: object) -> Ran:
+        with pytest.raises(SystemExit) as ended:
+            main([str(argument) for argument in arguments])
+        printed = capsys.readouterr()
+        assert isinstance(ended.value.code, int)
+        return Ran(ended.value.code, printed.out, printed.err)
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def part(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Six patches of a body."""
+    path = tmp_path_factory.mktemp("part") / "part.atlas"
+    write_atlas(part_of_a_body(100, 106), path)
+    return path
+
+
+@pytest.fixture
+def edited(tmp_path: Path) -> Edited:
+    """Write two good patches to a file, after an edit of its JSON."""
+
+    def edited(edit: Callable[[dict[str, Any]], object]) -> Path:
+        path = tmp_path / "edited.atlas"
+        write_atlas(grid_atlas(1, 2), path)
+        content = json.loads(path.read_bytes())
+        edit(content)
+        path.write_text(json.dumps(content), "utf-8")
+        return path
+
+    return edited

@@ -1,0 +1,108 @@
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from command_line import Run
+
+from bodymeasure import diagonals, read_atlas, write_atlas
+
+FIELDS = {"name", "kind", "patch", "length", "unit", "error_estimate", "status"}
+METERS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "inch": 0.0254}
+
+
+def printed_json(run: Run, *arguments: object) -> dict[str, Any]:
+    ran = run("diagonals", *arguments, "--format", "json")
+    assert (ran.code, ran.err) == (0, "")
+    content: dict[str, Any] = json.loads(ran.out)
+    return content
+
+
+def test_json_holds_the_records_of_all_diagonals(run: Run, part: Path) -> None:
+    atlas = read_atlas(part)
+    content = printed_json(run, part)
+    assert content["unit"] == "cm"
+    records = content["measurements"]
+    assert all(record.keys() >= FIELDS for record in records)
+    assert {(r["kind"], r["unit"]) for r in records} == {("diagonal", "cm")}
+    assert [r["patch"] for r in records] == [n for name in atlas.patch_names for n in (name, name)]
+    assert len({r["name"] for r in records}) == 2 * len(atlas)
+    solution = diagonals(atlas)
+    lengths = [math.nan if r["length"] is None else r["length"] for r in records]
+    np.testing.assert_allclose(lengths, 100.0 * solution.length.ravel(), rtol=1e-14)
+    errors = [r["error_estimate"] for r in records]
+    np.testing.assert_allclose(errors, 100.0 * solution.error_estimate.ravel(), rtol=1e-14)
+    assert [r["status"] for r in records] == [s.name.lower() for s in solution.status.ravel()]
+
+
+def test_csv_equals_json(run: Run, part: Path) -> None:
+    ran = run("diagonals", part, "--format", "csv")
+    assert (ran.code, ran.err) == (0, "")
+    rows = list(csv.DictReader(io.StringIO(ran.out)))
+    records = printed_json(run, part)["measurements"]
+    assert len(rows) == len(records)
+    for row, record in zip(rows, records, strict=True):
+        for pair in ("start", "end"):
+            record[f"{pair}_u"], record[f"{pair}_v"] = record.pop(pair)
+        assert row.keys() == record.keys()
+        for key, text in row.items():
+            value = record[key]
+            assert text == (
+                "" if value is None else value if isinstance(value, str) else str(value)
+            )
+
+
+def test_the_table_has_a_row_for_each(run: Run, part: Path) -> None:
+    ran = run("diagonals", part)
+    assert (ran.code, ran.err) == (0, "")
+    header, *rows = ran.out.partition("\n\n")[0].splitlines()
+    assert header.split() == ["diagonal", "cm", "error", "status"]
+    records = printed_json(run, part)["measurements"]
+    assert len(rows) == len(records)
+    for row, record in zip(rows, records, strict=True):
+        assert row.startswith(record["name"])
+        rest = row.removeprefix(record["name"]).split()
+        if record["length"] is not None:
+            assert rest == [
+                f"{record['length']:.4f}",
+                f"{record['error_estimate']:.0e}",
+                "converged",
+            ]
+
+
+def test_the_table_explains_why_there_is_no_length(run: Run) -> None:
+    ran = run("diagonals", "female_average")
+    assert (ran.code, ran.err) == (0, "")
+    table, *sentences = ran.out.strip().split("\n\n")
+    unmeasured = [row for row in table.splitlines() if row.endswith("  leaves patch")]
+    assert unmeasured
+    assert len(sentences) == 1
+    assert sentences[0].startswith("leaves patch: ")
+    assert len(table.splitlines()) == 2 * 376 + 1
+
+
+@pytest.mark.parametrize("unit", METERS)
+def test_units_are_those_asked_for(run: Run, unit: str) -> None:
+    content = printed_json(run, "enneper", "--unit", unit)
+    assert content["unit"] == unit
+    length = content["measurements"][0]["length"]
+    assert math.isclose(length * METERS[unit], math.sqrt(2) * 5 / 3 * 0.01, rel_tol=1e-13)
+    assert run("diagonals", "enneper", "--unit", unit).out.split()[1] == unit
+
+
+def test_lengths_do_not_depend_on_the_unit_of_the_file(
+    run: Run, part: Path, tmp_path: Path
+) -> None:
+    write_atlas(read_atlas(part).converted("cm"), tmp_path / "cm.atlas")
+    meters = printed_json(run, part, "--unit", "mm")["measurements"]
+    centimeters = printed_json(run, tmp_path / "cm.atlas", "--unit", "mm")["measurements"]
+    assert [r["status"] for r in meters] == [r["status"] for r in centimeters]
+    for one, other in zip(meters, centimeters, strict=True):
+        if one["length"] is not None:
+            assert math.isclose(one["length"], other["length"], rel_tol=1e-12)
