@@ -192,7 +192,7 @@ def _basis(
         sign = np.where(offset < 0, -1, 1) if order == 1 else 1
         constant = _decimals(np.full((len(t), 1), 1.0 if order == 0 else 0.0))
         result.append(np.hstack([constant, values * inside * sign / radius**order]))
-        coefficients = [k * c for k, c in enumerate(coefficients)][1:]
+        coefficients = [k * c for k, c in enumerate(coefficients)][1:] or [Decimal(0)]
     return result
 
 

@@ -1,0 +1,204 @@
+"""Surfaces of the user's own, on which geodesics are known: sphere, torus, cylinders."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from surfaces import ENNEPER
+
+from bodymeasure import InputError
+from bodymeasure.bezier import derivatives
+from bodymeasure.geodesic import RBFCollocation, Status, solve_geodesic
+
+Array = NDArray[np.float64]
+
+ORDERS = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3))
+
+
+def wave(amplitude: float, frequency: float, phase: float, x: Array) -> list[Array]:
+    """``amplitude cos(frequency x + phase)`` and three derivatives."""
+    return [
+        amplitude * frequency**k * np.cos(frequency * x + phase + k * math.pi / 2) for k in range(4)
+    ]
+
+
+def product(a: list[Array], b: list[Array]) -> Array:
+    """All derivatives of a(u) b(v), shape (..., 10)."""
+    return np.stack([a[i] * b[j] for i, j in ORDERS], axis=-1)
+
+
+@dataclass(frozen=True)
+class Torus:
+    """Tube of radius r around a circle of radius R; with R = 0, a sphere."""
+
+    R: float
+    r: float
+    span_u: float = 1.0
+    span_v: float = 1.0
+    begin_v: float = -0.5
+
+    def derivatives(self, parameters: Array) -> Array:
+        u, v = parameters[..., 0], parameters[..., 1]
+        out = wave(self.r, self.span_v, self.begin_v, v)
+        out[0] = out[0] + self.R
+        one = [np.ones_like(u), 0 * u, 0 * u, 0 * u]
+        return np.stack(
+            [
+                product(wave(1.0, self.span_u, 0.0, u), out),
+                product(wave(1.0, self.span_u, -math.pi / 2, u), out),
+                product(one, wave(self.r, self.span_v, self.begin_v - math.pi / 2, v)),
+            ],
+            axis=-1,
+        )
+
+
+def sphere_angle(sphere: Torus, start: Array, end: Array) -> Array:
+    a, b = (sphere.derivatives(np.asarray(p))[..., 0, :] / sphere.r for p in (start, end))
+    return np.asarray(2.0 * np.arcsin(np.linalg.norm(a - b, axis=-1) / 2.0))
+
+
+def test_great_circles(rng: np.random.Generator) -> None:
+    sphere = Torus(0.0, 2.5, span_u=2.0, span_v=1.6, begin_v=-0.8)
+    # Longitudes close enough that great circles do not go over the patch's upper edge.
+    start, end = rng.uniform(0.2, 0.8, (2, 40, 2))
+    solution = solve_geodesic(sphere, start, end, on_failure="status")
+    inside = solution.converged
+    assert inside.mean() > 0.9
+    exact = 2.5 * sphere_angle(sphere, start, end)
+    error = np.abs(solution.length - exact)[inside]
+    assert (error <= 1e-10 * exact[inside]).all()
+    assert (error <= solution.error_estimate[inside]).all()
+    assert solution.local_minimum[inside].all()
+
+
+@pytest.mark.parametrize("angle", [0.5, 0.9, 0.99, 0.999, 1.001, 1.01, 1.1, 1.4])
+def test_past_the_antipodal_point_a_great_circle_is_no_shortest_path(angle: float) -> None:
+    # Along the equator, `angle` in units of pi.
+    sphere = Torus(0.0, 1.0, span_u=1.5 * math.pi, span_v=2.0, begin_v=-1.0)
+    end = (angle / 1.5, 0.5)
+    solution = solve_geodesic(sphere, (0.0, 0.5), end, on_failure="status")
+    assert solution.raw_length == pytest.approx(angle * math.pi, rel=1e-13)
+    assert solution.local_minimum == (angle < 1.0)
+    if angle < 1.0:
+        assert solution.status is Status.CONVERGED
+        assert solution.length == pytest.approx(angle * math.pi, rel=1e-13)
+    else:
+        assert solution.status is Status.NOT_A_MINIMUM
+        assert math.isnan(solution.length)
+
+
+def test_the_antipodal_point_itself_is_not_called_converged() -> None:
+    sphere = Torus(0.0, 1.0, span_u=1.5 * math.pi, span_v=2.0, begin_v=-1.0)
+    solution = solve_geodesic(sphere, (0.0, 0.5), (2 / 3, 0.5), on_failure="status")
+    assert not solution.local_minimum or not solution.converged
+
+
+def test_meridians_and_the_outer_and_inner_equator_of_a_torus() -> None:
+    torus = Torus(3.0, 1.0, span_u=1.2, span_v=math.pi, begin_v=0.0)
+    meridian = solve_geodesic(torus, (0.3, 0.1), (0.3, 0.9))
+    assert meridian.length == pytest.approx(0.8 * math.pi, rel=1e-12)
+    inner = solve_geodesic(torus, (0.0, 1.0), (1.0, 1.0))
+    assert inner.length == pytest.approx(2.0 * 1.2, rel=1e-12)
+    # K = 1 / (r (R + r)) = 1/4 on the outer equator: conjugate points are 2 pi apart, 4 x 1.2 are
+    # not as far.
+    outer = solve_geodesic(torus, (0.0, 0.0), (1.0, 0.0))
+    assert outer.length == pytest.approx(4.0 * 1.2, rel=1e-12)
+    longer = Torus(3.0, 1.0, span_u=1.7, span_v=math.pi, begin_v=-0.5 * math.pi)
+    beyond = solve_geodesic(longer, (0.0, 0.5), (1.0, 0.5), on_failure="status")
+    assert beyond.status is Status.NOT_A_MINIMUM
+    shorter = Torus(3.0, 1.0, span_u=1.55, span_v=math.pi, begin_v=-0.5 * math.pi)
+    assert solve_geodesic(shorter, (0.0, 0.5), (1.0, 0.5)).length == pytest.approx(6.2, rel=1e-12)
+
+
+class Cylinder:
+    """Radius 2, height 3, a third of a turn; its geodesics are helices."""
+
+    def derivatives(self, parameters: Array) -> Array:
+        u, v = parameters[..., 0], parameters[..., 1]
+        one = [np.ones_like(u), 0 * u, 0 * u, 0 * u]
+        height = [3.0 * v, np.full_like(v, 3.0), 0 * v, 0 * v]
+        turn = 2 * math.pi / 3
+        return np.stack(
+            [
+                product(wave(2.0, turn, 0.0, u), one),
+                product(wave(2.0, turn, -math.pi / 2, u), one),
+                product(one, height),
+            ],
+            axis=-1,
+        )
+
+
+def test_helices() -> None:
+    start = np.array([[0.0, 0.0], [0.2, 0.9]])
+    end = np.array([[1.0, 1.0], [0.7, 0.1]])
+    solution = solve_geodesic(Cylinder(), start[:, None], end)
+    step = end - start[:, None]
+    exact = np.hypot(step[..., 0] * 4 * math.pi / 3, 3 * step[..., 1])
+    np.testing.assert_allclose(solution.length, exact, rtol=1e-13)
+    assert solution.shape == (2, 2)
+
+
+@dataclass(frozen=True)
+class Patch:
+    """A Bezier patch by way of the protocol for the user's own surfaces."""
+
+    net: Any
+
+    def derivatives(self, parameters: Array) -> Array:
+        d = derivatives(self.net, parameters, order=3)
+        return np.stack([d[..., i, j, :] for i, j in ORDERS], axis=-2)
+
+
+@pytest.mark.parametrize("scale", [1e-3, 1.0, 1e4])
+def test_a_patch_is_the_same_by_its_derivatives(scale: float) -> None:
+    end = np.array([[1.0, 1.0], [0.3, 1.0]])
+    own = solve_geodesic(Patch(scale * ENNEPER), (0.1, 0.0), end)
+    given = solve_geodesic(scale * ENNEPER, (0.1, 0.0), end)
+    np.testing.assert_allclose(own.length, given.length, rtol=1e-13)
+    np.testing.assert_allclose(own.path(0.5), given.path(0.5), atol=1e-11)
+    np.testing.assert_array_equal(own.functions, given.functions)
+
+
+def test_derivatives_may_be_lists() -> None:
+    class Lists(Patch):
+        def derivatives(self, parameters: Array) -> Any:
+            return super().derivatives(parameters).tolist()
+
+    assert solve_geodesic(Lists(ENNEPER), (0, 0), (1, 1)).length == pytest.approx(
+        5 * math.sqrt(2) / 3, rel=1e-13
+    )
+
+
+@pytest.mark.parametrize("shape", [(9, 3), (10, 2), (10,), (3, 10)])
+def test_derivatives_of_the_wrong_shape_are_refused(shape: tuple[int, ...]) -> None:
+    class Wrong:
+        def derivatives(self, parameters: Array) -> Array:
+            return np.zeros((*parameters.shape[:-1], *shape))
+
+    with pytest.raises(InputError, match=r"derivatives have shape .* expected \(1, \d+, 10, 3\)"):
+        solve_geodesic(Wrong(), (0, 0), (1, 1))
+
+
+@pytest.mark.parametrize("value", [np.nan, 0.0])
+def test_derivatives_that_say_nothing_give_no_length(value: float) -> None:
+    class Useless:
+        def derivatives(self, parameters: Array) -> Array:
+            return np.full((*parameters.shape[:-1], 10, 3), value)
+
+    solution = solve_geodesic(Useless(), (0, 0), (1, 1), on_failure="status")
+    assert solution.status in (Status.NOT_CONVERGED, Status.SINGULAR)
+    assert math.isnan(solution.length)
+
+
+def test_an_error_of_the_users_surface_comes_through() -> None:
+    class Broken:
+        def derivatives(self, parameters: Array) -> Array:
+            raise KeyError(f"mine, of {parameters.ndim} axes")
+
+    with pytest.raises(KeyError, match="mine"):
+        solve_geodesic(Broken(), (0, 0), (1, 1), method=RBFCollocation(functions=4))
