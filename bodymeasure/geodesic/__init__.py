@@ -2,7 +2,11 @@
 
 from bodymeasure.geodesic.kernels import WU_C2, WU_C4, WU_C6, WU_C10, Kernel
 from bodymeasure.geodesic.method import Method
+from bodymeasure.geodesic.polynomial import PolynomialCollocation
 from bodymeasure.geodesic.rbf import RBFCollocation
+from bodymeasure.geodesic.relaxation import Relaxation
+from bodymeasure.geodesic.ritz import Ritz
+from bodymeasure.geodesic.shooting import Shooting
 from bodymeasure.geodesic.solution import GeodesicSolution
 from bodymeasure.geodesic.solve import HasDerivatives, solve_geodesic
 from bodymeasure.geodesic.status import Status
@@ -16,7 +20,11 @@ __all__ = [
     "HasDerivatives",
     "Kernel",
     "Method",
+    "PolynomialCollocation",
     "RBFCollocation",
+    "Relaxation",
+    "Ritz",
+    "Shooting",
     "Status",
     "solve_geodesic",
 ]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,6 +11,7 @@ from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
 
 _Array = NDArray[np.float64]
+_Pair = tuple[_Array, _Array]
 
 
 def dot(a: _Array, b: _Array) -> _Array:
@@ -43,8 +46,52 @@ def acceleration(jet: _Array, velocity: _Array, second: _Array) -> _Array:
     return result
 
 
+class Linearization(NamedTuple):
+    """The equations' left sides at points, and their derivatives, each array of shape (...).
+
+    In ``by_value[i][j]`` and the others, i is the equation and j the coordinate, u or v.
+    """
+
+    residual: _Pair
+    by_value: tuple[_Pair, _Pair]
+    by_velocity: tuple[_Pair, _Pair]
+    by_second: tuple[_Pair, _Pair]
+
+
+def linearization(jet: _Array, velocity: _Array, second: _Array) -> Linearization:
+    """``S_u . a`` and ``S_v . a``, with a the `acceleration`, and their derivatives.
+
+    Parameters
+    ----------
+    jet : ndarray, shape (10, 3, ...)
+    velocity, second : ndarray, shape (2, ...)
+    """
+    _, s_u, s_v, s_uu, s_uv, s_vv, s_uuu, s_uuv, s_uvv, s_vvv = jet
+    du, dv = velocity
+    a = acceleration(jet, velocity, second)
+    duu, duv, dvv = du * du, 2.0 * du * dv, dv * dv
+    a_by_u = s_uuu * duu + s_uuv * duv + s_uvv * dvv + s_uu * second[0] + s_uv * second[1]
+    a_by_v = s_uuv * duu + s_uvv * duv + s_vvv * dvv + s_uv * second[0] + s_vv * second[1]
+    a_by_du = 2.0 * (s_uu * du + s_uv * dv)
+    a_by_dv = 2.0 * (s_uv * du + s_vv * dv)
+    mixed = dot(s_uv, a)
+    metric_uv = dot(s_u, s_v)
+    return Linearization(
+        residual=(dot(s_u, a), dot(s_v, a)),
+        by_value=(
+            (dot(s_uu, a) + dot(s_u, a_by_u), mixed + dot(s_u, a_by_v)),
+            (mixed + dot(s_v, a_by_u), dot(s_vv, a) + dot(s_v, a_by_v)),
+        ),
+        by_velocity=(
+            (dot(s_u, a_by_du), dot(s_u, a_by_dv)),
+            (dot(s_v, a_by_du), dot(s_v, a_by_dv)),
+        ),
+        by_second=((dot(s_u, s_u), metric_uv), (metric_uv, dot(s_v, s_v))),
+    )
+
+
 def residual_and_jacobian(
-    surface: Surface, space: TrialSpace, values: _Array
+    surface: Surface, space: TrialSpace, values: _Array, *, ends: bool = False
 ) -> tuple[_Array, _Array]:
     """Tangential acceleration at the collocation points, and its derivative by the nodal values.
 
@@ -59,43 +106,32 @@ def residual_and_jacobian(
         With n + 1 nodes.
     values : ndarray, shape (problems, 2, n + 1)
         u and v at the nodes.
+    ends : bool
+        Whether the Jacobian has columns for the end nodes too.
 
     Returns
     -------
     residual : ndarray, shape (problems, 2, n - 1)
-    jacobian : ndarray, shape (problems, 2, n - 1, 2, n - 1)
-        By u and v at the inner nodes.
+    jacobian : ndarray, shape (problems, 2, n - 1, 2, n - 1), or (problems, 2, n - 1, 2, n + 1)
+        By u and v at the inner nodes, or at all nodes.
     """
     first, second = space.differentiation
     inner = values[:, :, 1:-1]
     velocity = (values @ first.T).transpose(1, 0, 2)
     bend = (values @ second.T).transpose(1, 0, 2)
     jet = surface.jet(inner.transpose(0, 2, 1), 3)
-    _, s_u, s_v, s_uu, s_uv, s_vv, s_uuu, s_uuv, s_uvv, s_vvv = jet
-    du, dv = velocity
-    a = acceleration(jet, velocity, bend)
-    tangents = (s_u, s_v)
-    residual = np.stack([dot(s_u, a), dot(s_v, a)], axis=1)
-
-    duu, duv, dvv = du * du, 2.0 * du * dv, dv * dv
-    a_by_value = (
-        s_uuu * duu + s_uuv * duv + s_uvv * dvv + s_uu * bend[0] + s_uv * bend[1],
-        s_uuv * duu + s_uvv * duv + s_vvv * dvv + s_uv * bend[0] + s_vv * bend[1],
-    )
-    a_by_velocity = (2.0 * (s_uu * du + s_uv * dv), 2.0 * (s_uv * du + s_vv * dv))
-    tangents_by_value = ((s_uu, s_uv), (s_uv, s_vv))
+    here = linearization(jet, velocity, bend)
 
     problems, _, points = inner.shape
-    jacobian = np.empty((problems, 2, points, 2, points))
-    diagonal = np.arange(points)
+    by_node = slice(None) if ends else slice(1, -1)
+    first, second = first[:, by_node], second[:, by_node]
+    jacobian = np.empty((problems, 2, points, 2, first.shape[1]))
+    row_of = np.arange(points)
+    column_of = row_of + 1 if ends else row_of
     for row in range(2):
         for column in range(2):
             block = jacobian[:, row, :, column]
-            by_velocity = dot(tangents[row], a_by_velocity[column])
-            by_bend = dot(tangents[row], tangents[column])
-            np.multiply(by_velocity[:, :, None], first[:, 1:-1], out=block)
-            block += by_bend[:, :, None] * second[:, 1:-1]
-            block[:, diagonal, diagonal] += dot(tangents_by_value[row][column], a) + dot(
-                tangents[row], a_by_value[column]
-            )
-    return residual, jacobian
+            np.multiply(here.by_velocity[row][column][:, :, None], first, out=block)
+            block += here.by_second[row][column][:, :, None] * second
+            block[:, row_of, column_of] += here.by_value[row][column]
+    return np.stack(here.residual, axis=1), jacobian

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,13 +12,8 @@ from numpy.typing import NDArray
 
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.kernels import WU_C10, Kernel
-from bodymeasure.geodesic.length_error import (
-    TRUSTED_CORRECTION,
-    MeasuredLength,
-    measure_length,
-)
-from bodymeasure.geodesic.method import MethodResult, Piece
-from bodymeasure.geodesic.newton import MAX_ITERATIONS, newton
+from bodymeasure.geodesic.ladder import TOLERANCE, solve_on_spaces
+from bodymeasure.geodesic.method import MethodResult
 from bodymeasure.geodesic.rbf_space import rbf_space
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
@@ -28,20 +24,10 @@ _Array = NDArray[np.float64]
 # points give a regular system. 8 functions serve 9 of 10 diagonals of a body, 12 nearly all of the
 # rest (tests/benchmarks/rbf_convergence.py).
 LADDER = (8, 12, 16, 20)
-# On all but the last number of functions, Newton's method is given up after this many steps: a
-# few stubborn problems are cheaper with more functions.
-FIRST_ITERATIONS = 6
-# Relative error that is asked for. The correction gives two digits more in the median.
-TOLERANCE = 1e-10
 # With more functions than the kernel's degree, this many centers stay outside [0, 1].
 OUTER_CENTERS = 8
 # How far outside they lie: half as far as the paper's, whose second center is at 1.5, to double.
 REACH = 0.9
-# A path this far outside [0, 1], in u or v, is not brought back by more functions: hundred times
-# what a path on 8 functions is off where it has not converged.
-FAR_OUTSIDE = 0.02
-# Problems that are solved at once: their arrays then stay in the processor's cache.
-CHUNK = 384
 
 
 @dataclass(frozen=True)
@@ -116,73 +102,21 @@ class RBFCollocation:
     @property
     def spaces(self) -> Iterator[TrialSpace]:
         """The trial spaces that are tried in turn, made when they are needed."""
-        for count in self._counts:
-            centers = self.centers
-            points = self.collocation_points
-            yield rbf_space(
-                self.kernel,
-                tuple(default_centers(self.kernel, count) if centers is None else centers),
-                tuple(chebyshev_points(count - 1) if points is None else points),
-                self.support_radius,
-            )
+        return map(self._space, self._counts)
+
+    def _space(self, count: int) -> TrialSpace:
+        centers, points = self.centers, self.collocation_points
+        return rbf_space(
+            self.kernel,
+            tuple(default_centers(self.kernel, count) if centers is None else centers),
+            tuple(chebyshev_points(count - 1) if points is None else points),
+            self.support_radius,
+        )
 
     def solve(self, surface: Surface, start: _Array, end: _Array) -> MethodResult:
         """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
-        iterations = np.zeros(len(start), np.int64)
-        is_open = np.ones(len(start), bool)
-        pieces: list[Piece] = []
-        guess: TrialSpace | None = None
-        paths = np.empty((len(start), 2, 0))
-        for count, space in zip(self._counts, self.spaces, strict=True):
-            is_last = count == self._counts[-1]
-            rest = np.flatnonzero(is_open)
-            values = straight(start, end, space.nodes)
-            if guess is not None:
-                known = rest[np.isfinite(paths[rest, 0, 0])]
-                values[known] = paths[known] @ guess.matrices(space.nodes)[0].T
-            for chunk in np.split(rest, range(CHUNK, len(rest), CHUNK)):
-                piece, used = self._solve_on(
-                    space, surface.take(chunk), chunk, values[chunk], is_last
-                )
-                iterations[chunk] += used
-                values[chunk] = piece.values
-                done = piece.converged | (is_last or _is_far_outside(piece))
-                is_open[chunk] = ~done
-                pieces.append(piece.take(np.flatnonzero(done)))
-            paths, guess = values, space
-            if not is_open.any():
-                break
-        return MethodResult(tuple(piece for piece in pieces if len(piece.problems)), iterations)
-
-    def _solve_on(
-        self,
-        space: TrialSpace,
-        surface: Surface,
-        problems: NDArray[np.int64],
-        values: _Array,
-        is_last: bool,
-    ) -> tuple[Piece, NDArray[np.int64]]:
-        """One chunk of problems on one space; a path is NaN where Newton's method failed."""
-        limit = MAX_ITERATIONS if is_last else FIRST_ITERATIONS
-        found = newton(surface, space, values, max_iterations=limit)
-        measured = measure_length(surface, space, found.values)
-        converged = found.converged & is_good(measured, self.tolerance)
-        if not is_last:
-            found.values[~found.converged] = np.nan
-        piece = Piece(problems, space, found.values, measured, converged, found.singular)
-        return piece, found.iterations
-
-
-def _is_far_outside(piece: Piece) -> NDArray[np.bool_]:
-    """Which paths leave their patch so clearly that more functions would not bring them back.
-
-    They have no length on the patch, and the polynomial that continues it out there may be wild.
-    """
-    result = np.zeros(len(piece.problems), bool)
-    rows = np.flatnonzero(~piece.converged & np.isfinite(piece.values[:, 0, 0]))
-    path = piece.values[rows] @ piece.space.between_nodes.T
-    result[rows] = (np.abs(path - 0.5) > 0.5 + FAR_OUTSIDE).any(axis=(1, 2))
-    return result
+        makers = [partial(self._space, count) for count in self._counts]
+        return solve_on_spaces(makers, surface, (start, end), tolerance=self.tolerance)
 
 
 def default_centers(kernel: Kernel, count: int) -> _Array:
@@ -198,21 +132,6 @@ def default_centers(kernel: Kernel, count: int) -> _Array:
 def chebyshev_points(count: int) -> _Array:
     """The inner Chebyshev-Lobatto points of [0, 1]."""
     return np.asarray(0.5 - 0.5 * np.cos(np.pi * np.arange(1, count + 1) / (count + 1)))
-
-
-def straight(start: _Array, end: _Array, nodes: _Array) -> _Array:
-    """Nodal values of straight lines in (u, v), shape (problems, 2, n + 1)."""
-    line: _Array = start[:, :, None] + (end - start)[:, :, None] * nodes
-    line[:, :, -1] = end
-    return line
-
-
-def is_good(measured: MeasuredLength, tolerance: float) -> NDArray[np.bool_]:
-    """Whether lengths are known to a relative tolerance, and their corrections to be trusted."""
-    result: NDArray[np.bool_] = (measured.error <= tolerance * measured.raw) & (
-        np.abs(measured.correction) <= TRUSTED_CORRECTION * measured.raw
-    )
-    return result
 
 
 def _sequence(name: str, values: Sequence[float]) -> _Array:

@@ -1,0 +1,193 @@
+"""Shooting: geodesics from their start and direction, aimed at the end by Newton's method."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.geodesic.equations import acceleration, linearization
+from bodymeasure.geodesic.ladder import TOLERANCE
+from bodymeasure.geodesic.method import MethodResult
+from bodymeasure.geodesic.resample import Path, resampled
+from bodymeasure.geodesic.settings import check_between, check_positive
+from bodymeasure.geodesic.surface import Surface
+
+_Array = NDArray[np.float64]
+
+# The length of a path is off by the square of what the path is: half the digits are enough.
+RTOL = 1e-8
+# scipy does not go below this.
+LEAST_RTOL = 1e-13
+# The first shots need not be more exact than they hit.
+FIRST_RTOL = 1e-4
+# The absolute tolerance, of u and v, is this part of the relative one.
+ABSOLUTE = 0.1
+# A hit is as exact as the integration, which adds up some ten steps' errors.
+HIT = 10.0
+MAX_SHOTS = 30
+# A correction of the aim this many times halved leads nowhere.
+SMALLEST_STEP = 2.0**-8
+# Where a geodesic gets so far outside [0, 1] in u or v, it is followed no further.
+LOST = 1.0
+# And if it takes as many evaluations as this, which is twenty times the usual.
+MAX_EVALUATIONS = 10_000
+
+
+@dataclass(frozen=True)
+class Shooting:
+    """Initial value problems with Newton's method on direction and length.
+
+    From start, with a velocity (u', v') at t = 0, the geodesic equations are integrated to t = 1
+    by scipy's DOP853, together with the Jacobi equation: how the path moves if the velocity
+    changes. That gives Newton's method exact derivatives of where the path arrives (T. Maekawa,
+    *Journal of Mechanical Design* 118 (1996) 499-508, section 3, with differences in their place).
+    The first velocity is that of the straight line in (u, v). The path is then put on polynomials,
+    and its length is measured and judged as with the other methods.
+
+    There is no trial space to be chosen and none that could be too small; but every problem is
+    integrated for itself, some hundred times slower than collocation. And where geodesics spread
+    quickly (negative curvature) or pass a conjugate point, the first shot may be too far off for
+    Newton's method: ``NOT_CONVERGED``.
+
+    Parameters
+    ----------
+    rtol : float
+        Relative tolerance of a step of the integration, 1e-13 to 1.
+    tolerance : float
+        Relative error of the length that is asked for.
+
+    Raises
+    ------
+    InputError
+        If a setting makes no sense.
+    """
+
+    rtol: float = RTOL
+    tolerance: float = TOLERANCE
+
+    def __post_init__(self) -> None:
+        check_between("rtol", self.rtol, LEAST_RTOL, 1.0)
+        check_positive("tolerance", self.tolerance)
+
+    def solve(self, surface: Surface, start: _Array, end: _Array) -> MethodResult:
+        """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
+        paths: list[Path | None] = []
+        shots = np.zeros(len(start), np.int64)
+        for problem in range(len(start)):
+            one = surface.take(np.array([problem]))
+            path, shots[problem] = _aimed(one, start[problem], end[problem], self.rtol)
+            paths.append(path)
+        pieces = resampled(surface, paths, (start, end), tolerance=self.tolerance)
+        return MethodResult(pieces, shots)
+
+
+@dataclass(frozen=True)
+class _Shot:
+    """Where a geodesic arrives at t = 1, how that changes with its first velocity, and its path."""
+
+    target: _Array
+    by_velocity: _Array
+    path: Path
+
+
+class _LostError(Exception):
+    """A geodesic that takes too long."""
+
+
+def _aimed(surface: Surface, start: _Array, end: _Array, rtol: float) -> tuple[Path | None, int]:
+    """The path to the end, if it is hit, and the number of shots."""
+    velocity, path, shots = end - start, None, 0
+    for precision in (max(rtol, FIRST_RTOL), rtol):
+        velocity, path, used = _newton(surface, (start, end), velocity, precision)
+        shots += used
+        if path is None:
+            break
+    return path, shots
+
+
+def _newton(
+    surface: Surface, ends: tuple[_Array, _Array], velocity: _Array, rtol: float
+) -> tuple[_Array, Path | None, int]:
+    """Newton's method on the first velocity, damped; the number of shots comes last."""
+    start, end = ends
+    close = HIT * rtol * float(np.abs(end - start).max())
+    direction: _Array = np.zeros(2)
+    step, missed = 1.0, np.inf
+    for count in range(1, MAX_SHOTS + 1):
+        trial = velocity + step * direction
+        shot = _shoot(surface, start, trial, rtol)
+        miss = np.inf if shot is None else float(np.linalg.norm(shot.target - end))
+        if shot is None or miss >= missed:
+            step *= 0.5
+            if step < SMALLEST_STEP or missed == np.inf:
+                return velocity, None, count
+            continue
+        velocity, missed = trial, miss
+        if miss <= close:
+            return velocity, shot.path, count
+        try:
+            direction = np.linalg.solve(shot.by_velocity, end - shot.target).astype(np.float64)
+        except np.linalg.LinAlgError:
+            # The end is conjugate to the start.
+            return velocity, None, count
+        step = 1.0
+    return velocity, None, MAX_SHOTS
+
+
+def _shoot(surface: Surface, start: _Array, velocity: _Array, rtol: float) -> _Shot | None:
+    """Integrate from t = 0 to 1; None if the path gets lost."""
+    # Here, since `import bodymeasure` would take twice as long with it.
+    from scipy.integrate import solve_ivp
+
+    evaluations = 0
+
+    def motion(_: float, state: _Array) -> _Array:
+        nonlocal evaluations
+        evaluations += 1
+        if evaluations > MAX_EVALUATIONS or not np.isfinite(state).all():
+            raise _LostError
+        return _motion(surface, state)
+
+    def is_lost(_: float, state: _Array) -> float:
+        return float(0.5 + LOST - np.abs(state[:2] - 0.5).max())
+
+    is_lost.terminal = True  # type: ignore[attr-defined]
+    # (u, v), its velocity, and both changed by the first velocity's u' and by its v'.
+    first = np.concatenate([start, velocity, np.zeros(4), np.eye(2).ravel()])
+    try:
+        with np.errstate(all="ignore"):
+            result = solve_ivp(
+                motion,
+                (0.0, 1.0),
+                first,
+                method="DOP853",
+                rtol=rtol,
+                atol=ABSOLUTE * rtol,
+                dense_output=True,
+                events=is_lost,
+            )
+    except (_LostError, np.linalg.LinAlgError):
+        return None
+    if result.status != 0:
+        return None
+    last = result.y[:, -1]
+    return _Shot(last[:2], last[4:8].reshape(2, 2), lambda t: result.sol(t)[:2])
+
+
+def _motion(surface: Surface, state: _Array) -> _Array:
+    """Derivative by t of a state: 2 numbers each of place and velocity, 4 each of their changes.
+
+    The geodesic equations are linear in (u'', v''), and so are those of the changes: the same
+    matrix, the metric, stands before the unknowns.
+    """
+    place, velocity = state[:2], state[2:4]
+    change, change_velocity = state[4:].reshape(2, 2, 2)
+    jet = surface.jet(place[None, None], 3)[:, :, 0, 0]
+    tangents = jet[1:3]
+    inverse = np.linalg.inv(tangents @ tangents.T)
+    second = -inverse @ (tangents @ acceleration(jet, velocity, np.zeros(2)))
+    here = linearization(jet, velocity, second)
+    load = np.array(here.by_value) @ change + np.array(here.by_velocity) @ change_velocity
+    return np.concatenate([velocity, second, change_velocity.ravel(), -(inverse @ load).ravel()])
