@@ -34,8 +34,6 @@ from benchmarks.reference import Array, Problems, Reference
 ROUNDING = 1e-15
 # A path this close to the reference's, in u and v, is meant to be the same geodesic.
 SAME_PATH = 0.05
-# Finer references for paths that are already known.
-FINEST = (*reference.DEGREES, (128, 160))
 # A tolerance that every length meets whose correction is trusted.
 ANY = 1.0
 METHODS = {"default": RBFCollocation()}
@@ -72,7 +70,7 @@ def compare(
     other = np.isnan(true) & np.isfinite(known.length)
     rows = np.flatnonzero(solution.converged & np.isnan(true))
     guess = solution.path(reference.GUESS_TIMES)[rows]
-    refined = reference.geodesics(problems.take(rows), guess=guess, pairs=FINEST)
+    refined = reference.geodesics(problems.take(rows), guess=guess, pairs=reference.FINEST)
     near = _is_near(refined.paths, path[rows])
     true[rows[near]] = refined.length[near]
     new = ~other[rows] & near

@@ -26,6 +26,8 @@ ENDS = np.array([(1.0, 1.0), (0.0, 1.0)])
 BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
 # Pairs of degrees that are tried; each only where those before it fail.
 DEGREES = ((32, 44), (72, 96))
+# The same for few problems, or for paths that are nearly known: a last pair is slow.
+FINEST = (*DEGREES, (128, 160))
 AGREEMENT = 1e-13
 # Tangential acceleration between the nodes, relative; the length's error is about its square.
 LARGEST_RESIDUAL = 1e-5
