@@ -8,7 +8,13 @@ from pathlib import Path
 import pytest
 
 from bodymeasure.errors import InputError
-from bodymeasure.files import make_folder, read_bytes, write_bytes
+from bodymeasure.files import (
+    make_folder,
+    output_folder,
+    read_bytes,
+    require_writable,
+    write_bytes,
+)
 
 
 def names(folder: Path) -> list[str]:
@@ -135,3 +141,45 @@ def test_a_folder_that_cannot_be_made_is_reported(tmp_path: Path) -> None:
     for path in (tmp_path / "file", tmp_path / "file" / "below"):
         with pytest.raises(InputError, match=rf"{path}: cannot be written"):
             make_folder(path)
+
+
+def fail_in(folder: Path, fault: type[BaseException], leave: str = "") -> None:
+    """Have work fail for which a folder was made, with something left in it or not."""
+    with output_folder(folder):
+        assert folder.is_dir()
+        if leave:
+            (folder / leave).write_bytes(b"mine")
+        raise fault
+
+
+@pytest.mark.parametrize("fault", [KeyboardInterrupt, ValueError])
+def test_folders_made_for_work_that_failed_are_removed(
+    tmp_path: Path, fault: type[BaseException]
+) -> None:
+    (tmp_path / "a").mkdir()
+    with pytest.raises(fault):
+        fail_in(tmp_path / "a" / "b" / "c", fault)
+    assert names(tmp_path / "a") == []
+
+
+def test_folders_are_kept_that_were_there_or_hold_something(tmp_path: Path) -> None:
+    with output_folder(tmp_path / "done" / "well"):
+        pass
+    with pytest.raises(InterruptedError):
+        fail_in(tmp_path / "done" / "well", InterruptedError)
+    assert (tmp_path / "done" / "well").is_dir()
+    with pytest.raises(InterruptedError):
+        fail_in(tmp_path / "new" / "folder", InterruptedError, leave="file")
+    assert names(tmp_path / "new" / "folder") == ["file"]
+
+
+def test_whether_a_file_can_be_written_is_known_before(tmp_path: Path) -> None:
+    path = tmp_path / "file"
+    require_writable(path)
+    assert names(tmp_path) == []
+    path.write_bytes(b"old")
+    require_writable(path)
+    assert path.read_bytes() == b"old"
+    for bad in (tmp_path, tmp_path / "gone" / "file", path / "below", tmp_path / ("x" * 300)):
+        with pytest.raises(InputError, match=rf"{bad}: cannot be written \("):
+            require_writable(bad)

@@ -51,10 +51,12 @@ def view(
     given.
     """
     require(VIEWER, VIEWER_COLORS, *(() if no_cross_check else (COMPARISON,)))
-    if screenshot is not None:
-        _check_screenshot(screenshot)
     viewer = _viewer()
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
+    if screenshot is None:
+        _check_display()
+    else:
+        _check_screenshot(screenshot)
     with progress_bar("comparing with libigl", 2 * len(loaded)) as progress:
         survey = measure_atlas(
             loaded, compare=not no_cross_check, processes=processes, progress=progress
@@ -64,6 +66,17 @@ def view(
         print_note(note)
     if screenshot is not None:
         click.echo(screenshot)
+
+
+def _check_display() -> None:
+    """Refuse a window that could not be opened, before the work."""
+    from bodymeasure.scene.choice import opengl_trouble
+
+    if trouble := opengl_trouble(window=True):
+        raise InputError(
+            f"no window can be opened, since {trouble}; "
+            "write a picture instead with --screenshot FILE.png"
+        )
 
 
 def _check_screenshot(path: Path) -> None:

@@ -222,6 +222,21 @@ def test_a_screenshot_that_cannot_be_written_is_not_begun(
     assert reason in ran.err
 
 
+def test_a_window_that_cannot_be_opened_is_not_begun(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(
+        "bodymeasure.scene.choice.opengl_trouble", lambda *, window: f"window={window}"
+    )
+    monkeypatch.setattr("bodymeasure.cli.view.measure_atlas", no_work)
+    ran = run("view", "enneper")
+    assert (ran.code, ran.out) == (2, "")
+    assert ran.err == (
+        "Error: no window can be opened, since window=True; "
+        "write a picture instead with --screenshot FILE.png\n"
+    )
+
+
 @pytest.mark.parametrize("folder_exists", [False, True])
 def test_a_disk_that_runs_full_leaves_nothing(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, folder_exists: bool

@@ -75,7 +75,7 @@ def test_wrong_usage_is_told(run: Run, arguments: tuple[str, ...], message: str)
     ran = run(*arguments)
     assert (ran.code, ran.out) == (2, "")
     assert message in ran.err
-    assert "--help' for help" in ran.err
+    assert "Try 'bodymeasure " in ran.err
 
 
 def test_samples_are_listed_with_a_line_each(run: Run) -> None:
