@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from straight_line import from_straight_line
 from surfaces import PH_CYLINDER, SURFACES, ph_cylinder_length
 
 from bodymeasure.geodesic import (
@@ -14,7 +15,6 @@ from bodymeasure.geodesic import (
     GeodesicSolution,
     Kernel,
     RBFCollocation,
-    solve_geodesic,
 )
 
 T = np.linspace(0.0, 1.0, 101)
@@ -30,7 +30,9 @@ def exact_path() -> np.ndarray:
 
 
 def on_cylinder(method: RBFCollocation) -> GeodesicSolution:
-    return solve_geodesic(PH_CYLINDER, (0.0, 0.0), (1.0, 1.0), method=method, on_failure="status")
+    return from_straight_line(
+        PH_CYLINDER, (0.0, 0.0), (1.0, 1.0), method=method, on_failure="status"
+    )
 
 
 def errors(methods: list[RBFCollocation]) -> tuple[np.ndarray, np.ndarray]:
@@ -105,7 +107,7 @@ def test_the_default_kernel_goes_down_to_rounding() -> None:
 def test_the_correction_about_doubles_the_digits(kernel: Kernel) -> None:
     found = []
     for count in range(4, 9):
-        solution = solve_geodesic(
+        solution = from_straight_line(
             DEVELOPABLE.control_points,
             DEVELOPABLE.start,
             DEVELOPABLE.end,

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from straight_line import from_straight_line
 from surfaces import ENNEPER
 
 from bodymeasure import InputError
@@ -66,7 +67,7 @@ def test_great_circles(rng: np.random.Generator) -> None:
     sphere = Torus(0.0, 2.5, span_u=2.0, span_v=1.6, begin_v=-0.8)
     # Longitudes close enough that great circles do not go over the patch's upper edge.
     start, end = rng.uniform(0.2, 0.8, (2, 40, 2))
-    solution = solve_geodesic(sphere, start, end, on_failure="status")
+    solution = from_straight_line(sphere, start, end, on_failure="status")
     inside = solution.converged
     assert inside.mean() > 0.9
     exact = 2.5 * sphere_angle(sphere, start, end)
@@ -81,7 +82,7 @@ def test_past_the_antipodal_point_a_great_circle_is_no_shortest_path(angle: floa
     # Along the equator, `angle` in units of pi.
     sphere = Torus(0.0, 1.0, span_u=1.5 * math.pi, span_v=2.0, begin_v=-1.0)
     end = (angle / 1.5, 0.5)
-    solution = solve_geodesic(sphere, (0.0, 0.5), end, on_failure="status")
+    solution = from_straight_line(sphere, (0.0, 0.5), end, on_failure="status")
     assert solution.raw_length == pytest.approx(angle * math.pi, rel=1e-13)
     assert solution.local_minimum == (angle < 1.0)
     if angle < 1.0:
@@ -94,7 +95,7 @@ def test_past_the_antipodal_point_a_great_circle_is_no_shortest_path(angle: floa
 
 def test_the_antipodal_point_itself_is_not_called_converged() -> None:
     sphere = Torus(0.0, 1.0, span_u=1.5 * math.pi, span_v=2.0, begin_v=-1.0)
-    solution = solve_geodesic(sphere, (0.0, 0.5), (2 / 3, 0.5), on_failure="status")
+    solution = from_straight_line(sphere, (0.0, 0.5), (2 / 3, 0.5), on_failure="status")
     assert not solution.local_minimum or not solution.converged
 
 
@@ -109,7 +110,7 @@ def test_meridians_and_the_outer_and_inner_equator_of_a_torus() -> None:
     outer = solve_geodesic(torus, (0.0, 0.0), (1.0, 0.0))
     assert outer.length == pytest.approx(4.0 * 1.2, rel=1e-12)
     longer = Torus(3.0, 1.0, span_u=1.7, span_v=math.pi, begin_v=-0.5 * math.pi)
-    beyond = solve_geodesic(longer, (0.0, 0.5), (1.0, 0.5), on_failure="status")
+    beyond = from_straight_line(longer, (0.0, 0.5), (1.0, 0.5), on_failure="status")
     assert beyond.status is Status.NOT_A_MINIMUM
     shorter = Torus(3.0, 1.0, span_u=1.55, span_v=math.pi, begin_v=-0.5 * math.pi)
     assert solve_geodesic(shorter, (0.0, 0.5), (1.0, 0.5)).length == pytest.approx(6.2, rel=1e-12)

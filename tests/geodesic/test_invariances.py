@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
+from straight_line import from_straight_line
 from surfaces import ENNEPER, PARABOLOID, PLANE, SURFACES
 
 from bodymeasure.bezier import elevate, restrict
@@ -197,5 +198,5 @@ def test_numpys_error_state_stays_as_it_is() -> None:
     for state in ("raise", "warn"):
         with np.errstate(divide=state, invalid=state):
             before = np.geterr()
-            solve_geodesic(fold, (0.0, 0.0), (1.0, 1.0), on_failure="status")
+            from_straight_line(fold, (0.0, 0.0), (1.0, 1.0), on_failure="status")
             assert np.geterr() == before

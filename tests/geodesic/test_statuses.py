@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from straight_line import from_straight_line
 from surfaces import ENNEPER, PARABOLOID, bicubic
 
 from bodymeasure import ConvergenceError
@@ -14,7 +17,6 @@ from bodymeasure.geodesic import (
     Kernel,
     RBFCollocation,
     Status,
-    solve_geodesic,
 )
 
 Array = NDArray[np.float64]
@@ -25,12 +27,12 @@ MOON = bicubic({(1, 0): 2}, {(0, 1): 1, (1, 0): 1.5, (2, 0): -1.5}, {})  # type:
 FOLDED = bicubic({(1, 0): 6, (2, 0): -15, (3, 0): 10}, {(0, 1): 1}, {})
 
 
-def status_of(net: Array, start: object, end: object, **settings: object) -> GeodesicSolution:
-    return solve_geodesic(
+def status_of(net: Array, start: object, end: object, **settings: Any) -> GeodesicSolution:
+    return from_straight_line(
         net,
-        start,  # type: ignore[arg-type]
-        end,  # type: ignore[arg-type]
-        method=RBFCollocation(**settings),  # type: ignore[arg-type]
+        start,
+        end,
+        method=RBFCollocation(**settings),
         on_failure="status",
     )
 
@@ -129,7 +131,7 @@ def test_one_bad_patch_does_not_spoil_the_others() -> None:
 
 def test_by_default_a_failure_is_raised() -> None:
     with pytest.raises(ConvergenceError) as caught:
-        solve_geodesic(MOON, (0.0, 0.1), (1.0, 0.1))
+        from_straight_line(MOON, (0.0, 0.1), (1.0, 0.1))
     assert str(caught.value) == Status.LEAVES_PATCH.sentence
     assert isinstance(caught.value, ArithmeticError)
 
@@ -137,7 +139,7 @@ def test_by_default_a_failure_is_raised() -> None:
 def test_many_failures_are_counted_and_some_are_listed() -> None:
     starts = np.array([(0.0, v) for v in (0.5, 0.1, 0.6, 0.1, 0.1, 0.1, 0.1, 0.1, 0.9)])
     with pytest.raises(ConvergenceError) as caught:
-        solve_geodesic(MOON, starts, starts + np.array([1.0, 0.0]))
+        from_straight_line(MOON, starts, starts + np.array([1.0, 0.0]))
     message = str(caught.value)
     assert message.startswith("6 of 9 geodesics have no length that can be trusted: problem 1: ")
     assert "problem 3: " in message
@@ -146,7 +148,7 @@ def test_many_failures_are_counted_and_some_are_listed() -> None:
     assert "and 1 more" in message
     assert 'on_failure="status"' in message
     with pytest.raises(ConvergenceError) as caught:
-        solve_geodesic(MOON, starts[:2], starts[:2] + np.array([1.0, 0.0]))
+        from_straight_line(MOON, starts[:2], starts[:2] + np.array([1.0, 0.0]))
     assert "more" not in str(caught.value).split(Status.LEAVES_PATCH.sentence)[1]
 
 
@@ -174,7 +176,7 @@ def test_very_few_functions_are_honest(functions: int) -> None:
         solution = status_of(
             net, (0.1, 0.0), (1.0, 0.7), functions=functions, tolerance=1e-2, kernel=WU_C2
         )
-        exact = solve_geodesic(net, (0.1, 0.0), (1.0, 0.7)).length
+        exact = from_straight_line(net, (0.1, 0.0), (1.0, 0.7)).length
         assert solution.raw_length >= exact * (1 - 1e-12)
         if solution.converged:
             assert abs(solution.length - exact) <= solution.error_estimate
