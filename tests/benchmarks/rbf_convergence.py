@@ -3,7 +3,7 @@
 Every setting is tried on the diagonals of one body that stay in their patch and on mild random
 patches, against independent references (`reference.py`), with every length accepted whose
 correction is small enough to be trusted. Run it by hand:
-``python tests/benchmarks/rbf_convergence.py [--quick] [--all]``; it takes some minutes.
+``python tests/benchmarks/rbf_convergence.py [--quick] [--all]``; it takes a minute.
 
 Placements: *outside*: half of the centers on either side of [0, 1], the rest, where there are more
 than the kernel's degree, inside (`default_centers`); *t >= 1*: at 1 + i / N, the paper's 1 and 1.5

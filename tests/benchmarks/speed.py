@@ -6,7 +6,7 @@ the surface evaluation that bodymeasure uses itself, on its whole mesh at once (
 differences; that takes a quarter of its time); libigl a finished mesh, so that only the call is
 timed. Diagonals that leave their patch cost bodymeasure time, and are spared the others. Then: how
 time and memory grow with the number of diagonals, on rigidly moved copies of the body's patches.
-Run it by hand: ``python tests/benchmarks/speed.py [--quick]``; it takes two minutes.
+Run it by hand: ``python tests/benchmarks/speed.py [--quick]``; it takes a minute or two.
 """
 
 from __future__ import annotations
