@@ -24,7 +24,12 @@ HALVINGS = 12
 
 
 def reference_lengths(
-    control_points: ArrayLike, start: ArrayLike, end: ArrayLike, guess: Array | None = None
+    control_points: ArrayLike,
+    start: ArrayLike,
+    end: ArrayLike,
+    guess: Array | None = None,
+    *,
+    degrees: tuple[int, int] = DEGREES,
 ) -> Array:
     """Lengths of geodesics, shape (problems,); NaN where the path is not resolved.
 
@@ -34,6 +39,8 @@ def reference_lengths(
     start, end : array_like, shape (2,) or (problems, 2)
     guess : ndarray, shape (problems, k, 2), optional
         A path at `chebyshev_times(k)` to start from; by default the straight line in (u, v).
+    degrees : tuple of int
+        Of the path, on whose lengths both must agree.
     """
     nets = np.asarray(control_points, dtype=np.float64)
     problems = len(nets)
@@ -41,7 +48,7 @@ def reference_lengths(
     if guess is None:
         guess = np.stack([start, end], axis=1)
     lengths = []
-    for degree in DEGREES:
+    for degree in degrees:
         path = _interpolation(guess.shape[1], chebyshev_times(degree + 1))[0] @ guess
         path[:, 0], path[:, -1] = start, end
         guess = np.stack([_stationary(net, values) for net, values in zip(nets, path, strict=True)])

@@ -18,6 +18,9 @@ POINTS = 16
 AGREEMENT = 1e-14
 # Halvings at most. Only a cusp inside an edge needs more, and its error estimate says so.
 MAX_HALVINGS = 10
+# At a cusp the error depends on where in its part it lies, and jumps from one division to the next:
+# what is left may be several times the last change.
+CUSP_SAFETY = 10.0
 # Relative rounding error of a sum of some dozens of positive terms.
 ROUNDING = 4e-16
 
@@ -66,12 +69,15 @@ def curve_lengths(control_points: _Array) -> tuple[_Array, _Array]:
     error = np.full_like(length, np.inf)
     rest = np.arange(len(control_points))
     for halvings in range(1, MAX_HALVINGS + 1):
-        finer = _composite(control_points[rest], parts=2**halvings)
+        # Odd, so that two divisions share no inner end: next to a shared one, both would agree on
+        # passing over a cusp.
+        finer = _composite(control_points[rest], parts=2**halvings + 1)
         error[rest] = np.abs(finer - length[rest]) + ROUNDING * finer
         length[rest] = finer
         rest = rest[error[rest] > AGREEMENT * finer]
         if len(rest) == 0:
             break
+    error[rest] *= CUSP_SAFETY
     return length, error
 
 

@@ -1,0 +1,76 @@
+"""All diagonals of the five mannequins, against a solver that shares nothing with the library's."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from reference import chebyshev_times, reference_lengths
+from straight_line import NO_SEARCH
+
+from bodymeasure import load_sample
+from bodymeasure.geodesic import GeodesicSolution, Status, solve_geodesic
+from bodymeasure.measure.cross_check import Verdict, cross_check
+from bodymeasure.measure.diagonals import DIAGONAL_ENDS, DIAGONAL_STARTS
+
+MANNEQUINS = ["female_average", "female_full_bust", "female_heavy", "female_old", "male_average"]
+
+bodies = pytest.mark.parametrize("name", MANNEQUINS)
+
+
+def geodesics(name: str) -> GeodesicSolution:
+    return solve_geodesic(
+        load_sample(name).control_points[:, None],
+        DIAGONAL_STARTS,
+        DIAGONAL_ENDS,
+        on_failure="status",
+        **NO_SEARCH,
+    )
+
+
+@pytest.mark.slow
+@bodies
+def test_every_diagonal_is_right_or_says_why_not(name: str) -> None:
+    solution = geodesics(name)
+    assert solution.shape == (376, 2)
+    np.testing.assert_array_equal(np.isnan(solution.length), ~solution.converged)
+    assert all(isinstance(status, Status) for status in solution.status.ravel())
+    # Few leave their patches, and hardly one resists.
+    assert (~solution.converged).sum() <= 20
+    assert (solution.status == Status.NOT_CONVERGED).sum() <= 2
+
+    rows = np.flatnonzero(solution.converged.ravel())
+    nets = np.repeat(load_sample(name).control_points, 2, axis=0)[rows]
+    start, end = solution.start.reshape(-1, 2)[rows], solution.end.reshape(-1, 2)[rows]
+    length = solution.length.ravel()[rows]
+    estimate = solution.error_estimate.ravel()[rows]
+    known = reference_lengths(nets, start, end)
+    # Where the other solver needs more degrees, or a better start, it gets them.
+    missing = np.flatnonzero(np.isnan(known))
+    assert len(missing) <= 20
+    paths = solution.path(chebyshev_times(25)).reshape(-1, 25, 2)[rows[missing]]
+    known[missing] = reference_lengths(
+        nets[missing], start[missing], end[missing], paths, degrees=(56, 80)
+    )
+    assert np.isfinite(known).mean() > 0.995
+    at_all = np.isfinite(known)
+    error, known = np.abs(length - known)[at_all], known[at_all]
+    estimate = estimate[at_all]
+    assert (error <= 1e-8 * known).all()
+    # What rounding does to either solver.
+    rounding = 1e-15 * known
+    assert (error <= estimate + rounding).mean() >= 0.99
+    assert np.median(estimate / np.maximum(error, rounding)) <= 100.0
+
+
+@pytest.mark.slow
+@bodies
+def test_libigl_agrees(name: str) -> None:
+    pytest.importorskip("igl")
+    solution = geodesics(name)
+    checked = cross_check(load_sample(name), solution, processes=2)
+    relative = np.abs(checked.relative_difference[solution.converged])
+    assert np.median(relative) <= 1e-6
+    assert relative.max() <= 1e-4
+    # Three times the meshes' doubt, and still some of 752 by chance.
+    assert (checked.verdict[solution.converged] != Verdict.AGREES).sum() <= 4
+    assert (checked.verdict[~solution.converged] == Verdict.NOT_COMPARED).all()

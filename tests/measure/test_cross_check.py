@@ -1,0 +1,97 @@
+"""Verdicts on made-up mesh distances, and one real comparison."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID, bicubic
+
+from bodymeasure import Atlas, diagonals
+from bodymeasure.measure import cross_check as module
+from bodymeasure.measure.cross_check import DOUBT, RESOLUTION, Verdict
+from bodymeasure.oracle import MeshDistances
+
+Array = NDArray[np.float64]
+
+NETS = np.stack([ENNEPER, PARABOLOID, HYPERBOLIC_PARABOLOID, PARABOLOID])
+ATLAS = Atlas.from_control_points(NETS, "cm")
+
+
+def compare(
+    monkeypatch: pytest.MonkeyPatch, exact: Array, uncertainty: Array, atlas: Atlas = ATLAS
+) -> Any:
+    def pretend(*_: Any, levels: tuple[int, ...], **__: Any) -> MeshDistances:
+        by_level = np.repeat(exact[..., None], len(levels), axis=-1)
+        return MeshDistances(exact, uncertainty, 1.01 * exact, by_level, levels, {})
+
+    monkeypatch.setattr(module, "mesh_distances", pretend)
+    return module.cross_check(atlas, diagonals(atlas), levels=(4, 8))
+
+
+def test_verdicts(monkeypatch: pytest.MonkeyPatch) -> None:
+    length = diagonals(ATLAS).length
+    uncertainty = np.full_like(length, 1e-4)
+    exact = length.copy()
+    exact[0] += [0.99 * DOUBT * 1e-4, 1.01 * DOUBT * 1e-4]
+    exact[1] -= [0.99 * DOUBT * 1e-4, 1.01 * DOUBT * 1e-4]
+    # Below what meshes can tell, nothing counts, however sure they are.
+    uncertainty[2:] = 0.0
+    exact[2] *= [1 + 0.9 * RESOLUTION, 1 - 0.9 * RESOLUTION]
+    exact[3] *= [1 + 1.1 * RESOLUTION, 1 - 1.1 * RESOLUTION]
+    checked = compare(monkeypatch, exact, uncertainty)
+    agrees, longer, shorter = Verdict.AGREES, Verdict.LONGER, Verdict.SHORTER
+    assert checked.verdict.tolist() == [
+        [agrees, shorter],
+        [agrees, longer],
+        [agrees, agrees],
+        [shorter, longer],
+    ]
+    np.testing.assert_array_equal(checked.difference, length - exact)
+    np.testing.assert_array_equal(checked.relative_difference, (length - exact) / exact)
+    np.testing.assert_array_equal(checked.exact, exact)
+    np.testing.assert_array_equal(checked.exact_uncertainty, uncertainty)
+    np.testing.assert_array_equal(checked.heat, 1.01 * exact)
+    assert checked.levels == (4, 8)
+
+
+def test_without_a_length_or_a_distance_nothing_is_compared(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    line = bicubic({(1, 0): 1}, {}, {})
+    atlas = Atlas.from_control_points(np.stack([ENNEPER, line]), "cm")
+    exact = np.array([[np.nan, 5 * np.sqrt(2) / 3], [1.0, 1.0]])
+    exact[0, 1] = diagonals(atlas).length[0, 1]
+    checked = compare(monkeypatch, exact, np.where(np.isnan(exact), np.nan, 1e-9), atlas)
+    assert checked.verdict[0].tolist() == [Verdict.NOT_COMPARED, Verdict.AGREES]
+    assert checked.verdict[1].tolist() == 2 * [Verdict.NOT_COMPARED]
+    assert np.isnan(checked.difference[1]).all()
+    assert np.isnan(checked.relative_difference[1]).all()
+
+
+def test_a_distance_of_zero_is_no_division(monkeypatch: pytest.MonkeyPatch) -> None:
+    # A patch whose corners coincide: a loop has a length, the mesh distance is 0.
+    exact = np.zeros((4, 2))
+    checked = compare(monkeypatch, exact, exact)
+    assert (checked.verdict == Verdict.LONGER).all()
+    np.testing.assert_array_equal(checked.relative_difference, checked.difference)
+
+
+def test_verdicts_are_sentences() -> None:
+    for verdict in Verdict:
+        assert verdict.sentence == verdict.value
+        assert verdict.sentence.endswith(".")
+
+
+def test_libigl_agrees() -> None:
+    pytest.importorskip("igl")
+    seen: list[int] = []
+    solution = diagonals(ATLAS)
+    checked = module.cross_check(ATLAS, solution, progress=seen.append)
+    assert (checked.verdict == Verdict.AGREES).all()
+    assert np.abs(checked.relative_difference).max() < 1e-4
+    np.testing.assert_allclose(checked.heat, solution.length, rtol=0.05)
+    assert checked.exact.shape == (4, 2)
+    assert seen[-1] == 8
