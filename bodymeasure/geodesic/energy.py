@@ -49,6 +49,8 @@ class Expansion:
     hessian: _Array
 
 
+# Where a path stands still its length has no derivative: not finite, which `minimize` sees.
+@np.errstate(divide="ignore", invalid="ignore", over="ignore")
 def expand(
     functional: Functional, surface: Surface, space: TrialSpace, values: _Array
 ) -> Expansion:
@@ -76,8 +78,7 @@ def expand(
         density, factor = 0.5 * speed_squared, np.ones_like(speed_squared)
     else:
         density = np.sqrt(speed_squared)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            factor = 1.0 / density
+        factor = 1.0 / density
 
     gradients = [dot(x, by[a]) * factor for a in range(4)]
 

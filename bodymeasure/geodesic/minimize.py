@@ -23,6 +23,8 @@ LEAST_DAMPING = 1e-4
 MOST_DAMPING = 1e6
 # A step is accepted if it lowers the functional by this part of what was foretold.
 SUFFICIENT_DECREASE = 1e-3
+# Below this, in u and v, steps are rounding, however close the ends are.
+SMALL_STEP = 1e-15
 # What a functional may rise by rounding, relative.
 ROUNDING = 1e-14
 
@@ -76,7 +78,8 @@ def minimize(
         there = expand(functional, surface, space, moved)
         allowed = best.value + SUFFICIENT_DECREASE * foretold + ROUNDING * best.value
         accepted = good & (foretold <= 0.0) & (there.value <= allowed)
-        converged = accepted & (damping == 0.0) & (size < LAST_STEP * span[active])
+        last = np.maximum(LAST_STEP * span[active], SMALL_STEP)
+        converged = accepted & (damping == 0.0) & (size < last)
         base = np.where(accepted[:, None, None], moved, base)
         best = _chosen(accepted, there, best)
         damping = np.where(
@@ -116,14 +119,12 @@ def _damped_step(
     trace = np.abs(np.trace(here.hessian, axis1=1, axis2=2)) / np.trace(metric)
     matrix = here.hessian + (damping * trace)[:, None, None] * metric
     matrix = np.where(finite[:, None, None], matrix, np.eye(len(metric)))
+    gradient = np.where(finite[:, None], here.gradient, 0.0)[..., None]
     try:
-        step = np.linalg.solve(matrix, -here.gradient[..., None])[..., 0]
+        step = np.linalg.solve(matrix, -gradient)[..., 0]
     except np.linalg.LinAlgError:
-        # One of the batch is exactly singular: damping moves it away from there.
-        singular = np.abs(np.linalg.eigvalsh(matrix)).min(axis=1) == 0.0
-        finite &= ~singular
-        matrix = np.where(singular[:, None, None], np.eye(len(metric)), matrix)
-        step = np.linalg.solve(matrix, -here.gradient[..., None])[..., 0]
+        # One of the batch is exactly singular; this leaves out where nothing is known.
+        step = (np.linalg.pinv(matrix, hermitian=True) @ -gradient)[..., 0]
     return np.where(finite[:, None], step, 0.0), finite
 
 

@@ -43,7 +43,7 @@ class Relaxation:
     O(h^4), and the correction takes most of that away.
 
     The path between the mesh points, a quintic spline, is put on polynomials, and its length is
-    measured and judged as with the other methods.
+    measured and judged as with the other methods; their degree is the solution's `functions`.
 
     Parameters
     ----------
@@ -70,56 +70,57 @@ class Relaxation:
     def solve(self, surface: Surface, start: _Array, end: _Array) -> MethodResult:
         """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
         mesh = np.linspace(0.0, 1.0, self.points)
-        values = straight(start, end, mesh)
+        # Moves away from the start: however close the ends, differences of these are exact.
+        moves = straight(0.0 * start, end - start, mesh)
         paths: list[Path | None] = []
         iterations = np.zeros(len(start), np.int64)
         for problem in range(len(start)):
             one = surface.take(np.array([problem]))
-            relaxed, iterations[problem] = _relaxed(one, values[problem])
-            paths.append(None if relaxed is None else _spline(mesh, relaxed))
+            relaxed, iterations[problem] = _relaxed(one, start[problem, :, None], moves[problem])
+            paths.append(None if relaxed is None else _spline(mesh, start[problem], relaxed))
         pieces = resampled(surface, paths, (start, end), tolerance=self.tolerance)
         return MethodResult(pieces, iterations)
 
 
-def _spline(mesh: _Array, values: _Array) -> Path:
+def _spline(mesh: _Array, start: _Array, moves: _Array) -> Path:
     # Here, since `import bodymeasure` would take much longer with it.
     from scipy.interpolate import make_interp_spline
 
-    spline = make_interp_spline(mesh, values.T, k=SPLINE_DEGREE)
-    return lambda t: np.asarray(spline(t).T)
+    spline = make_interp_spline(mesh, moves.T, k=SPLINE_DEGREE)
+    return lambda t: start[:, None] + np.asarray(spline(t).T)
 
 
-def _relaxed(surface: Surface, values: _Array) -> tuple[_Array | None, int]:
-    """Newton's method on one mesh, values of shape (2, points), and how many steps it took."""
+def _relaxed(surface: Surface, start: _Array, moves: _Array) -> tuple[_Array | None, int]:
+    """Newton's method on one mesh, moves of shape (2, points), and how many steps it took."""
     from scipy.linalg import solve_banded
 
-    span = float(np.abs(values[:, -1] - values[:, 0]).max())
-    direction, step, norm = np.zeros_like(values), 1.0, np.inf
+    span = float(np.abs(moves[:, -1]).max())
+    direction, step, norm = np.zeros_like(moves), 1.0, np.inf
     for count in range(1, MAX_ITERATIONS + 1):
-        trial = values + step * direction
-        residual, bands = _system(surface, trial)
+        trial = moves + step * direction
+        residual, bands = _system(surface, start, trial)
         trial_norm = float(np.linalg.norm(residual))
         if not trial_norm <= (1.0 - SUFFICIENT_DECREASE * step) * norm:
             step *= 0.5
             if step < SMALLEST_STEP or norm == np.inf:
                 return None, count
             continue
-        values, norm = trial, trial_norm
+        moves, norm = trial, trial_norm
         try:
             solution = solve_banded((BANDS, BANDS), bands, -residual)
         except (np.linalg.LinAlgError, ValueError):
             # Singular, or not finite.
             return None, count
-        direction = np.zeros_like(values)
+        direction = np.zeros_like(moves)
         direction[:, 1:-1] = solution.reshape(-1, 2).T
         size = float(np.abs(direction).max())
         if size < LAST_STEP * span:
-            return values + direction, count
+            return moves + direction, count
         step = min(1.0, LONGEST_STEP / max(size, LONGEST_STEP))
     return None, MAX_ITERATIONS
 
 
-def _system(surface: Surface, values: _Array) -> tuple[_Array, _Array]:
+def _system(surface: Surface, start: _Array, moves: _Array) -> tuple[_Array, _Array]:
     """Residual and Jacobian of the difference equations at the inner points.
 
     Both equations of a point stand next to each other, as do both unknowns.
@@ -130,10 +131,10 @@ def _system(surface: Surface, values: _Array) -> tuple[_Array, _Array]:
     bands : ndarray, shape (7, 2 m)
         The Jacobian's diagonals, as `scipy.linalg.solve_banded` takes them.
     """
-    h = 1.0 / (values.shape[1] - 1)
-    velocity = (values[:, 2:] - values[:, :-2]) / (2.0 * h)
-    second = (values[:, 2:] - 2.0 * values[:, 1:-1] + values[:, :-2]) / h**2
-    jet = surface.jet(values[:, 1:-1].T[None], 3)[:, :, 0]
+    h = 1.0 / (moves.shape[1] - 1)
+    velocity = (moves[:, 2:] - moves[:, :-2]) / (2.0 * h)
+    second = (moves[:, 2:] - 2.0 * moves[:, 1:-1] + moves[:, :-2]) / h**2
+    jet = surface.jet((start + moves[:, 1:-1]).T[None], 3)[:, :, 0]
     here = linearization(jet, velocity, second)
     size = velocity.shape[1]
     bands = np.zeros((2 * BANDS + 1, 2 * size))

@@ -31,8 +31,8 @@ MAX_SHOTS = 30
 SMALLEST_STEP = 2.0**-8
 # Where a geodesic gets so far outside [0, 1] in u or v, it is followed no further.
 LOST = 1.0
-# And if it takes as many evaluations as this, which is twenty times the usual.
-MAX_EVALUATIONS = 10_000
+# All shots of a problem may take this many evaluations, ten times the usual.
+MAX_EVALUATIONS = 5_000
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,8 @@ class Shooting:
     changes. That gives Newton's method exact derivatives of where the path arrives (T. Maekawa,
     *Journal of Mechanical Design* 118 (1996) 499-508, section 3, with differences in their place).
     The first velocity is that of the straight line in (u, v). The path is then put on polynomials,
-    and its length is measured and judged as with the other methods.
+    and its length is measured and judged as with the other methods; their degree is the solution's
+    `functions`.
 
     There is no trial space to be chosen and none that could be too small; but every problem is
     integrated for itself, some hundred times slower than collocation. And where geodesics spread
@@ -96,11 +97,41 @@ class _LostError(Exception):
     """A geodesic that takes too long."""
 
 
+class _Motion:
+    """The geodesic and Jacobi equations of one problem, as `scipy.integrate.solve_ivp` wants them.
+
+    A state is 2 numbers each of place and velocity, and 4 each of their changes by the first
+    velocity. The geodesic equations are linear in (u'', v''), and so are those of the changes: the
+    same matrix, the metric, stands before the unknowns.
+    """
+
+    def __init__(self, surface: Surface) -> None:
+        self.surface = surface
+        self.evaluations = 0
+
+    def __call__(self, _: float, state: _Array) -> _Array:
+        """Derivative of a state by t."""
+        self.evaluations += 1
+        if self.evaluations > MAX_EVALUATIONS or not np.isfinite(state).all():
+            raise _LostError
+        place, velocity = state[:2], state[2:4]
+        change, change_velocity = state[4:].reshape(2, 2, 2)
+        jet = self.surface.jet(place[None, None], 3)[:, :, 0, 0]
+        tangents = jet[1:3]
+        inverse = np.linalg.inv(tangents @ tangents.T)
+        second = -inverse @ (tangents @ acceleration(jet, velocity, np.zeros(2)))
+        here = linearization(jet, velocity, second)
+        load = np.array(here.by_value) @ change + np.array(here.by_velocity) @ change_velocity
+        return np.concatenate(
+            [velocity, second, change_velocity.ravel(), -(inverse @ load).ravel()]
+        )
+
+
 def _aimed(surface: Surface, start: _Array, end: _Array, rtol: float) -> tuple[Path | None, int]:
     """The path to the end, if it is hit, and the number of shots."""
-    velocity, path, shots = end - start, None, 0
+    motion, velocity, path, shots = _Motion(surface), end - start, None, 0
     for precision in (max(rtol, FIRST_RTOL), rtol):
-        velocity, path, used = _newton(surface, (start, end), velocity, precision)
+        velocity, path, used = _newton(motion, (start, end), velocity, precision)
         shots += used
         if path is None:
             break
@@ -108,7 +139,7 @@ def _aimed(surface: Surface, start: _Array, end: _Array, rtol: float) -> tuple[P
 
 
 def _newton(
-    surface: Surface, ends: tuple[_Array, _Array], velocity: _Array, rtol: float
+    motion: _Motion, ends: tuple[_Array, _Array], velocity: _Array, rtol: float
 ) -> tuple[_Array, Path | None, int]:
     """Newton's method on the first velocity, damped; the number of shots comes last."""
     start, end = ends
@@ -117,11 +148,14 @@ def _newton(
     step, missed = 1.0, np.inf
     for count in range(1, MAX_SHOTS + 1):
         trial = velocity + step * direction
-        shot = _shoot(surface, start, trial, rtol)
+        shot = _shoot(motion, start, trial, rtol)
         miss = np.inf if shot is None else float(np.linalg.norm(shot.target - end))
         if shot is None or miss >= missed:
             step *= 0.5
-            if step < SMALLEST_STEP or missed == np.inf:
+            if missed == np.inf:
+                # Not even the first shot has arrived: try one that does not go so far.
+                velocity = 0.5 * velocity
+            if step < SMALLEST_STEP or motion.evaluations > MAX_EVALUATIONS:
                 return velocity, None, count
             continue
         velocity, missed = trial, miss
@@ -136,19 +170,10 @@ def _newton(
     return velocity, None, MAX_SHOTS
 
 
-def _shoot(surface: Surface, start: _Array, velocity: _Array, rtol: float) -> _Shot | None:
+def _shoot(motion: _Motion, start: _Array, velocity: _Array, rtol: float) -> _Shot | None:
     """Integrate from t = 0 to 1; None if the path gets lost."""
     # Here, since `import bodymeasure` would take twice as long with it.
     from scipy.integrate import solve_ivp
-
-    evaluations = 0
-
-    def motion(_: float, state: _Array) -> _Array:
-        nonlocal evaluations
-        evaluations += 1
-        if evaluations > MAX_EVALUATIONS or not np.isfinite(state).all():
-            raise _LostError
-        return _motion(surface, state)
 
     def is_lost(_: float, state: _Array) -> float:
         return float(0.5 + LOST - np.abs(state[:2] - 0.5).max())
@@ -174,20 +199,3 @@ def _shoot(surface: Surface, start: _Array, velocity: _Array, rtol: float) -> _S
         return None
     last = result.y[:, -1]
     return _Shot(last[:2], last[4:8].reshape(2, 2), lambda t: result.sol(t)[:2])
-
-
-def _motion(surface: Surface, state: _Array) -> _Array:
-    """Derivative by t of a state: 2 numbers each of place and velocity, 4 each of their changes.
-
-    The geodesic equations are linear in (u'', v''), and so are those of the changes: the same
-    matrix, the metric, stands before the unknowns.
-    """
-    place, velocity = state[:2], state[2:4]
-    change, change_velocity = state[4:].reshape(2, 2, 2)
-    jet = surface.jet(place[None, None], 3)[:, :, 0, 0]
-    tangents = jet[1:3]
-    inverse = np.linalg.inv(tangents @ tangents.T)
-    second = -inverse @ (tangents @ acceleration(jet, velocity, np.zeros(2)))
-    here = linearization(jet, velocity, second)
-    load = np.array(here.by_value) @ change + np.array(here.by_velocity) @ change_velocity
-    return np.concatenate([velocity, second, change_velocity.ravel(), -(inverse @ load).ravel()])
