@@ -52,7 +52,7 @@ def problem_sets(quick: bool) -> dict[str, Problems]:
     for height in (0.15, 0.3):
         nets = reference.mild_patches(rng, count, height)
         sets[f"mild {height:g}"] = reference.first_diagonals(nets)
-    for side in (1.0,) if quick else (1.0, 0.6):
+    for side in (1.0, 0.6):
         # Wild patches cost the most: their references need the highest degrees.
         nets = reference.wild_patches(rng, count // 4 if quick else count, side)
         sets[f"wild {side:g}"] = reference.first_diagonals(nets)

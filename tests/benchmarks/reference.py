@@ -7,6 +7,7 @@ judgement of the result are its own. A length counts only where two resolutions 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -69,19 +70,20 @@ GUESS_DEGREE = 32
 GUESS_TIMES = nodes(GUESS_DEGREE).astype(np.float64)
 
 
-def matrices(degree: int, t: Array | Long) -> Long:
-    """From values at the nodes to values and two derivatives at t, shape (3, k, degree + 1).
+@lru_cache
+def matrices(degree: int, at: int | None = None) -> Long:
+    """From values at the nodes to values and two derivatives, shape (3, k, degree + 1).
 
-    In extended precision: with matrices made in double, two digits of the lengths are lost.
+    They are taken at the nodes of another degree, or at `GAUSS`. In extended
+    precision: with matrices made in double, two digits of the lengths are lost.
     """
+    t = GAUSS.astype(np.longdouble) if at is None else nodes(at)
     k = np.arange(degree + 1)
     halved = np.where((k == 0) | (k == degree), 0.5, 1.0)
     to_coefficients = np.cos(PI * (np.outer(k, degree - k) % (2 * degree)) / degree)
     to_coefficients *= 2.0 / degree * np.outer(halved, halved)
     result = [
-        chebyshev.chebval(
-            2.0 * np.asarray(t, np.longdouble) - 1.0, chebyshev.chebder(to_coefficients, m, scl=2)
-        ).T
+        chebyshev.chebval(2.0 * t - 1.0, chebyshev.chebder(to_coefficients, m, scl=2)).T
         for m in range(3)
     ]
     return np.stack(result)
@@ -123,7 +125,7 @@ def _system(nets: Array, paths: Array, operators: Array) -> tuple[Array, Array]:
 
 def _newton(nets: Array, start: Array, degree: int) -> Array:
     """Paths (p, degree + 1, 2) that meet the equations at the nodes; NaN where none was found."""
-    operators = matrices(degree, nodes(degree)[1:-1]).astype(np.float64)
+    operators = matrices(degree, degree)[:, 1:-1].astype(np.float64)
     size = 2 * (degree - 1)
     result, found, active = start.copy(), np.zeros(len(start), bool), np.arange(len(start))
     best, step = np.full(len(start), np.inf), np.zeros(len(start))
@@ -153,7 +155,7 @@ def _newton(nets: Array, start: Array, degree: int) -> Array:
 
 def _measure(nets: Array, paths: Array, degree: int) -> tuple[Array, Array, Array]:
     """Lengths, relative residuals between the nodes, and the paths at `GAUSS`."""
-    places, velocity, bend = (matrices(degree, GAUSS)[:, None] @ paths).astype(np.float64)
+    places, velocity, bend = (matrices(degree)[:, None] @ paths).astype(np.float64)
     jet = derivatives(nets, np.nan_to_num(places), order=2)
     tangents, _, acceleration = _tangential(jet, velocity, bend)
     speed = np.linalg.norm(np.einsum("pmax,pma->pmx", tangents, velocity), axis=-1)
@@ -195,7 +197,7 @@ def _fill(
     before, lengths, residuals = GUESS_DEGREE, [], []
     for degree in degrees:
         ends = values[:, [0, -1]]
-        values = matrices(before, nodes(degree))[0].astype(np.float64) @ np.nan_to_num(values)
+        values = matrices(before, degree)[0].astype(np.float64) @ np.nan_to_num(values)
         values[:, [0, -1]] = ends
         values = _newton(nets, values, degree)
         length, residual, places = _measure(nets, values, degree)
