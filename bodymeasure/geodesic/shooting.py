@@ -48,9 +48,9 @@ class Shooting:
     `functions`.
 
     There is no trial space to be chosen and none that could be too small; but every problem is
-    integrated for itself, some hundred times slower than collocation. And where geodesics spread
-    quickly (negative curvature) or pass a conjugate point, the first shot may be too far off for
-    Newton's method: ``NOT_CONVERGED``.
+    integrated for itself, a thousand times slower than collocation. And where geodesics spread
+    quickly (negative curvature), or near a conjugate point, Newton's method may not find the
+    direction, though a first shot that gets lost is made shorter: ``NOT_CONVERGED``.
 
     Parameters
     ----------
