@@ -38,7 +38,7 @@ class Relaxation:
 
     u and v at equidistant t meet the geodesic equations with central differences for their
     derivatives; the start is the straight line in (u, v); each step solves one block-tridiagonal
-    system (T. Maekawa, *Journal of Mechanical Design* 118 (1996) 499-508, section 4). The path is
+    system (T. Maekawa, *Journal of Mechanical Design* 118 (1996) 499-508). The path is
     off by O(h^2), h being the mesh's width; its length, which is stationary at a geodesic, by
     O(h^4), and the correction takes most of that away.
 

@@ -41,8 +41,8 @@ class Shooting:
 
     From start, with a velocity (u', v') at t = 0, the geodesic equations are integrated to t = 1
     by scipy's DOP853, together with the Jacobi equation: how the path moves if the velocity
-    changes. That gives Newton's method exact derivatives of where the path arrives (T. Maekawa,
-    *Journal of Mechanical Design* 118 (1996) 499-508, section 3, with differences in their place).
+    changes. That gives Newton's method exact derivatives of where the path arrives (H. B. Keller,
+    *Numerical Methods for Two-Point Boundary-Value Problems*, chapter 2).
     The first velocity is that of the straight line in (u, v). The path is then put on polynomials,
     and its length is measured and judged as with the other methods; their degree is the solution's
     `functions`.
