@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-import inspect
 from typing import Any
 
 from bodymeasure.geodesic import GeodesicSolution, solve_geodesic
 
-NO_SEARCH: dict[str, Any] = (
-    {"search": "straight"} if "search" in inspect.signature(solve_geodesic).parameters else {}
-)
-
 
 def from_straight_line(surface: Any, start: Any, end: Any, **settings: Any) -> GeodesicSolution:
     """`solve_geodesic` without a search: a failure stays one."""
-    return solve_geodesic(surface, start, end, **NO_SEARCH, **settings)
+    return solve_geodesic(surface, start, end, search="straight", **settings)

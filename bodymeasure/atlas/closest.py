@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy.spatial import cKDTree
 
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
@@ -84,7 +84,7 @@ class _Search:
         self.grid = np.stack(np.meshgrid(side, side, indexing="ij"), axis=-1)
         shape = (len(atlas), SAMPLES, SAMPLES, 2)
         self.samples = evaluate(self.nets, np.broadcast_to(self.grid, shape))
-        self.tree = cKDTree(self.samples.reshape(-1, 3))
+        self.tree = scipy.spatial.KDTree(self.samples.reshape(-1, 3))
         self.spacing = _spacing(self.nets)
         self.size = float(np.ptp(self.samples.reshape(-1, 3), axis=0).max())
 

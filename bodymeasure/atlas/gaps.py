@@ -5,10 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import KDTree
 
 from bodymeasure.atlas.degeneracy import SAME_PLACE, side_control_points
 from bodymeasure.atlas.seams import edge_table
@@ -121,7 +119,7 @@ def _neighbors(edges: FreeEdges) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         return none, none
     middles = bernstein(3, 0.5)[0] @ edges.control_points
     reach = NEAR * np.minimum(edges.length, edges.width)
-    _, found = KDTree(middles).query(
+    _, found = scipy.spatial.KDTree(middles).query(
         middles, k=min(_NEIGHBORS, count), distance_upper_bound=float(reach.max()) * (1 + 1e-12)
     )
     first = np.repeat(np.arange(count), found.shape[1])
@@ -138,10 +136,10 @@ def welded_index(index: NDArray[np.int64], edges: FreeEdges, seams: NearSeams) -
     second = forwards[seams.second[seams.coincide]]
     second = np.where(seams.turned[seams.coincide, None], second[:, ::-1], second)
     count = int(index.max()) + 1
-    links = coo_array(
+    links = scipy.sparse.coo_array(
         (np.ones(first.size, dtype=np.int8), (first.ravel(), second.ravel())), shape=(count, count)
     )
-    _, label = connected_components(links, directed=False)
+    _, label = scipy.sparse.csgraph.connected_components(links, directed=False)
     return np.asarray(label[index], dtype=np.int64)
 
 
@@ -161,7 +159,7 @@ def t_junctions(edges: FreeEdges) -> tuple[NDArray[np.int64], NDArray[np.int64]]
     # An end inside an edge is nearer to one of eight points along it than the edge's own ends are.
     along = np.arange(1, 8) / 8
     samples = bernstein(3, along)[:, 0] @ edges.control_points
-    distance, nearest = KDTree(positions).query(samples, k=min(3, len(positions)))
+    distance, nearest = scipy.spatial.KDTree(positions).query(samples, k=min(3, len(positions)))
     edge = np.broadcast_to(np.arange(len(samples))[:, None, None], distance.shape)
     # Curves are shorter than their control polygons, but their speed varies: hence 1/8, not 1/16.
     near = distance <= (1 / 8 + TOUCHES) * edges.length[edge]

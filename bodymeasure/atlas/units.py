@@ -6,7 +6,6 @@ from enum import StrEnum
 from typing import TypeVar
 
 import numpy as np
-import scipy.constants
 from numpy.typing import NDArray
 
 from bodymeasure.errors import InputError
@@ -45,9 +44,9 @@ class Unit(StrEnum):
 
 _METRES = {
     Unit.M: 1.0,
-    Unit.CM: float(scipy.constants.centi),
-    Unit.MM: float(scipy.constants.milli),
-    Unit.INCH: float(scipy.constants.inch),
+    Unit.CM: 0.01,
+    Unit.MM: 0.001,
+    Unit.INCH: 0.0254,
 }
 
 

@@ -40,7 +40,8 @@ VERDICTS = {
     "longer": ("longer than the mesh distance", "red"),
     "shorter": ("shorter than the mesh distance", "red"),
 }
-DISAGREEING = ("longer", "shorter")
+# Statuses with a length that deserve a word.
+STATUSES = {"on_boundary": "of them run along an edge of their patch"}
 BODY_PICTURES = 4
 
 
@@ -79,7 +80,7 @@ def report(
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
     with output_folder(output):
         # Not needed by `--help` and the like, and slow to load.
-        from bodymeasure.report import survey_document, write_report
+        from bodymeasure.report import disagreements, survey_document, write_report
 
         with progress_bar("comparing with libigl", 2 * len(loaded)) as progress:
             survey = measure_atlas(
@@ -94,11 +95,11 @@ def report(
         RESULTS.print(Text(str(path), style), soft_wrap=True)
     if pictures is not None and pictures.note:
         print_note(pictures.note)
-    disagreements = sum(document.summary.by_verdict.get(name, 0) for name in DISAGREEING)
-    if disagreements:
-        verb = "disagrees" if disagreements == 1 else "disagree"
-        print_note(f"{counted(disagreements, 'length')} {verb} with the mesh; see report.html.")
-    return EXIT_DISAGREES if disagreements else 0
+    wrong = disagreements(document)
+    if wrong:
+        verb = "disagrees" if wrong == 1 else "disagree"
+        print_note(f"{counted(wrong, 'length')} {verb} with the mesh; see report.html.")
+    return EXIT_DISAGREES if wrong else 0
 
 
 def _pictures(survey: Survey) -> Pictures:
@@ -132,7 +133,8 @@ def _table(document: Document, seconds: float) -> Table:
     table.add_row("diagonals measured", Text(measured, color))
     for status, count in summary.by_status.items():
         if status != "converged":
-            table.add_row("", Text(f"{count:,} {status.replace('_', ' ')}", "yellow"))
+            words = STATUSES.get(status, status.replace("_", " "))
+            table.add_row("", Text(f"{count:,} {words}", "" if status in STATUSES else "yellow"))
     spread = summary.length
     if spread.median is not None:
         table.add_row(

@@ -20,7 +20,8 @@ from bodymeasure.geodesic.trial_space import TrialSpace
 
 _Array = NDArray[np.float64]
 
-# Relative error that is asked for. The correction gives two digits more in the median.
+# Relative error that is asked for. The correction about doubles the digits, so that
+# this takes far fewer functions than the paths themselves would.
 TOLERANCE = 1e-10
 # On all but the last trial space, Newton's method is given up after this many steps: a few stubborn
 # problems are cheaper with more functions.

@@ -14,6 +14,23 @@ from bodymeasure.geodesic.trial_space import TrialSpace
 
 
 @dataclass(frozen=True)
+class EdgeContact:
+    """A part of a path that runs along an edge of its patch.
+
+    Parameters
+    ----------
+    edge : str
+        The edge's name, as in `bodymeasure.atlas.EDGES`: ``u = 0`` and so on.
+    start, end : float
+        From where to where, in the parameter that runs along the edge.
+    """
+
+    edge: str
+    start: float
+    end: float
+
+
+@dataclass(frozen=True)
 class Piece:
     """Paths of those problems that ended on one trial space.
 
@@ -26,6 +43,8 @@ class Piece:
     measured : MeasuredLength
         Of shape (k,).
     converged, singular : ndarray of bool, shape (k,)
+    contacts : tuple of EdgeContact
+        The edges of its patch that the path runs along; only a piece of one problem has any.
     """
 
     problems: NDArray[np.int64]
@@ -34,6 +53,7 @@ class Piece:
     measured: MeasuredLength
     converged: NDArray[np.bool_]
     singular: NDArray[np.bool_]
+    contacts: tuple[EdgeContact, ...] = ()
 
     def take(self, rows: NDArray[np.int64]) -> Piece:
         """Some of the problems, by their place in this piece."""
@@ -44,6 +64,7 @@ class Piece:
             self.measured.take(rows),
             self.converged[rows],
             self.singular[rows],
+            self.contacts,
         )
 
     def renumbered(self, problems: NDArray[np.int64]) -> Piece:
@@ -68,6 +89,10 @@ class MethodResult:
 
 class Method(Protocol):
     """A way to solve geodesic boundary value problems: a frozen dataclass of its settings."""
+
+    @property
+    def tolerance(self) -> float:
+        """Relative error of the length that is asked for."""
 
     def solve(
         self, surface: Surface, start: NDArray[np.float64], end: NDArray[np.float64]

@@ -48,8 +48,9 @@ class RBFCollocation:
         How many functions, N; several are tried in turn. Ignored if centers are given.
     centers : sequence of float, optional
         The c_i. By default half of them lie on each side outside (0, 1), as the paper's 1 and 1.5
-        do; there the functions are single polynomials on [0, 1], and convergence is spectral. Of
-        more functions than the kernel's degree, the rest lie inside at Chebyshev points.
+        do; there the functions are single polynomials on [0, 1], and convergence is spectral, as
+        long as there are fewer of them than the kernel's degree. Of more functions than that, the
+        rest lie inside at Chebyshev points, and convergence is algebraic.
     collocation_points : sequence of float, optional
         N - 1 points in (0, 1), by default Chebyshev-Lobatto points. They are moved if the system
         is degenerate on them.

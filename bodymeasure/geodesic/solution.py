@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure.geodesic.method import Piece
-from bodymeasure.geodesic.status import Status
 
 _Array = NDArray[np.float64]
 
@@ -27,7 +26,8 @@ class GeodesicSolution:
         End points (u, v).
     length : ndarray or float
         Length of the geodesic, in the unit of the control points: of the computed path, less its
-        excess. NaN unless the status is ``CONVERGED``, so that no wrong number can slip through.
+        excess. NaN unless the status has a length (``CONVERGED`` or ``ON_BOUNDARY``), so that no
+        wrong number can slip through.
     raw_length : ndarray or float
         Length of the computed path itself, whatever the status.
     error_estimate : ndarray or float
@@ -68,8 +68,22 @@ class GeodesicSolution:
     @property
     def converged(self) -> Any:
         """Whether the length can be trusted, of the batch's shape."""
-        result = np.asarray(self.status) == Status.CONVERGED
-        return result if self.shape else bool(result)
+        statuses = np.asarray(self.status, dtype=object).ravel()
+        result = np.array([status.has_length for status in statuses], dtype=bool)
+        return result.reshape(self.shape) if self.shape else bool(result[0])
+
+    @property
+    def contacts(self) -> Any:
+        """The edges of its patch that each path runs along: a tuple of `EdgeContact`, mostly empty.
+
+        An array of tuples for a batch.
+        """
+        result = np.empty(int(np.prod(self.shape)), dtype=object)
+        result[:] = [()] * len(result)
+        for piece in self.pieces:
+            for problem in piece.problems:
+                result[problem] = piece.contacts
+        return result.reshape(self.shape) if self.shape else result[0]
 
     @property
     def condition(self) -> Any:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, Protocol
+from typing import Any, Literal, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,15 +10,17 @@ from numpy.typing import ArrayLike, NDArray
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.method import Method, MethodResult
 from bodymeasure.geodesic.rbf import RBFCollocation
+from bodymeasure.geodesic.search import SEARCHES, Search, is_outside, search_further
 from bodymeasure.geodesic.solution import GeodesicSolution
 from bodymeasure.geodesic.status import Status
 from bodymeasure.geodesic.surface import BezierSurfaces, CustomSurface, Surface
 
 _Array = NDArray[np.float64]
 
-# A path is outside its patch if it is so by more than this in u or v: more than rounding errors of
-# a path along the edge, less than anything that could be measured.
-OUTSIDE = 1e-9
+# A length, on a surface of size 1, that cannot be told from 0.
+NOTHING = 1e-15
+# A path with a correction beyond this part of its length is no geodesic in any sense.
+STRAY = 0.1
 # How many failed problems an error message lists.
 LISTED = 5
 
@@ -46,6 +48,7 @@ def solve_geodesic(
     end: ArrayLike,
     *,
     method: Method | None = None,
+    search: Search | None = None,
     on_failure: Literal["raise", "status"] = "raise",
 ) -> GeodesicSolution:
     """Geodesics between pairs of points, each on one patch.
@@ -58,6 +61,12 @@ def solve_geodesic(
         Points (u, v) in [0, 1]; they broadcast with each other and with the patches.
     method : Method, optional
         `RBFCollocation()` by default.
+    search : {"quick", "thorough", "straight"}, optional
+        Whether to look for the shortest path beyond what the method finds from the straight line in
+        (u, v); see `bodymeasure.geodesic.search`. Quick: where the method fails, above all where
+        the geodesic leaves the patch. Thorough: always, since a shorter path may run elsewhere on a
+        strongly curved patch. Straight: never. By default quick; but straight if a method is given,
+        so that what is returned is what that method finds.
     on_failure : {"raise", "status"}
         What to do if a problem has no length that can be trusted: raise, or say so in its status,
         with NaN for a length.
@@ -83,6 +92,10 @@ def solve_geodesic(
     """
     if on_failure not in ("raise", "status"):
         raise InputError(f"on_failure is {on_failure!r}; expected 'raise' or 'status'")
+    if search is None:
+        search = "quick" if method is None else "straight"
+    if search not in SEARCHES:
+        raise InputError(f"search is {search!r}; expected one of {', '.join(SEARCHES)}")
     start, end = _checked_parameters("start", start), _checked_parameters("end", end)
     if hasattr(surface, "derivatives"):
         batch = _broadcast(start.shape[:-1], end.shape[:-1])
@@ -98,20 +111,25 @@ def solve_geodesic(
         count = len(nets)
     starts = np.broadcast_to(start, (*batch, 2)).reshape(-1, 2).copy()
     ends = np.broadcast_to(end, (*batch, 2)).reshape(-1, 2).copy()
-    solution = _solve(surfaces, starts, ends, scale, batch, method or RBFCollocation())
+    problems = _Problems(surfaces, starts, ends, scale, batch)
+    solution = _solve(problems, method or RBFCollocation(), search)
     if on_failure == "raise" and not np.all(solution.converged):
         raise ConvergenceError(_failures(solution, count))
     return solution
 
 
-def _solve(
-    surfaces: Surface,
-    starts: _Array,
-    ends: _Array,
-    scale: _Array,
-    batch: tuple[int, ...],
-    method: Method,
-) -> GeodesicSolution:
+class _Problems(NamedTuple):
+    """A flattened batch; `scale` takes lengths on the surfaces to the user's."""
+
+    surfaces: Surface
+    starts: _Array
+    ends: _Array
+    scale: _Array
+    batch: tuple[int, ...]
+
+
+def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolution:
+    surfaces, starts, ends, scale, batch = problems
     count = len(starts)
     raw, length, residual = np.zeros(count), np.zeros(count), np.zeros(count)
     error = np.zeros(count)
@@ -120,7 +138,9 @@ def _solve(
     functions, iterations = np.zeros(count, np.int64), np.zeros(count, np.int64)
     # The geodesic from a point to itself has length zero and needs no solving.
     apart = np.flatnonzero((starts != ends).any(axis=1))
-    result = method.solve(surfaces.take(apart), starts[apart], ends[apart])
+    part = surfaces.take(apart)
+    result = method.solve(part, starts[apart], ends[apart])
+    result = search_further(part, (starts[apart], ends[apart]), result, search, method.tolerance)
     result = _renumbered(result, apart)
     iterations[apart] = result.iterations
     for piece in result.pieces:
@@ -131,13 +151,18 @@ def _solve(
         residual[here] = measured.residual
         minimal[here] = measured.minimal
         functions[here] = piece.space.size
-        path = piece.values @ piece.space.between_nodes.T
-        outside = (np.abs(path - 0.5) > 0.5 + OUTSIDE).any(axis=(1, 2))
+        # Between points in one place, as on a collapsed edge, the length is rounding and no more.
+        error[here[measured.raw < NOTHING]] += raw[here[measured.raw < NOTHING]]
+        # A path that is far from a geodesic says nothing of where the geodesic would run.
+        stray = ~piece.converged & ~(np.abs(measured.correction) < STRAY * measured.raw)
+        outside = is_outside(piece) & ~stray
+        if piece.contacts:
+            status[here] = Status.ON_BOUNDARY
         status[here[~measured.minimal]] = Status.NOT_A_MINIMUM
         status[here[outside]] = Status.LEAVES_PATCH
         status[here[~piece.converged & ~outside]] = Status.NOT_CONVERGED
         status[here[piece.singular]] = Status.SINGULAR
-    length[status != Status.CONVERGED] = np.nan
+    length[~np.array([each.has_length for each in status], dtype=bool)] = np.nan
     arrays = {
         "length": length,
         "raw_length": raw,

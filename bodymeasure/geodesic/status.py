@@ -9,6 +9,10 @@ class Status(Enum):
     """The outcome of one geodesic problem; each value is a sentence that says what to do."""
 
     CONVERGED = "The path is a geodesic on the patch; its length holds to the stated error."
+    ON_BOUNDARY = (
+        "The shortest path on the patch runs along its edge for a part; its length holds to the "
+        "stated error. On a whole body, a shorter way may lead over the neighboring patch."
+    )
     LEAVES_PATCH = (
         "The geodesic between these points leaves the patch, so its length is not a length on the "
         "patch; measure across the neighboring patches, or take the mesh distance."
@@ -25,6 +29,11 @@ class Status(Enum):
         "The collocation equations became singular; the patch is probably degenerate or folded "
         "near the path, which `bodymeasure check` would tell."
     )
+
+    @property
+    def has_length(self) -> bool:
+        """Whether there is a length that can be trusted."""
+        return self in (Status.CONVERGED, Status.ON_BOUNDARY)
 
     @property
     def sentence(self) -> str:

@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 
 from bodymeasure.atlas import Atlas
-from bodymeasure.geodesic import GeodesicSolution, Method, solve_geodesic
+from bodymeasure.geodesic import GeodesicSolution, Method, Search, solve_geodesic
 
 # Ends (u, v) of a patch's two diagonals; shape (2, 2).
 DIAGONAL_STARTS = np.array([[0.0, 0.0], [1.0, 0.0]])
@@ -18,6 +18,7 @@ def diagonals(
     atlas: Atlas,
     *,
     method: Method | None = None,
+    search: Search | None = None,
     on_failure: Literal["raise", "status"] = "status",
 ) -> GeodesicSolution:
     """Both diagonal geodesics of every patch, in one batch.
@@ -27,8 +28,9 @@ def diagonals(
     atlas : Atlas
     method : Method, optional
         `RBFCollocation()` by default.
+    search : {"quick", "thorough", "straight"}, optional
     on_failure : {"status", "raise"}
-        See `solve_geodesic`; a body always has some diagonals that leave their patch, so here the
+        See `solve_geodesic`. Among the hundreds of diagonals of a body one may fail, so here the
         statuses say so by default.
 
     Returns
@@ -48,5 +50,6 @@ def diagonals(
         DIAGONAL_STARTS,
         DIAGONAL_ENDS,
         method=method,
+        search=search,
         on_failure=on_failure,
     )

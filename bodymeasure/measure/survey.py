@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from bodymeasure.atlas import Atlas, Finding, check_atlas
-from bodymeasure.geodesic import GeodesicSolution, Method, RBFCollocation
+from bodymeasure.geodesic import GeodesicSolution, Method, RBFCollocation, Search
 from bodymeasure.measure.boundary import BoundaryLengths, boundary_lengths
 from bodymeasure.measure.diagonals import diagonals
 
@@ -55,6 +55,7 @@ def measure_atlas(
     atlas: Atlas,
     *,
     method: Method | None = None,
+    search: Search | None = None,
     compare: bool = True,
     processes: int = 1,
     progress: Callable[[int], None] | None = None,
@@ -66,6 +67,8 @@ def measure_atlas(
     atlas : Atlas
     method : Method, optional
         `RBFCollocation()` by default.
+    search : {"quick", "thorough", "straight"}, optional
+        See `solve_geodesic`.
     compare : bool
         Whether to compare with mesh distances, which takes by far the most time.
     processes : int
@@ -78,16 +81,18 @@ def measure_atlas(
     MissingExtraError
         If the comparison is asked for and libigl is not installed.
     """
-    method = method or RBFCollocation()
     seconds: dict[str, float] = {}
     with _timed(seconds, "check of the atlas"):
         findings = check_atlas(atlas)
     with _timed(seconds, "diagonals"):
-        solution = diagonals(atlas, method=method)
+        solution = diagonals(atlas, method=method, search=search)
     with _timed(seconds, "boundary curves"):
         boundary = boundary_lengths(atlas)
     checked = None
-    settings = {"method": str(method)}
+    settings = {
+        "method": str(method or RBFCollocation()),
+        "search": search or ("quick" if method is None else "straight"),
+    }
     if compare:
         from bodymeasure.measure.cross_check import cross_check
 

@@ -5,7 +5,7 @@ Importing this does not load jinja2; rendering a page does.
 
 from bodymeasure.report.from_survey import measurement_records, survey_document
 from bodymeasure.report.html import Pictures, render_html
-from bodymeasure.report.ranking import closeup_patches
+from bodymeasure.report.ranking import closeup_patches, disagreements
 from bodymeasure.report.records import (
     Document,
     Measurement,
@@ -20,6 +20,7 @@ __all__ = [
     "Measurement",
     "Pictures",
     "closeup_patches",
+    "disagreements",
     "json_schema",
     "measurement_records",
     "render_html",

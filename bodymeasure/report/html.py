@@ -11,6 +11,7 @@ from typing import Any, Protocol, TypeVar
 from bodymeasure.errors import MissingExtraError
 from bodymeasure.report import numbers, views
 from bodymeasure.report.chart import chart
+from bodymeasure.report.ranking import DISAGREEING, disagreements
 from bodymeasure.report.records import Document
 
 Key = TypeVar("Key")
@@ -79,6 +80,9 @@ def _context(document: Document, pictures: Pictures | None) -> dict[str, Any]:
         "unmeasured": views.unmeasured(document),
         "findings": views.findings(document),
         "chart": chart(document),
+        "disagreeing": DISAGREEING,
+        "disagreements": disagreements(document),
+        "measured_codes": views.MEASURED,
         "has_check": views.has_check(document),
         "unit_name": views.UNIT_NAMES[document.unit],
         "created": _moment(document.created),

@@ -6,14 +6,21 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from bodymeasure.report.from_survey import measurement_records
-from bodymeasure.report.records import Measurement
+from bodymeasure.report.records import Document, Measurement
 
 if TYPE_CHECKING:
     from bodymeasure.measure import Survey
 
+# Verdicts under which a length and the mesh contradict each other.
+DISAGREEING = ("longer", "shorter")
 # Pictures of each kind in a report: a page of each on paper.
 WORST_SHOWN = 6
 UNMEASURED_SHOWN = 6
+
+
+def disagreements(document: Document) -> int:
+    """How many lengths and mesh distances contradict each other."""
+    return sum(document.summary.by_verdict.get(verdict, 0) for verdict in DISAGREEING)
 
 
 def closeup_patches(survey: Survey) -> tuple[int, ...]:
@@ -44,7 +51,7 @@ def first_unmeasured(records: Sequence[Measurement]) -> list[Measurement]:
 def _badness(record: Measurement) -> tuple[bool, float, float]:
     relative_error = (record.error_estimate or 0.0) / (record.length or 1.0)
     difference = -1.0 if record.relative_difference is None else abs(record.relative_difference)
-    return record.verdict == "disagrees", difference, relative_error
+    return record.verdict in DISAGREEING, difference, relative_error
 
 
 def _one_a_patch(records: Sequence[Measurement]) -> list[Measurement]:

@@ -37,7 +37,7 @@ class Measurement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
     start: Parameters
     end: Parameters
     length: Annotated[
-        float | None, Meta(description="Null unless the status is converged: no length is good.")
+        float | None, Meta(description="Null unless the status is converged or on_boundary.")
     ]
     unit: Annotated[
         UnitName, Meta(description="Unit of every length, error and difference in this record.")

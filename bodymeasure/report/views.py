@@ -7,7 +7,13 @@ from collections import Counter
 from dataclasses import dataclass
 
 from bodymeasure.report.numbers import NONE, at_most, counted, length_text, millimeters, scientific
-from bodymeasure.report.ranking import UNMEASURED_SHOWN, WORST_SHOWN, first_unmeasured, worst
+from bodymeasure.report.ranking import (
+    UNMEASURED_SHOWN,
+    WORST_SHOWN,
+    disagreements,
+    first_unmeasured,
+    worst,
+)
 from bodymeasure.report.records import Document, Finding, Measurement
 
 UNIT_NAMES = {"m": "meters", "cm": "centimeters", "mm": "millimeters", "inch": "inches"}
@@ -15,10 +21,14 @@ UNIT_NAMES = {"m": "meters", "cm": "centimeters", "mm": "millimeters", "inch": "
 # Statuses in the words of a table; the sentences beside them explain.
 LABELS = {
     "converged": "measured",
+    "on_boundary": "measured, along an edge",
     "leaves_patch": "leaves the patch",
     "not_a_minimum": "not a shortest path",
     "singular": "singular equations",
 }
+
+# Statuses that come with a length.
+MEASURED = ("converged", "on_boundary")
 
 # Findings beyond these stand in measurements.json only: a broken atlas may have thousands.
 FINDINGS_SHOWN = 40
@@ -75,8 +85,10 @@ def status_rows(document: Document) -> dict[str, StatusRow]:
         code: StatusRow(
             code=code,
             label=LABELS.get(code, code.replace("_", " ")),
-            mark={"converged": "✓", "leaves_patch": "△"}.get(code, "✕"),
-            tone={"converged": "good", "leaves_patch": "fair"}.get(code, "poor"),
+            mark={"converged": "✓", "on_boundary": "✓", "leaves_patch": "△"}.get(code, "✕"),
+            tone={"converged": "good", "on_boundary": "good", "leaves_patch": "fair"}.get(
+                code, "poor"
+            ),
             sentence=sentence,
             count=counts.get(code, 0),
         )
@@ -130,7 +142,7 @@ def _measured(document: Document) -> str:
     reasons = "; ".join(
         f"{row.label}: {row.count}"
         for row in status_rows(document).values()
-        if row.code != "converged"
+        if row.code not in MEASURED
     )
     return (
         f"{summary.measured} of {counted(summary.diagonals, 'diagonal')} could be measured; "
@@ -143,7 +155,7 @@ def _checked(document: Document) -> list[str]:
     summary = document.summary
     if not has_check(document):
         return ["No cross-check was made: the lengths rest on their own error estimates alone."]
-    agrees, disagrees = (summary.by_verdict.get(v, 0) for v in ("agrees", "disagrees"))
+    agrees, disagrees = summary.by_verdict.get("agrees", 0), disagreements(document)
     compared = summary.difference.count
     if not compared:
         return ["The cross-check could not compare any diagonal."]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from reference import chebyshev_times, reference_lengths
-from straight_line import NO_SEARCH
 
 from bodymeasure import load_sample
 from bodymeasure.geodesic import GeodesicSolution, Status, solve_geodesic
@@ -23,7 +22,7 @@ def geodesics(name: str) -> GeodesicSolution:
         DIAGONAL_STARTS,
         DIAGONAL_ENDS,
         on_failure="status",
-        **NO_SEARCH,
+        search="straight",
     )
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from enum import Enum
 from types import SimpleNamespace
 from typing import Any
 
@@ -13,15 +12,10 @@ import pytest
 from bodymeasure.atlas import Atlas
 from bodymeasure.atlas.finding import Finding, FindingKind, Severity
 from bodymeasure.geodesic.status import Status
+from bodymeasure.measure.cross_check import Verdict
 
 HOSTILE = '<script>alert("x")</script> & \u00c4rmel, "links"'
 NAMES = ("torso front left 1-1", HOSTILE, "=cmd, \u80f8", "arm right 1-1")
-
-
-class Verdict(Enum):
-    AGREES = "Both agree within the uncertainty."
-    DISAGREES = "They differ by more than the uncertainty; do not trust this length."
-    NOT_COMPARED = "Nothing to compare."
 
 
 def make_survey(
@@ -51,7 +45,7 @@ def make_survey(
     exact[0, 1] = raw[0, 1] / (1.0 + 3.0e-4)
     verdict = np.full((4, 2), Verdict.NOT_COMPARED, dtype=object)
     verdict[good] = Verdict.AGREES
-    verdict[0, 1] = Verdict.DISAGREES
+    verdict[0, 1] = Verdict.LONGER
     start = np.broadcast_to([[0.0, 0.0], [1.0, 0.0]], (4, 2, 2))
     return SimpleNamespace(
         atlas=atlas,

@@ -1,0 +1,211 @@
+"""The shortest path inside a patch: contact with edges, several candidates, saddles."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+
+import bodymeasure as bm
+from bodymeasure.geodesic.contact import read_legs
+from bodymeasure.geodesic.descent import descend, ways_off
+from bodymeasure.geodesic.surface import BezierSurfaces
+from bodymeasure.oracle import mesh_distances
+
+Array = NDArray[np.float64]
+
+START, END = np.zeros(2), np.ones(2)
+
+
+def heights(z: Array, side: float = 1.0) -> Array:
+    """Control points over a square grid."""
+    line = np.linspace(0.0, side, 4)
+    x, y = np.meshgrid(line, line, indexing="ij")
+    return np.stack([x, y, z], axis=-1)
+
+
+def bent_plane() -> Array:
+    """A plane patch whose edge u = 0 bulges inwards, across the chord of its diagonal.
+
+    x = u + bulge v (1 - v) (1 - u), y = v: the patch is flat, so its shortest paths are those of a
+    plane region.
+    """
+    u, v = np.meshgrid(np.linspace(0, 1, 4), np.linspace(0, 1, 4), indexing="ij")
+    net = np.stack([u, v, np.zeros_like(u)], axis=-1)
+    bulge = np.array([0.0, 1.0, 1.0, 0.0]) / 3.0
+    net[..., 0] = u + 2.4 * bulge * (1.0 - u)
+    return net
+
+
+def test_a_flat_patch_with_an_edge_in_the_way() -> None:
+    # The edge u = 0 is x = 2.4 v (1 - v), y = v: from (0, 0) to (0, 1) the shortest way in the
+    # patch is along it, and the straight line is outside.
+    net = bent_plane()
+    solution = bm.solve_geodesic(net, (0.0, 0.0), (0.0, 1.0))
+    assert solution.status is bm.Status.ON_BOUNDARY
+    t = np.linspace(0.0, 1.0, 20001)
+    x, y = 2.4 * t * (1.0 - t), t
+    along = np.hypot(np.diff(x), np.diff(y)).sum()
+    assert solution.length == pytest.approx(along, rel=1e-8)
+    (contact,) = solution.contacts
+    assert contact.edge == "u = 0"
+    assert (contact.start, contact.end) == (0.0, 1.0)
+
+
+def test_tangent_to_an_arc_and_away_from_it() -> None:
+    # From the corner (0, 0) along the bulging edge, then straight, tangentially, to (0.3, 1): the
+    # hull of the obstacle, which elementary geometry gives.
+    net = bent_plane()
+    solution = bm.solve_geodesic(net, (0.0, 0.0), (0.3, 1.0))
+    assert solution.status is bm.Status.ON_BOUNDARY
+    target = np.array([0.3, 1.0])  # on v = 1, x = u
+
+    def slope_difference(t: float) -> float:
+        point = np.array([2.4 * t * (1.0 - t), t])
+        tangent = np.array([2.4 * (1.0 - 2.0 * t), 1.0])
+        way = target - point
+        return float(tangent[0] * way[1] - tangent[1] * way[0])
+
+    leave = brentq(slope_difference, 0.1, 0.9, xtol=1e-14)
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    t = leave * (nodes + 1.0) / 2.0
+    arc = leave / 2.0 * weights @ np.hypot(2.4 * (1.0 - 2.0 * t), 1.0)
+    free = np.linalg.norm(target - np.array([2.4 * leave * (1.0 - leave), leave]))
+    assert solution.length == pytest.approx(arc + free, rel=1e-11)
+    assert abs(solution.length - (arc + free)) <= solution.error_estimate
+    (contact,) = solution.contacts
+    assert contact.edge == "u = 0"
+    assert contact.start == 0.0
+    assert contact.end == pytest.approx(leave, abs=1e-6)
+    path = solution.path(np.linspace(0.0, 1.0, 301))
+    assert (path >= -1e-9).all()
+    assert (path <= 1.0 + 1e-9).all()
+    assert path[0] == pytest.approx([0.0, 0.0], abs=1e-12)
+    assert path[-1] == pytest.approx([0.3, 1.0], abs=1e-12)
+
+
+def test_contact_between_two_free_pieces() -> None:
+    # Between points off the edge on both sides of the bulge: free, along it, free.
+    net = bent_plane()
+    start, end = (0.1, 0.05), (0.1, 0.95)
+    there = bm.solve_geodesic(net, start, end)
+    back = bm.solve_geodesic(net, end, start)
+    (contact,) = there.contacts
+    assert 0.05 < contact.start < 0.5 < contact.end < 0.95
+    # The patch is its own mirror image in v = 1/2.
+    assert contact.start + contact.end == pytest.approx(1.0, abs=1e-6)
+    assert back.length == pytest.approx(there.length, rel=1e-10)
+    chord = 0.9
+    assert there.length > chord
+
+
+def test_a_wall_round_the_straight_line_is_gone_round() -> None:
+    # A ridge across the diagonal that is symmetric about it: going over it straight is a geodesic,
+    # round either side is shorter, and the two sides are equally long.
+    z = np.zeros((4, 4))
+    z[1:3, 1:3] = 2.0
+    net = heights(z)
+    quick = bm.solve_geodesic(net, START, END, on_failure="status")
+    thorough = bm.solve_geodesic(net, START, END, search="thorough")
+    over = bm.solve_geodesic(net, START, END, search="straight", on_failure="status")
+    assert not over.local_minimum
+    assert np.isnan(over.length)
+    assert over.raw_length > 1.05 * thorough.length
+    assert quick.length == pytest.approx(thorough.length, rel=1e-9)
+    mesh = mesh_distances(net[None], START[None, None], END[None, None])
+    difference = thorough.length - mesh.exact[0, 0]
+    assert abs(difference) <= 3.0 * mesh.exact_uncertainty[0, 0]
+
+
+def test_descent_never_lengthens_and_stays_in_the_box(rng: np.random.Generator) -> None:
+    nets = np.array([heights(rng.random((4, 4))) for _ in range(20)])
+    surface = BezierSurfaces(nets)
+    seeds = rng.random((20, 17, 2))
+    seeds[:, 0], seeds[:, -1] = START, END
+    points, lengths = descend(surface, seeds)
+    assert ((points >= 0.0) & (points <= 1.0)).all()
+    assert (points[:, 0] == START).all()
+    assert (points[:, -1] == END).all()
+    straight = np.linspace(START, END, 17)
+    _, again = descend(surface, points)
+    assert again == pytest.approx(lengths, rel=1e-9)
+    _, from_straight = descend(surface, np.repeat(straight[None], 20, axis=0))
+    chord = np.linalg.norm(nets[:, 3, 3] - nets[:, 0, 0], axis=-1)
+    assert (from_straight >= chord * (1.0 - 1e-12)).all()
+
+
+def test_a_saddle_is_known_by_its_curvature() -> None:
+    z = np.zeros((4, 4))
+    z[1:3, 1:3] = 2.0
+    line = np.linspace(START, END, 33)[None]
+    surface = BezierSurfaces(heights(z)[None])
+    over, _ = descend(surface, line)
+    curvature, direction = ways_off(surface, over)
+    assert curvature[0] < 0.0
+    # Off the ridge's top is to the side: u one way, v the other.
+    assert direction[0, 16, 0] == pytest.approx(-direction[0, 16, 1], rel=1e-3)
+    flat = BezierSurfaces(heights(np.zeros((4, 4)))[None])
+    assert ways_off(flat, descend(flat, line)[0])[0][0] > 0.0
+
+
+def test_the_pattern_of_a_polygon() -> None:
+    inside = [0.3, 0.5]
+    polygon = np.array(
+        [[0, 0], [0, 0.2], [0, 0.4], inside, [0.6, 1], [0.8, 1], [0.9, 0.9], [1, 0.5]]
+    )
+    legs = read_legs(polygon)
+    assert [leg.contact.name if leg.contact else "free" for leg in legs] == [
+        "u = 0",
+        "free",
+        "v = 1",
+        "free",
+    ]
+    assert [(leg.first, leg.last) for leg in legs] == [(0, 2), (2, 4), (4, 5), (5, 7)]
+    # A free leg slides where it meets an arc, and is fixed at the ends of the path.
+    slides = [tuple(s.name if s else None for s in leg.slides) for leg in legs if not leg.contact]
+    assert slides == [("u = 0", "v = 1"), ("v = 1", None)]
+
+
+def test_a_search_is_one_of_three() -> None:
+    with pytest.raises(bm.InputError, match="search is 'slow'; expected one of quick, thorough"):
+        bm.solve_geodesic(heights(np.zeros((4, 4))), START, END, search="slow")  # type: ignore[arg-type]
+
+
+def test_where_the_search_does_not_apply_the_method_speaks_for_itself() -> None:
+    net = bent_plane()
+    given = bm.solve_geodesic(
+        net, (0.0, 0.0), (0.0, 1.0), method=bm.RBFCollocation(), on_failure="status"
+    )
+    assert given.status is bm.Status.LEAVES_PATCH
+    assert np.isnan(given.length)
+    assert given.contacts == ()
+    searched = bm.solve_geodesic(
+        net, (0.0, 0.0), (0.0, 1.0), method=bm.RBFCollocation(), search="quick"
+    )
+    assert searched.status is bm.Status.ON_BOUNDARY
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("side", "symmetric", "least_solved"), [(1.0, False, 1.0), (0.6, False, 0.9), (1.0, True, 1.0)]
+)
+def test_wild_patches_against_meshes(
+    rng: np.random.Generator, side: float, symmetric: bool, least_solved: float
+) -> None:
+    count = 40
+    z = rng.integers(0, 6, (count, 4, 4)) / 5.0
+    if symmetric:
+        lower = np.tril(z)
+        z = lower + np.swapaxes(np.tril(z, -1), 1, 2)
+    z[:, 0, 0], z[:, 3, 3] = 0.0, 1.0
+    nets = np.array([heights(each, side) for each in z])
+    solution = bm.solve_geodesic(nets, START, END, search="thorough", on_failure="status")
+    solved = solution.converged
+    assert solved.mean() >= least_solved
+    mesh = mesh_distances(
+        nets, np.broadcast_to(START, (count, 1, 2)), np.broadcast_to(END, (count, 1, 2))
+    )
+    difference = solution.length - mesh.exact[:, 0]
+    allowed = 3.0 * mesh.exact_uncertainty[:, 0] + 1e-6 * mesh.exact[:, 0]
+    assert (np.abs(difference)[solved] <= allowed[solved]).all()
