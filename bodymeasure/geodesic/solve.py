@@ -101,17 +101,19 @@ def solve_geodesic(
         batch = _broadcast(start.shape[:-1], end.shape[:-1])
         count = int(np.prod(batch))
         surfaces: Surface = CustomSurface(surface.derivatives)
-        scale = np.ones(count)
+        patch_of, scale = np.zeros(count, np.int64), np.ones(count)
     else:
         nets = _checked_control_points(surface)
         batch = _broadcast(nets.shape[:-3], start.shape[:-1], end.shape[:-1])
-        nets = np.broadcast_to(nets, (*batch, *nets.shape[-3:])).reshape(-1, *nets.shape[-3:])
-        nets, scale = _normalized(nets)
-        surfaces = BezierSurfaces(nets)
-        count = len(nets)
+        # Each patch is prepared once, however many problems it has.
+        patches = np.arange(int(np.prod(nets.shape[:-3]))).reshape(nets.shape[:-3])
+        patch_of = np.broadcast_to(patches, batch).ravel()
+        nets, sizes = _normalized(nets.reshape(-1, *nets.shape[-3:]))
+        surfaces, scale = BezierSurfaces(nets), sizes[patch_of]
+        count = len(patch_of)
     starts = np.broadcast_to(start, (*batch, 2)).reshape(-1, 2).copy()
     ends = np.broadcast_to(end, (*batch, 2)).reshape(-1, 2).copy()
-    problems = _Problems(surfaces, starts, ends, scale, batch)
+    problems = _Problems(surfaces, patch_of, starts, ends, scale, batch)
     solution = _solve(problems, method or RBFCollocation(), search)
     if on_failure == "raise" and not np.all(solution.converged):
         raise ConvergenceError(_failures(solution, count))
@@ -119,9 +121,13 @@ def solve_geodesic(
 
 
 class _Problems(NamedTuple):
-    """A flattened batch; `scale` takes lengths on the surfaces to the user's."""
+    """A flattened batch: of each problem its surface, by number, and its ends.
+
+    `scale` takes lengths on the surfaces to the user's.
+    """
 
     surfaces: Surface
+    surface_of: NDArray[np.int64]
     starts: _Array
     ends: _Array
     scale: _Array
@@ -129,7 +135,7 @@ class _Problems(NamedTuple):
 
 
 def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolution:
-    surfaces, starts, ends, scale, batch = problems
+    surfaces, surface_of, starts, ends, scale, batch = problems
     count = len(starts)
     raw, length, residual = np.zeros(count), np.zeros(count), np.zeros(count)
     error = np.zeros(count)
@@ -138,7 +144,7 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
     functions, iterations = np.zeros(count, np.int64), np.zeros(count, np.int64)
     # The geodesic from a point to itself has length zero and needs no solving.
     apart = np.flatnonzero((starts != ends).any(axis=1))
-    part = surfaces.take(apart)
+    part = surfaces.take(surface_of[apart])
     result = method.solve(part, starts[apart], ends[apart])
     result = search_further(part, (starts[apart], ends[apart]), result, search, method.tolerance)
     result = _renumbered(result, apart)

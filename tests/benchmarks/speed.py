@@ -4,8 +4,8 @@ All in one run on one thread, interleaved, in processor time, the least of sever
 are relative to independent references (`reference.py`). The others get what helps them: solve_bvp
 the surface evaluation that bodymeasure uses itself, on its whole mesh at once (the Jacobian is by
 differences; that takes a quarter of its time); libigl a finished mesh, so that only the call is
-timed. Diagonals that leave their patch cost bodymeasure time, and are spared the others. Then: how
-time and memory grow with the number of diagonals, on rigidly moved copies of the body's patches.
+timed. Diagonals that leave their patch are spared the others; the search for the shortest path
+along its edges, which bodymeasure adds by default, is timed for itself. Then: how time and memory grow with the number of diagonals, on rigidly moved copies of the body's patches.
 Run it by hand: ``python tests/benchmarks/speed.py [--quick]``; it takes a minute or two.
 """
 
@@ -102,8 +102,8 @@ def row(name: str, time_each: float, ours: float, error: Array) -> None:
 def compare(repeats: int, counts: tuple[int, int]) -> None:
     """Print the times of all three on one body."""
     atlas = bm.load_sample(SAMPLE)
-    first = seconds(lambda: bm.diagonals(atlas))
-    solution = bm.diagonals(atlas)
+    first = seconds(lambda: bm.diagonals(atlas, search="straight"))
+    solution = bm.diagonals(atlas, search="straight")
     length, converged = solution.length.ravel(), solution.converged.ravel()
     problems = reference.body_diagonals(SAMPLE)
     known = reference.geodesics(problems, pairs=reference.FINEST).length
@@ -113,12 +113,13 @@ def compare(repeats: int, counts: tuple[int, int]) -> None:
         [BoundaryValueProblem(*one) for one in zip(*problems.take(chosen[0]), strict=True)],
         [ExactDistance(*one) for one in zip(*problems.take(chosen[1]), strict=True)],
     ]
-    warm, times = [], [np.full(count, np.inf) for count in counts]
+    warm, whole, times = [], np.inf, [np.full(count, np.inf) for count in counts]
     for _ in range(repeats):
         for least, calls in zip(times, others, strict=True):
             for i, call in enumerate(calls):
                 least[i] = min(least[i], seconds(call.solve))
-            warm += [seconds(lambda: bm.diagonals(atlas)) for _ in range(4)]
+            warm += [seconds(lambda: bm.diagonals(atlas, search="straight")) for _ in range(4)]
+            whole = min(whole, seconds(lambda: bm.diagonals(atlas)))
     ours = min(warm) / length.size
     print(f"{SAMPLE}: {length.size} diagonals, {len(stays)} with a length and a reference")
     print(f"{'':42s} {'microsec.':>10s} {'times':>9s}   relative error")
@@ -133,6 +134,11 @@ def compare(repeats: int, counts: tuple[int, int]) -> None:
             f"{name} ({len(rows)} diagonals)", least.mean(), ours, np.abs(lengths / known[rows] - 1)
         )
     print(f"bodymeasure, median of {len(warm)} calls: {1e6 * np.median(warm) / length.size:.1f}")
+    edges = (~converged).sum()
+    print(
+        f"with the search along edges: {1e3 * whole:.0f} ms for all, "
+        f"{1e3 * (whole - min(warm)) / edges:.0f} ms for each of the {edges} that leave their patch"
+    )
 
 
 def scale(sizes: tuple[int, ...], repeats: int) -> None:
@@ -148,7 +154,7 @@ def scale(sizes: tuple[int, ...], repeats: int) -> None:
         )
 
         def solve(moved: Array = moved) -> None:
-            bm.solve_geodesic(moved, STARTS, ENDS, on_failure="status")
+            bm.solve_geodesic(moved, STARTS, ENDS, search="straight", on_failure="status")
 
         least = min(seconds(solve) for _ in range(repeats))
         tracemalloc.start()
