@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,9 +24,10 @@ class Kernel:
     """
 
     name: str
-    exponent: int
-    factor: tuple[int, ...]
-    smoothness: int
+    # The name says it all where settings are printed.
+    exponent: int = field(repr=False)
+    factor: tuple[int, ...] = field(repr=False)
+    smoothness: int = field(repr=False)
 
     @property
     def degree(self) -> int:

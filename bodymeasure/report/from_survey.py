@@ -17,6 +17,7 @@ from bodymeasure.atlas import EDGES, Unit, convert_length
 from bodymeasure.report.records import Document, Finding, Kind, Measurement, Spread, Summary
 
 if TYPE_CHECKING:
+    from bodymeasure.geodesic import EdgeContact
     from bodymeasure.measure import Survey
 
 ALL_KINDS: tuple[Kind, ...] = ("diagonal", "boundary")
@@ -110,6 +111,7 @@ def _diagonals(survey: Survey, unit: Unit) -> list[Measurement]:
         "relative_difference": empty if check is None else _finite(check.relative_difference),
         "heat": empty if check is None else lengths(check.heat),
     }
+    contacts = solution.contacts
     start, end = np.asarray(solution.start).tolist(), np.asarray(solution.end).tolist()
     return [
         Measurement(
@@ -122,12 +124,18 @@ def _diagonals(survey: Survey, unit: Unit) -> list[Measurement]:
             end=(end[patch][number][0], end[patch][number][1]),
             unit=unit.value,
             status=code(solution.status[patch, number]),
+            contacts=_contacts(contacts[patch, number]),
             verdict=None if check is None else code(check.verdict[patch, number]),
             **{key: values[patch][number] for key, values in columns.items()},  # type: ignore[arg-type]
         )
         for patch in range(len(atlas))
         for number in range(2)
     ]
+
+
+def _contacts(contacts: tuple[EdgeContact, ...]) -> str | None:
+    words = [f"{each.edge} from {each.start:.6g} to {each.end:.6g}" for each in contacts]
+    return "; ".join(words) or None
 
 
 def _boundary(survey: Survey, unit: Unit) -> list[Measurement]:

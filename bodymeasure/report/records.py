@@ -46,6 +46,13 @@ class Measurement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
         float | None, Meta(description="Bound on the error of the length, estimated.")
     ]
     status: Annotated[str, Meta(description="A key of `statuses`.")]
+    contacts: Annotated[
+        str | None,
+        Meta(
+            description="Edges of the patch that the path runs along, and from where to where on "
+            "them, as `u = 0 from 0.25 to 0.5`; null if it does not."
+        ),
+    ] = None
     raw_length: Annotated[
         float | None,
         Meta(description="Length of the computed path before correction, good or not."),

@@ -11,7 +11,7 @@ import pytest
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.atlas.finding import Finding, FindingKind, Severity
-from bodymeasure.geodesic.status import Status
+from bodymeasure.geodesic import EdgeContact, Status
 from bodymeasure.measure.cross_check import Verdict
 
 HOSTILE = '<script>alert("x")</script> & \u00c4rmel, "links"'
@@ -46,6 +46,9 @@ def make_survey(
     verdict = np.full((4, 2), Verdict.NOT_COMPARED, dtype=object)
     verdict[good] = Verdict.AGREES
     verdict[0, 1] = Verdict.LONGER
+    contacts = np.empty((4, 2), dtype=object)
+    contacts.fill(())
+    contacts[0, 0] = (EdgeContact("u = 0", 0.25, 0.5), EdgeContact("v = 1", 1.0, 0.75))
     start = np.broadcast_to([[0.0, 0.0], [1.0, 0.0]], (4, 2, 2))
     return SimpleNamespace(
         atlas=atlas,
@@ -59,6 +62,7 @@ def make_survey(
             status=status,
             functions=np.full((4, 2), 12),
             iterations=np.full((4, 2), 4),
+            contacts=contacts,
         ),
         boundary=SimpleNamespace(
             length=0.1 + rng.random((4, 4)) / 30.0, error_estimate=np.full((4, 4), 1e-17)

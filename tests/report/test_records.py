@@ -164,3 +164,10 @@ def test_the_same_survey_gives_the_same_bytes(survey: Any) -> None:
     documents = [survey_document(survey, "cm", created=created) for _ in range(2)]
     assert to_json(documents[0]) == to_json(documents[1])
     assert json.loads(to_json(documents[0]))["created"] == "2024-02-29T12:30:00+00:00"
+
+
+def test_contacts_with_edges_are_told_in_words(survey: Any) -> None:
+    records = measurement_records(survey, "cm", kinds=("diagonal",))
+    told = [record.contacts for record in records]
+    assert told[0] == "u = 0 from 0.25 to 0.5; v = 1 from 1 to 0.75"
+    assert told[1:] == [None] * 7
