@@ -5,7 +5,8 @@ are relative to independent references (`reference.py`). The others get what hel
 the surface evaluation that bodymeasure uses itself, on its whole mesh at once (the Jacobian is by
 differences; that takes a quarter of its time); libigl a finished mesh, so that only the call is
 timed. Diagonals that leave their patch are spared the others; the search for the shortest path
-along its edges, which bodymeasure adds by default, is timed for itself. Then: how time and memory grow with the number of diagonals, on rigidly moved copies of the body's patches.
+along its edges, which bodymeasure adds by default, is timed for itself. Then: how time and memory
+grow with the number of diagonals, on rigidly moved copies of the body's patches.
 Run it by hand: ``python tests/benchmarks/speed.py [--quick]``; it takes a minute or two.
 """
 
