@@ -18,10 +18,12 @@ from bodymeasure.errors import (
 )
 from bodymeasure.formats import read_atlas, write_atlas
 from bodymeasure.geodesic import (
+    SEARCHES,
     WU_C2,
     WU_C4,
     WU_C6,
     WU_C10,
+    EdgeContact,
     GeodesicSolution,
     Kernel,
     PolynomialCollocation,
@@ -36,6 +38,7 @@ from bodymeasure.measure import Survey, boundary_lengths, diagonals, measure_atl
 from bodymeasure.samples import load_sample, sample_names
 
 __all__ = [
+    "SEARCHES",
     "WU_C2",
     "WU_C4",
     "WU_C6",
@@ -45,6 +48,7 @@ __all__ = [
     "Axes",
     "BodymeasureError",
     "ConvergenceError",
+    "EdgeContact",
     "Finding",
     "GeodesicSolution",
     "InputError",

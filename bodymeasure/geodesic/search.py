@@ -29,7 +29,7 @@ from bodymeasure.geodesic.surface import Surface
 _Array = NDArray[np.float64]
 
 Search = Literal["quick", "thorough", "straight"]
-SEARCHES: tuple[str, ...] = get_args(Search)
+SEARCHES: tuple[Search, ...] = get_args(Search)
 
 # A path is outside its patch if it is so by more than this in u or v: more than rounding errors of
 # a path along the edge, less than anything that could be measured.
