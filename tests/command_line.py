@@ -27,6 +27,9 @@ class Ran:
 Run = Callable[..., Ran]
 Edited = Callable[[Callable[[dict[str, Any]], object]], Any]
 
+# As from a terminal: where tests run in the background, children inherit that interrupts are
+# ignored.
+HEAR_INTERRUPTS = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"
 CALL_MAIN = "\nimport sys\nfrom bodymeasure.cli import main\nmain(sys.argv[1:])\n"
 
 # As if packages were not installed: no finder finds them.
@@ -63,7 +66,7 @@ def start(*arguments: object, setup: str = "", **options: Any) -> subprocess.Pop
     for name in ("NO_COLOR", "FORCE_COLOR", "COLUMNS"):
         environment.pop(name, None)
     return subprocess.Popen(
-        [sys.executable, "-c", setup + CALL_MAIN, *map(str, arguments)],
+        [sys.executable, "-c", HEAR_INTERRUPTS + setup + CALL_MAIN, *map(str, arguments)],
         **{
             "stdin": subprocess.DEVNULL,
             "stdout": subprocess.PIPE,

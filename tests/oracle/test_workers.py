@@ -46,6 +46,8 @@ INTERRUPTED = """
         os.{send}, signal.{name})
 
     if __name__ == "__main__":
+        # Children of a background process inherit that interrupts are ignored.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         try:
             map_in_processes(time.sleep, [0.2] * 100, processes=2, progress=interrupt)
         except KeyboardInterrupt:
