@@ -156,7 +156,9 @@ def solve_legs(
         begin = points[leg.first] if before is None else before[1][:, -1]
         end = points[leg.last] if after is None else after[1][:, 0]
         along = 1 - leg.contact.axis
-        forward = points[leg.last, along] - points[leg.first, along]
+        # From the points beside the arc, since an arc of a single point has no direction itself.
+        beside = (max(leg.first - 1, 0), min(leg.last + 1, len(points) - 1))
+        forward = points[beside[1], along] - points[beside[0], along]
         if (end[along] - begin[along]) * forward < 0.0:
             return None
         parts.append(_arc(surface, begin, end, spaces[0]))

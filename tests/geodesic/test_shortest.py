@@ -8,8 +8,9 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 import bodymeasure as bm
-from bodymeasure.geodesic.contact import read_legs
+from bodymeasure.geodesic.contact import read_legs, solve_legs
 from bodymeasure.geodesic.descent import descend, ways_off
+from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import BezierSurfaces
 from bodymeasure.oracle import mesh_distances
 
@@ -209,3 +210,22 @@ def test_wild_patches_against_meshes(
     difference = solution.length - mesh.exact[:, 0]
     allowed = 3.0 * mesh.exact_uncertainty[:, 0] + 1e-6 * mesh.exact[:, 0]
     assert (np.abs(difference)[solved] <= allowed[solved]).all()
+
+
+@pytest.mark.parametrize(("x", "clear"), [(0.61, True), (0.59, False)])
+def test_an_arc_of_one_point_does_not_run_backwards(x: float, clear: bool) -> None:
+    # A vertical chord at x, and one vertex of its polygon on the edge, which bulges to x = 0.6. If
+    # the chord clears the bulge, both tangents from the ends touch the edge past one another.
+    net = bent_plane()
+    y = np.linspace(0.3, 0.7, 65)
+    edge = 2.4 * y * (1.0 - y)
+    polygon = np.stack([np.maximum((x - edge) / (1.0 - edge), 1e-9), y], axis=1)
+    polygon[32, 0] = 0.0
+    legs = read_legs(polygon)
+    assert [(leg.first, leg.last) for leg in legs] == [(0, 32), (32, 32), (32, 64)]
+    path = solve_legs(BezierSurfaces(net[None]), polygon, legs, [polynomial_space(20)], 1e-9)
+    if clear:
+        assert path is None
+    else:
+        assert path is not None
+        assert path.contacts[0].start < path.contacts[0].end
