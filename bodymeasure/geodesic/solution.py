@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from bodymeasure.errors import InputError
 from bodymeasure.geodesic.method import Piece
 
 _Array = NDArray[np.float64]
@@ -108,12 +109,15 @@ class GeodesicSolution:
 
         Raises
         ------
-        ValueError
-            If a t is not in [0, 1].
+        InputError
+            If a t is not a number in [0, 1].
         """
-        times = np.asarray(t, dtype=np.float64)
+        try:
+            times = np.asarray(t, dtype=np.float64)
+        except (TypeError, ValueError):
+            raise InputError(f"path parameters are {t!r}; expected numbers in [0, 1]") from None
         if not ((times >= 0.0) & (times <= 1.0)).all():
-            raise ValueError(f"path parameters must lie in [0, 1]; got {times}")
+            raise InputError(f"path parameters must lie in [0, 1]; got {times}")
         points = np.empty((int(np.prod(self.shape)), times.size, 2))
         # Problems without a piece have coinciding ends: the path stays there.
         points[:] = self.start.reshape(-1, 1, 2)
