@@ -137,8 +137,16 @@ def summary_sentences(document: Document) -> list[str]:
 def _measured(document: Document) -> str:
     summary = document.summary
     missing = summary.diagonals - summary.measured
+    edges = summary.by_status.get("on_boundary", 0)
+    run = "runs" if edges == 1 else "run"
+    along = (
+        f" {edges} of those measured {run} along an edge of the patch for a part; on the whole "
+        "body, a shorter way may lead over the neighboring patch."
+        if edges
+        else ""
+    )
     if not missing:
-        return f"All {counted(summary.diagonals, 'diagonal')} could be measured."
+        return f"All {counted(summary.diagonals, 'diagonal')} could be measured.{along}"
     reasons = "; ".join(
         f"{row.label}: {row.count}"
         for row in status_rows(document).values()
@@ -147,7 +155,7 @@ def _measured(document: Document) -> str:
     return (
         f"{summary.measured} of {counted(summary.diagonals, 'diagonal')} could be measured; "
         f"{missing} could not and {'has' if missing == 1 else 'have'} no length here "
-        f"({reasons}). “Not measured” below says which and why."
+        f"({reasons}). “Not measured” below says which and why.{along}"
     )
 
 

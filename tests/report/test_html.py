@@ -141,6 +141,12 @@ def test_the_summary_counts_and_names_the_worst(page: Page) -> None:
     assert "\u2260 disagrees" in page.text
 
 
+def test_the_summary_tells_of_paths_along_an_edge(survey_of: Callable[..., Any]) -> None:
+    one, none = page_of(survey_of(statuses=(Status.ON_BOUNDARY,))), page_of(survey_of())
+    assert "1 of those measured runs along an edge of the patch for a part" in one.text
+    assert "of those measured" not in none.text
+
+
 def test_the_histogram_counts_every_difference(survey: Any, page: Page) -> None:
     assert len(page.all("rect")) >= 2
     bars = re.findall(r"<title>\S.* to .*: (\d+)</title>", page.source)
