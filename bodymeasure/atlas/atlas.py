@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -197,6 +198,11 @@ def _check_names(atlas: Atlas) -> None:
             raise InputError(f"{len(names)} {what} for {len(atlas)} patches; expected one each")
     seen: set[str] = set()
     for name in atlas.patch_names:
+        if not name.strip() or any(unicodedata.category(sign) == "Cc" for sign in name):
+            raise InputError(
+                f"a patch is named {name!r}; expected a name on one line, without control "
+                "characters"
+            )
         if name in seen:
             raise InputError(f"two patches are named {name!r}; patch names must be unique")
         seen.add(name)

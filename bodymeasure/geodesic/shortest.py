@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,7 @@ _Array = NDArray[np.float64]
 # Edges of the polygons that compete, and of those whose pattern of contacts is read, in turn.
 ROUGH_EDGES = 32
 FINE_EDGES = (64, 256)
-# A curvature below this, relative to the stiffest, is a saddle's.
+# A curvature below this, relative to the metric, is a saddle's.
 SADDLE = -1e-6
 # How far, in u or v, a path steps off a saddle.
 STEP_OFF = 0.05
@@ -28,6 +29,24 @@ CONTENDERS = 1.01
 SAME = 0.02
 
 
+class Found(NamedTuple):
+    """What a search found.
+
+    Parameters
+    ----------
+    path : ContactPath or None
+        None if the best candidate could not be polished.
+    polygon : float
+        Length of the shortest polygon: a little less than the path that it stands for.
+    """
+
+    path: ContactPath | None
+    polygon: float
+
+
+NOTHING_FOUND = Found(None, float("inf"))
+
+
 def shortest_path(
     surface: Surface,
     start: _Array,
@@ -35,7 +54,7 @@ def shortest_path(
     known: Sequence[_Array],
     spaces: Sequence[TrialSpace],
     tolerance: float,
-) -> ContactPath | None:
+) -> Found:
     """The shortest path found between two points of a patch, inside it.
 
     Candidates are the straight line, paths that are known already, and the graph's; each slides
@@ -56,8 +75,7 @@ def shortest_path(
 
     Returns
     -------
-    ContactPath or None
-        None if the best candidate could not be polished, or the surface is not finite.
+    Found
     """
     # Overflow and the like on wild surfaces end as candidates that are not finite.
     with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
@@ -70,7 +88,7 @@ def _shortest(
     known: Sequence[_Array],
     spaces: Sequence[TrialSpace],
     tolerance: float,
-) -> ContactPath | None:
+) -> Found:
     start, end = ends
     times = np.linspace(0.0, 1.0, ROUGH_EDGES + 1)
     seeds = [start + (end - start) * times[:, None]]
@@ -79,7 +97,7 @@ def _shortest(
     jets = [surface.jet(seed[None], 2) for seed in seeds]
     # Nothing can be found where the surface is not finite, or all one point.
     if not all(np.isfinite(jet).all() and np.any(jet[1:3]) for jet in jets):
-        return None
+        return NOTHING_FOUND
     points, lengths = _at_rest(surface, np.stack(seeds))
     order = np.argsort(lengths, kind="stable")
     contenders: list[_Array] = []
@@ -89,12 +107,14 @@ def _shortest(
         if all(np.abs(points[number] - other).max() > SAME for other in contenders):
             contenders.append(points[number])
     polished = [_polished(surface, polygon, spaces, tolerance) for polygon in contenders]
+    polygon = float(lengths[order[0]])
     if polished[0] is None:
-        return None
-    return min(
+        return Found(None, polygon)
+    best = min(
         (path for path in polished if path is not None),
         key=lambda path: float((path.measured.raw - path.measured.correction)[0]),
     )
+    return Found(best, polygon)
 
 
 def _at_rest(surface: Surface, seeds: _Array) -> tuple[_Array, _Array]:

@@ -40,7 +40,8 @@ class GeodesicSolution:
     status : ndarray of Status, or Status
     local_minimum : ndarray of bool, or bool
         The path is proven to be shorter than all paths close to it: no conjugate point. That a
-        path elsewhere on the patch is not shorter still is not proven.
+        path elsewhere on the patch is not shorter still is not proven. Of a path along an edge, it
+        is proven of each free leg for itself.
     functions : ndarray of int, or int
         How many functions the path was found with.
     iterations : ndarray of int, or int

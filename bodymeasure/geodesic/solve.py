@@ -211,10 +211,12 @@ def _checked_parameters(name: str, value: ArrayLike) -> _Array:
 
 def _checked_control_points(value: Any) -> _Array:
     try:
+        if np.iscomplexobj(value):
+            raise TypeError
         nets = np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError):
         raise InputError(
-            f"a surface of type {type(value).__name__} is neither an array of control points nor "
+            f"a surface of type {type(value).__name__} is neither an array of real numbers nor "
             "an object with a method `derivatives`"
         ) from None
     if nets.ndim < 3 or nets.shape[-1] != 3 or min(nets.shape[-3:-1]) < 2:

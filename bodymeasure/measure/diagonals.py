@@ -7,6 +7,7 @@ from typing import Literal
 import numpy as np
 
 from bodymeasure.atlas import Atlas
+from bodymeasure.errors import InputError
 from bodymeasure.geodesic import GeodesicSolution, Method, Search, solve_geodesic
 
 # Ends (u, v) of a patch's two diagonals; shape (2, 2).
@@ -45,6 +46,13 @@ def diagonals(
         If a patch is collapsed to a point. Whether patches are folded, and the like, is for
         `check_atlas` to say.
     """
+    extent = np.ptp(atlas.control_points, axis=(1, 2)).max(axis=-1)
+    collapsed = np.flatnonzero(extent == 0.0)
+    if len(collapsed):
+        raise InputError(
+            f"patch {atlas.patch_names[collapsed[0]]!r} is collapsed: all its control points are "
+            f"equal ({len(collapsed)} such patch{'es' if len(collapsed) > 1 else ''}); remove it"
+        )
     return solve_geodesic(
         atlas.control_points[:, None],
         DIAGONAL_STARTS,

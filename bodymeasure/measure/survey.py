@@ -18,8 +18,8 @@ from bodymeasure.measure.diagonals import diagonals
 if TYPE_CHECKING:
     from bodymeasure.measure.cross_check import CrossCheck
 
-# Packages whose versions can change a number of a survey.
-PACKAGES = ("bodymeasure", "numpy", "scipy", "libigl")
+# Packages whose versions can change a number or a picture of a survey.
+PACKAGES = ("bodymeasure", "numpy", "scipy", "libigl", "pyvista", "vtk", "matplotlib")
 
 
 @dataclass(frozen=True, eq=False)

@@ -133,3 +133,9 @@ def test_the_digest_is_of_geometry_and_unit_alone() -> None:
     nudged = POINTS.copy()
     nudged[5, 2] = np.nextafter(0.0, 1.0)
     assert atlas.digest != replace(atlas, points=nudged).digest
+
+
+@pytest.mark.parametrize("name", ["", "  ", "hip\nleft", "hip\x1b[31m"])
+def test_a_patch_has_a_name_that_can_be_printed(name: str) -> None:
+    with pytest.raises(InputError, match="expected a name on one line"):
+        Atlas(POINTS, INDEX, Unit.CM, patch_names=(name,))

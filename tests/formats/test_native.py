@@ -27,6 +27,8 @@ VALID = native.write(
 
 # Any character but lone surrogates, which UTF-8 cannot write.
 texts = st.text(st.characters(exclude_categories=["Cs"]), max_size=12)
+# Patches have names that a table can show.
+names = st.text(st.characters(exclude_categories=["Cs", "Cc"]), max_size=12).filter(str.strip)
 coordinates = st.floats(allow_nan=False, allow_infinity=False)
 units = st.sampled_from(Unit)
 axes = st.sampled_from([Axes("+z", "-y"), Axes("+y", "+z"), Axes("-x", "+y")])
@@ -44,7 +46,7 @@ def atlases(draw: st.DrawFn) -> Atlas:
         points,
         draw(arrays(np.int64, (patches, 4, 4), elements=numbers)),
         draw(units),
-        tuple(draw(st.lists(texts, min_size=patches, max_size=patches, unique=True))),
+        tuple(draw(st.lists(names, min_size=patches, max_size=patches, unique=True))),
         tuple(draw(st.lists(texts, min_size=patches, max_size=patches))),
         draw(st.dictionaries(texts, places, max_size=3)),
         draw(axes),

@@ -229,3 +229,18 @@ def test_an_arc_of_one_point_does_not_run_backwards(x: float, clear: bool) -> No
     else:
         assert path is not None
         assert path.contacts[0].start < path.contacts[0].end
+
+
+def test_a_shorter_way_that_cannot_be_made_exact_is_not_kept_quiet(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    # On this patch the straight start is a geodesic, and a way round the ridge is shorter.
+    z = np.zeros((4, 4))
+    z[1:3, 1:3] = 2.0
+    net = heights(z)
+    loose = bm.RBFCollocation(tolerance=1e-3)
+    shorter = bm.solve_geodesic(net, START, END, search="thorough").length
+    monkeypatch.setattr("bodymeasure.geodesic.search.DEGREES", (2,))
+    kept = bm.solve_geodesic(net, START, END, method=loose, search="thorough", on_failure="status")
+    assert kept.raw_length > 1.02 * shorter
+    assert not kept.converged

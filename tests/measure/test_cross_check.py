@@ -6,10 +6,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from benchmarks.reference import wild_patches
 from numpy.typing import NDArray
 from surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID, bicubic
 
-from bodymeasure import Atlas, diagonals
+from bodymeasure import Atlas, diagonals, solve_geodesic
 from bodymeasure.measure import cross_check as module
 from bodymeasure.measure.cross_check import DOUBT, RESOLUTION, Verdict
 from bodymeasure.oracle import MeshDistances
@@ -95,3 +96,15 @@ def test_libigl_agrees() -> None:
     np.testing.assert_allclose(checked.heat, solution.length, rtol=0.05)
     assert checked.exact.shape == (4, 2)
     assert seen[-1] == 8
+
+
+def test_along_an_edge_the_extrapolation_is_in_doubt() -> None:
+    pytest.importorskip("igl")
+    # The shortest path between two corners on one edge runs near that edge and along it; the
+    # meshes' own uncertainty is too small there.
+    nets = wild_patches(np.random.default_rng(4), 40, 0.6)[32]
+    atlas = Atlas.from_control_points(nets, "cm")
+    solution = solve_geodesic(nets[None, None], (0.0, 0.0), (0.0, 1.0))
+    checked = module.cross_check(atlas, solution)
+    assert checked.difference[0, 0] < -DOUBT * checked.exact_uncertainty[0, 0]
+    assert checked.verdict[0, 0] is Verdict.AGREES

@@ -48,5 +48,5 @@ def test_failures_are_statuses_unless_asked_otherwise() -> None:
 
 
 def test_a_collapsed_patch_is_named() -> None:
-    with pytest.raises(InputError, match="patch 1 is degenerate"):
+    with pytest.raises(InputError, match="patch 'patch 1' is collapsed: all its control"):
         diagonals(atlas(ENNEPER, 0.0 * ENNEPER + 1.0))
