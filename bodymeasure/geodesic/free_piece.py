@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,53 +64,77 @@ def solve_free_piece(
     ndarray, shape (2, n + 1), or None
         u and v at the nodes; None if Newton's method failed.
     """
-    count = space.size + 1
-    ends = space.matrices(np.array([0.0, 1.0]))[1]
-    unknown = np.zeros((2, count), bool)
-    unknown[:, 1:-1] = True
-    for node, slide in zip((0, -1), slides, strict=True):
-        if slide is not None:
-            unknown[1 - slide.axis, node] = True
-    columns = np.flatnonzero(unknown)
+    problem = _Sliding(surface, space, slides)
     values = guess.copy()
     for node, slide in zip((0, -1), slides, strict=True):
         if slide is not None:
             values[slide.axis, node] = slide.value
-
-    def system(values: _Array) -> tuple[_Array, _Array]:
-        residual, jacobian = residual_and_jacobian(surface, space, values[None], ends=True)
-        rows = [residual.ravel()]
-        matrix = [jacobian.reshape(-1, 2 * count)]
-        for row, slide in zip(ends, slides, strict=True):
-            if slide is not None:
-                tangency = np.zeros((2, count))
-                tangency[slide.axis] = row
-                rows.append(np.array([tangency.ravel() @ values.ravel()]))
-                matrix.append(tangency.reshape(1, -1))
-        return np.concatenate(rows), np.concatenate(matrix)[:, columns]
-
     span = np.ptp(values, axis=1).max()
-    residual, jacobian = system(values)
+    residual, jacobian = problem.system(values)
     for _ in range(MAX_ITERATIONS):
-        try:
-            direction = np.zeros(2 * count)
-            direction[columns] = np.linalg.solve(jacobian, -residual)
-        except np.linalg.LinAlgError:
-            return None
+        direction = problem.direction(residual, jacobian)
         size = np.abs(direction).max()
         if not np.isfinite(size):
             return None
-        moved = direction.reshape(2, count)
         if size < LAST_STEP * span:
-            return np.asarray(values + moved)
+            return np.asarray(values + direction)
         step = min(1.0, LONGEST_STEP / size)
+        norm = np.linalg.norm(residual)
         while True:
-            trial = values + step * moved
-            new_residual, new_jacobian = system(trial)
-            if np.linalg.norm(new_residual) < np.linalg.norm(residual):
+            trial = values + step * direction
+            residual, jacobian = problem.system(trial)
+            if np.linalg.norm(residual) < norm:
                 break
             step /= 2.0
             if step < SMALLEST_STEP:
                 return None
-        values, residual, jacobian = trial, new_residual, new_jacobian
+        values = trial
     return None
+
+
+@dataclass(frozen=True)
+class _Sliding:
+    """The collocation equations, and a tangency for each end that slides."""
+
+    surface: Surface
+    space: TrialSpace
+    slides: tuple[Contact | None, Contact | None]
+
+    @cached_property
+    def unknowns(self) -> NDArray[np.int64]:
+        """Which of u and v at the nodes, one after the other, are to be found."""
+        unknown = np.zeros((2, self.space.size + 1), bool)
+        unknown[:, 1:-1] = True
+        for node, slide in zip((0, -1), self.slides, strict=True):
+            if slide is not None:
+                unknown[1 - slide.axis, node] = True
+        return np.flatnonzero(unknown)
+
+    @cached_property
+    def tangencies(self) -> _Array:
+        """One row an end that slides: the derivative of the coordinate that its edge fixes."""
+        slopes = self.space.matrices(np.array([0.0, 1.0]))[1]
+        rows = np.zeros((2, 2, self.space.size + 1))
+        for row, slope, slide in zip(rows, slopes, self.slides, strict=True):
+            if slide is not None:
+                row[slide.axis] = slope
+        sliding = [slide is not None for slide in self.slides]
+        return rows.reshape(2, -1)[sliding]
+
+    def system(self, values: _Array) -> tuple[_Array, _Array]:
+        """The equations' left sides, and their derivatives by the unknowns."""
+        residual, jacobian = residual_and_jacobian(
+            self.surface, self.space, values[None], ends=True
+        )
+        matrix = np.concatenate([jacobian.reshape(residual.size, -1), self.tangencies])
+        sides = np.concatenate([residual.ravel(), self.tangencies @ values.ravel()])
+        return sides, matrix[:, self.unknowns]
+
+    def direction(self, residual: _Array, jacobian: _Array) -> _Array:
+        """Newton's direction, of the shape of the values; NaN if the system is singular."""
+        direction = np.zeros(2 * (self.space.size + 1))
+        try:
+            direction[self.unknowns] = np.linalg.solve(jacobian, -residual)
+        except np.linalg.LinAlgError:
+            direction[:] = np.nan
+        return direction.reshape(2, -1)
