@@ -8,6 +8,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.degeneracy import SAME_PLACE, side_control_points
 from bodymeasure.atlas.seams import edge_table
 from bodymeasure.bezier import bernstein
@@ -136,11 +137,7 @@ def welded_index(index: NDArray[np.int64], edges: FreeEdges, seams: NearSeams) -
     second = forwards[seams.second[seams.coincide]]
     second = np.where(seams.turned[seams.coincide, None], second[:, ::-1], second)
     count = int(index.max()) + 1
-    links = scipy.sparse.coo_array(
-        (np.ones(first.size, dtype=np.int8), (first.ravel(), second.ravel())), shape=(count, count)
-    )
-    _, label = scipy.sparse.csgraph.connected_components(links, directed=False)
-    return np.asarray(label[index], dtype=np.int64)
+    return connected_components(first.ravel(), second.ravel(), count)[index]
 
 
 def t_junctions(edges: FreeEdges) -> tuple[NDArray[np.int64], NDArray[np.int64]]:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
+from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.normals import normal_vectors
 from bodymeasure.atlas.seams import EDGES, EdgeTable
 
@@ -67,10 +67,7 @@ def turned_patches(seams: Seams, count: int) -> tuple[NDArray[np.int64], list[ND
     other = np.where(seams.consistent, 0, count)
     rows = np.concatenate([first, first + count])
     columns = np.concatenate([second + other, second + count - other])
-    links = scipy.sparse.coo_array(
-        (np.ones(len(rows), dtype=np.int8), (rows, columns)), shape=(2 * count, 2 * count)
-    )
-    _, label = scipy.sparse.csgraph.connected_components(links, directed=False)
+    label = connected_components(rows, columns, 2 * count)
     as_is, flipped = label[:count], label[count:]
     part = np.minimum(as_is, flipped)
     one_sided = np.unique(part[as_is == flipped])
@@ -87,12 +84,7 @@ def turned_patches(seams: Seams, count: int) -> tuple[NDArray[np.int64], list[ND
 def parts(seams: Seams, count: int) -> NDArray[np.int64]:
     """Number of the connected part that each patch belongs to, shape (patches,)."""
     first, second = seams.patch.T
-    links = scipy.sparse.coo_array(
-        (np.ones(len(first), dtype=np.int8), (first, second)), shape=(count, count)
-    )
-    return np.asarray(
-        scipy.sparse.csgraph.connected_components(links, directed=False)[1], dtype=np.int64
-    )
+    return connected_components(first, second, count)
 
 
 def kink_angles(control_points: NDArray[np.float64], seams: Seams) -> NDArray[np.float64]:

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.geodesic.free_piece import Contact, solve_free_piece
-from bodymeasure.geodesic.length_error import TRUSTED_CORRECTION, MeasuredLength, measure_length
+from bodymeasure.geodesic.ladder import is_good
+from bodymeasure.geodesic.length_error import MeasuredLength, measure_length
 from bodymeasure.geodesic.method import EdgeContact
 from bodymeasure.geodesic.piecewise import PiecewisePolynomials
 from bodymeasure.geodesic.quadrature import Quadrature
@@ -174,18 +175,15 @@ def _solve_free(
     tolerance: float,
 ) -> tuple[TrialSpace, _Array, MeasuredLength] | None:
     polygon = points[leg.first : leg.last + 1]
-    guess = polygon
     times = np.linspace(0.0, 1.0, len(polygon))
     for space in spaces:
-        start = np.stack([np.interp(space.nodes, times, guess[:, axis]) for axis in (0, 1)])
+        start = np.stack([np.interp(space.nodes, times, polygon[:, axis]) for axis in (0, 1)])
         values = solve_free_piece(surface, space, start, leg.slides)
         if values is None:
             continue
-        path = values @ space.between_nodes.T
         measured = measure_length(surface, space, values[None])
-        small = abs(measured.correction[0]) <= TRUSTED_CORRECTION * measured.raw[0]
-        inside = (np.abs(path - 0.5) <= 0.5 + OVERSHOOT).all()
-        if inside and small and measured.error[0] <= tolerance * measured.raw[0]:
+        inside = not space.leaves_patch(values[None], OVERSHOOT)[0]
+        if inside and is_good(measured, tolerance)[0]:
             return space, values, measured
     return None
 

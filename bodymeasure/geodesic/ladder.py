@@ -113,8 +113,7 @@ def _is_far_outside(piece: Piece, solved: NDArray[np.bool_]) -> NDArray[np.bool_
     """
     result = np.zeros(len(piece.problems), bool)
     rows = np.flatnonzero(~piece.converged & solved)
-    path = piece.values[rows] @ piece.space.between_nodes.T
-    result[rows] = (np.abs(path - 0.5) > 0.5 + FAR_OUTSIDE).any(axis=(1, 2))
+    result[rows] = piece.space.leaves_patch(piece.values[rows], FAR_OUTSIDE)
     return result
 
 

@@ -79,6 +79,11 @@ class MeasuredLength:
     residual: _Array
     minimal: NDArray[np.bool_]
 
+    @property
+    def corrected(self) -> _Array:
+        """The length of the geodesic: of the path, less its excess."""
+        return self.raw - self.correction
+
     def take(self, rows: NDArray[np.int64]) -> MeasuredLength:
         """The lengths of some of the problems."""
         return MeasuredLength(*(getattr(self, field.name)[rows] for field in fields(self)))

@@ -55,9 +55,7 @@ def minimize(
         Problems that are done, either way, drop out of the work.
     """
     count = len(start)
-    result = NewtonResult(
-        start.copy(), np.zeros(count, bool), np.zeros(count, bool), np.zeros(count, np.int64)
-    )
+    result = NewtonResult.unsolved(start)
     metric = _slope_products(functional, space)
     active = np.arange(count)
     span = np.abs(start[:, :, -1] - start[:, :, 0]).max(axis=1)

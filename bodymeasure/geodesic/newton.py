@@ -43,6 +43,12 @@ class NewtonResult:
     singular: NDArray[np.bool_]
     iterations: NDArray[np.int64]
 
+    @classmethod
+    def unsolved(cls, start: NDArray[np.float64]) -> NewtonResult:
+        """Where it begins: at a first guess of shape (problems, 2, n + 1)."""
+        none = np.zeros(len(start), bool)
+        return cls(start.copy(), none, none.copy(), np.zeros(len(start), np.int64))
+
 
 def newton(
     surface: Surface,
@@ -68,9 +74,7 @@ def newton(
         Problems that are done, either way, drop out of the work.
     """
     count = len(start)
-    result = NewtonResult(
-        start.copy(), np.zeros(count, bool), np.zeros(count, bool), np.zeros(count, np.int64)
-    )
+    result = NewtonResult.unsolved(start)
     active = np.arange(count)
     span = np.abs(start[:, :, -1] - start[:, :, 0]).max(axis=1)
     base = start

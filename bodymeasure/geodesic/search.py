@@ -73,6 +73,9 @@ def search_further(
     for piece in result.pieces:
         good = piece.converged & piece.measured.minimal & ~is_outside(piece)
         again = np.flatnonzero(~good if search == "quick" else np.ones_like(good))
+        if len(again) == 0:
+            pieces.append(piece)
+            continue
         replaced = np.zeros(len(good), bool)
         converged = piece.converged.copy()
         paths = (piece.values[again] @ piece.space.matrices(times)[0].T).transpose(0, 2, 1)
@@ -93,16 +96,15 @@ def search_further(
 
 def is_outside(piece: Piece) -> NDArray[np.bool_]:
     """Which paths leave their patch."""
-    path = piece.values @ piece.space.between_nodes.T
-    return np.asarray((np.abs(path - 0.5) > 0.5 + OUTSIDE).any(axis=(1, 2)))
+    return piece.space.leaves_patch(piece.values, OUTSIDE)
 
 
 def _length(piece: Piece, row: np.integer) -> float:
-    return float(piece.measured.raw[row] - piece.measured.correction[row])
+    return float(piece.measured.corrected[row])
 
 
 def _bound(found: ContactPath) -> float:
-    return float((found.measured.raw - found.measured.correction)[0]) * (1.0 + SHORTER)
+    return float(found.measured.corrected[0]) * (1.0 + SHORTER)
 
 
 def _as_piece(problem: NDArray[np.int64], found: ContactPath) -> Piece:

@@ -112,7 +112,7 @@ def _shortest(
         return Found(None, polygon)
     best = min(
         (path for path in polished if path is not None),
-        key=lambda path: float((path.measured.raw - path.measured.correction)[0]),
+        key=lambda path: float(path.measured.corrected[0]),
     )
     return Found(best, polygon)
 

@@ -152,7 +152,7 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
     for piece in result.pieces:
         here, measured = piece.problems, piece.measured
         raw[here] = measured.raw * scale[here]
-        length[here] = (measured.raw - measured.correction) * scale[here]
+        length[here] = measured.corrected * scale[here]
         error[here] = measured.error * scale[here]
         residual[here] = measured.residual
         minimal[here] = measured.minimal
@@ -228,12 +228,17 @@ def _checked_control_points(value: Any) -> _Array:
     bad = np.flatnonzero(~np.isfinite(flat).all(axis=(1, 2, 3)))
     if len(bad):
         raise InputError(f"patch {bad[0]} has control points that are not finite")
-    collapsed = np.flatnonzero(np.ptp(flat, axis=(1, 2)).max(axis=-1) == 0.0)
+    collapsed = collapsed_patches(flat)
     if len(collapsed):
         raise InputError(
             f"patch {collapsed[0]} is degenerate: all its control points are equal; remove it"
         )
     return nets
+
+
+def collapsed_patches(control_points: _Array) -> NDArray[np.int64]:
+    """Numbers of the patches, shape (patches, m + 1, n + 1, 3), whose points are all equal."""
+    return np.flatnonzero(np.ptp(control_points, axis=(1, 2)).max(axis=-1) == 0.0)
 
 
 def _normalized(nets: _Array) -> tuple[_Array, _Array]:

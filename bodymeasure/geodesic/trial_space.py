@@ -71,6 +71,17 @@ class TrialSpace:
         """The maps of `matrices` at the quadrature points."""
         return self.matrices(self.quadrature.points)
 
+    def leaves_patch(self, values: _Array, margin: float) -> NDArray[np.bool_]:
+        """Which paths go further than a margin outside [0, 1], in u or v.
+
+        Parameters
+        ----------
+        values : ndarray, shape (problems, 2, n + 1)
+        margin : float
+        """
+        path = values @ self.between_nodes.T
+        return np.asarray((np.abs(path - 0.5) > 0.5 + margin).any(axis=(1, 2)))
+
     @cached_property
     def between_nodes(self) -> _Array:
         """Map to values at points that lie close together everywhere, shape (k, n + 1)."""

@@ -9,6 +9,7 @@ import numpy as np
 from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import GeodesicSolution, Method, Search, solve_geodesic
+from bodymeasure.geodesic.solve import collapsed_patches
 
 # Ends (u, v) of a patch's two diagonals; shape (2, 2).
 DIAGONAL_STARTS = np.array([[0.0, 0.0], [1.0, 0.0]])
@@ -46,8 +47,8 @@ def diagonals(
         If a patch is collapsed to a point. Whether patches are folded, and the like, is for
         `check_atlas` to say.
     """
-    extent = np.ptp(atlas.control_points, axis=(1, 2)).max(axis=-1)
-    collapsed = np.flatnonzero(extent == 0.0)
+    # As the solver would say, but by name.
+    collapsed = collapsed_patches(atlas.control_points)
     if len(collapsed):
         raise InputError(
             f"patch {atlas.patch_names[collapsed[0]]!r} is collapsed: all its control points are "
