@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.geodesic.free_piece import Contact, solve_free_piece
-from bodymeasure.geodesic.ladder import is_good
-from bodymeasure.geodesic.length_error import MeasuredLength, measure_length
+from bodymeasure.geodesic.length_error import MeasuredLength, is_good, measure_length
 from bodymeasure.geodesic.method import EdgeContact
 from bodymeasure.geodesic.piecewise import PiecewisePolynomials
 from bodymeasure.geodesic.quadrature import Quadrature
@@ -200,7 +199,7 @@ def _arc(
         places = begin + rule.points[:, None] * (end - begin)
         jet = surface.jet(places[None], 1)
         velocity = jet[1] * (end - begin)[0] + jet[2] * (end - begin)[1]
-        lengths.append(rule.integrate(np.sqrt((velocity * velocity).sum(axis=0))))
+        lengths.append(rule.integrate(np.sqrt((velocity * velocity).sum(axis=0)).T))
     length = lengths[1]
     measured = MeasuredLength(
         raw=length,

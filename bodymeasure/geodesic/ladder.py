@@ -8,11 +8,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.geodesic.length_error import (
-    TRUSTED_CORRECTION,
-    MeasuredLength,
-    measure_length,
-)
+from bodymeasure.geodesic.length_error import is_good, measure_length
 from bodymeasure.geodesic.method import MethodResult, Piece
 from bodymeasure.geodesic.newton import MAX_ITERATIONS, NewtonResult, newton
 from bodymeasure.geodesic.surface import Surface
@@ -122,11 +118,3 @@ def straight(start: _Array, end: _Array, nodes: _Array) -> _Array:
     line: _Array = start[:, :, None] + (end - start)[:, :, None] * nodes
     line[:, :, -1] = end
     return line
-
-
-def is_good(measured: MeasuredLength, tolerance: float) -> NDArray[np.bool_]:
-    """Whether lengths are known to a relative tolerance, and their corrections to be trusted."""
-    result: NDArray[np.bool_] = (measured.error <= tolerance * measured.raw) & (
-        np.abs(measured.correction) <= TRUSTED_CORRECTION * measured.raw
-    )
-    return result

@@ -28,14 +28,13 @@ the correction is a small part of the length (`TRUSTED_CORRECTION`).
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from functools import lru_cache
 
+import array_api_compat.numpy
 import numpy as np
-from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
+from bodymeasure.geodesic.jacobi import judge
 from bodymeasure.geodesic.path_geometry import path_geometry
-from bodymeasure.geodesic.quadrature import Quadrature
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
 
@@ -43,15 +42,6 @@ _Array = NDArray[np.float64]
 
 # The expansion is leading order: past this part of the length the correction is not to be trusted.
 TRUSTED_CORRECTION = 1e-4
-# See the module's text.
-SAFETY = 3.0
-QUADRATURE_SAFETY = 10.0
-CURVATURE_VARIATION = 4.0
-# Rounding errors of a length, relative, a node: measured against 40-node solutions.
-ROUNDING = 2e-16
-# If the length times the integral of the positive part of K is below this, no conjugate point can
-# lie on the path: Lyapunov's inequality (P. Hartman, Ordinary Differential Equations, XI.5.1).
-LYAPUNOV_BOUND = 4.0
 
 
 @dataclass(frozen=True)
@@ -99,126 +89,17 @@ def measure_length(surface: Surface, space: TrialSpace, values: _Array) -> Measu
     values : ndarray, shape (problems, 2, n + 1)
         u and v at the nodes.
     """
-    quadrature = space.quadrature
     place, *slopes = space.at_quadrature
     # As in `equations`: rounding of the sums that differentiate must not grow with the place.
     moved = values - values[:, :, :1]
     geometry = path_geometry(surface, values @ place.T, *(moved @ rows.T for rows in slopes))
-    speed, kappa, curvature = (
-        geometry.speed,
-        geometry.geodesic_curvature,
-        geometry.gaussian_curvature,
-    )
-    length = quadrature.integrate(speed)
-    modes = _modes(quadrature, space.size)
-    # The Galerkin system of the Jacobi equation, with d/ds = (1 / speed) d/dt and ds = speed dt.
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        weighted = quadrature.weights * speed
-        stiffness = (quadrature.weights / speed) @ modes.slope_products
-        stiffness -= (weighted * curvature) @ modes.value_products
-        stiffness = stiffness.reshape(-1, modes.count, modes.count)
-        load = (weighted * kappa) @ modes.values
-        solution, solvable = _solve(stiffness, load)
-        by_mode = 0.5 * load * solution
-        correction = by_mode.sum(axis=1)
-        shift = solution @ modes.values.T
-        slope = (solution @ modes.slopes.T) / speed
-        left_out = np.abs(by_mode[:, -2:]).sum(axis=1)
-        error = SAFETY * (
-            left_out
-            + _next_order(quadrature, geometry.speed, kappa, curvature, shift, slope, length)
-            + QUADRATURE_SAFETY * quadrature.error_estimate(speed)
-        )
-    # Besides sums of many terms, what is left over of the solution of the collocation equations.
-    error += ROUNDING * (10.0 + space.size) * length
-    minimal = _is_minimal(
-        stiffness, quadrature.integrate(np.maximum(curvature, 0.0) * speed), length
-    )
-    return MeasuredLength(
-        raw=length,
-        correction=correction,
-        error=np.where(solvable & np.isfinite(error), error, np.inf),
-        residual=np.abs(kappa).max(axis=1) * length,
-        minimal=minimal & solvable,
-    )
+        return MeasuredLength(*judge(space, geometry, array_api_compat.numpy))
 
 
-def _next_order(
-    quadrature: Quadrature,
-    speed: _Array,
-    kappa: _Array,
-    curvature: _Array,
-    shift: _Array,
-    slope: _Array,
-    length: _Array,
-) -> _Array:
-    along = np.abs(np.diff(curvature, axis=1) / np.diff(quadrature.points))
-    variation = (along / np.minimum(speed[:, 1:], speed[:, :-1])).max(axis=1)
-    variation += CURVATURE_VARIATION * np.abs(curvature).max(axis=1) / length
-    square, shift_square = slope * slope, shift * shift
-    cubic = quadrature.integrate(np.abs(shift) * shift_square * speed) * variation / 6.0
-    quartic = np.abs(kappa * shift) * square / 2.0 + square * square / 8.0
-    quartic += (curvature * shift_square) ** 2
-    result: _Array = cubic + quadrature.integrate(quartic * speed)
+def is_good(measured: MeasuredLength, tolerance: float) -> NDArray[np.bool_]:
+    """Whether lengths are known to a relative tolerance, and their corrections to be trusted."""
+    result: NDArray[np.bool_] = (measured.error <= tolerance * measured.raw) & (
+        np.abs(measured.correction) <= TRUSTED_CORRECTION * measured.raw
+    )
     return result
-
-
-def _is_minimal(stiffness: _Array, positive_curvature: _Array, length: _Array) -> NDArray[np.bool_]:
-    """Whether the second variation of length is positive definite; the cheap test first."""
-    minimal = positive_curvature * length < LYAPUNOV_BOUND
-    doubtful = np.flatnonzero(~minimal & np.isfinite(stiffness).all(axis=(1, 2)))
-    if len(doubtful):
-        minimal[doubtful] = np.linalg.eigvalsh(stiffness[doubtful])[:, 0] > 0.0
-    return minimal
-
-
-def _solve(matrix: _Array, right: _Array) -> tuple[_Array, NDArray[np.bool_]]:
-    solvable = np.asarray(np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(right).all(axis=1))
-    if not solvable.all():
-        matrix = np.where(solvable[:, None, None], matrix, np.eye(matrix.shape[-1]))
-        right = np.where(solvable[:, None], right, 0.0)
-    try:
-        solution = np.linalg.solve(matrix, right[..., None])[..., 0].astype(np.float64)
-    except np.linalg.LinAlgError:
-        # One of the batch is exactly singular: it has a conjugate point at its very end.
-        regular = np.abs(np.linalg.eigvalsh(matrix)).min(axis=1) > 0.0
-        solvable &= regular
-        matrix = np.where(solvable[:, None, None], matrix, np.eye(matrix.shape[-1]))
-        solution = np.linalg.solve(matrix, right[..., None])[..., 0].astype(np.float64)
-    return solution, solvable
-
-
-@dataclass(frozen=True)
-class _Modes:
-    """Functions on [0, 1] that vanish at its ends, at the points of a quadrature.
-
-    Integrated Legendre polynomials, scaled so that their slopes are orthonormal: the Jacobi
-    system is then nearly the identity divided by the length.
-    """
-
-    count: int
-    values: _Array
-    slopes: _Array
-    value_products: _Array
-    slope_products: _Array
-
-
-@lru_cache(maxsize=32)
-def _modes_on(points: tuple[float, ...], count: int) -> _Modes:
-    x = 2.0 * np.array(points) - 1.0
-    basis = legendre.legvander(x, count + 1)
-    k = np.arange(1, count + 1)
-    values = (basis[:, 2:] - basis[:, :-2]) / (2.0 * np.sqrt(2.0 * k + 1.0))
-    slopes = np.sqrt(2.0 * k + 1.0) * basis[:, 1:-1]
-    return _Modes(
-        count,
-        values,
-        slopes,
-        (values[:, :, None] * values[:, None, :]).reshape(len(x), -1),
-        (slopes[:, :, None] * slopes[:, None, :]).reshape(len(x), -1),
-    )
-
-
-def _modes(quadrature: Quadrature, size: int) -> _Modes:
-    """Twice as many modes as the path has, which is as far as the quadrature reaches."""
-    return _modes_on(tuple(quadrature.points), min(2 * size, len(quadrature.points) - 3))

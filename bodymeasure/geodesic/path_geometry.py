@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,23 +13,22 @@ from bodymeasure.geodesic.surface import Surface
 _Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class PathGeometry:
-    """What a path looks like on its surface at k points; arrays of shape (problems, k).
+class PathGeometry(NamedTuple):
+    """What paths look like on their surfaces at k points; arrays of shape (k, problems).
 
     Parameters
     ----------
-    speed : ndarray
+    speed : array
         ``|dx/dt|``.
-    geodesic_curvature : ndarray
+    geodesic_curvature : array
         How much the path bends within the surface: 0 along a geodesic.
-    gaussian_curvature : ndarray
+    gaussian_curvature : array
         Of the surface.
     """
 
-    speed: _Array
-    geodesic_curvature: _Array
-    gaussian_curvature: _Array
+    speed: Any
+    geodesic_curvature: Any
+    gaussian_curvature: Any
 
 
 def path_geometry(
@@ -62,7 +61,7 @@ def path_geometry(
         gaussian_curvature = (
             dot(s_uu, normal) * dot(s_vv, normal) - dot(s_uv, normal) ** 2
         ) / area_squared**2
-    return PathGeometry(speed, geodesic_curvature, gaussian_curvature)
+    return PathGeometry(speed.T, geodesic_curvature.T, gaussian_curvature.T)
 
 
 def _cross(a: _Array, b: _Array) -> _Array:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
+
+from bodymeasure.geodesic.arrays import constant
 
 
 class Quadrature:
@@ -28,26 +31,35 @@ class Quadrature:
         self.weights = (self.widths[:, None] * weights / 2.0).ravel()
 
     @cached_property
-    def _last_coefficients(self) -> NDArray[np.float64]:
+    def _coefficients(self) -> NDArray[np.float64]:
         """From values on one piece to its mean and its last two Legendre coefficients."""
         nodes, weights = legendre.leggauss(self.count)
         transform = legendre.legvander(nodes, self.count - 1) * weights[:, None]
         transform *= np.arange(self.count) + 0.5
-        return np.asarray(transform[:, [0, -2, -1]])
+        return np.ascontiguousarray(transform[:, [0, -2, -1]].T)
 
     def integrate(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Integral over [0, 1] of functions given at the points, shape (..., points)."""
-        return np.asarray(values @ self.weights)
+        """Integral over [0, 1] of functions given at the points, shape (points, ...)."""
+        return np.asarray(np.tensordot(self.weights, values, 1))
 
-    def error_estimate(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Size of the quadrature's error for positive functions, same shape as the integral.
+    def error_estimate(self, values: Any, xp: Any = np) -> Any:
+        """Size of the quadrature's error for positive functions.
 
         An m-point rule is exact up to degree 2m - 1. Where the last Legendre coefficients that the
         points can tell are a part eps of the mean, those of twice the degree, which the rule gets
         wrong, are about eps squared.
+
+        Parameters
+        ----------
+        values : array, shape (points, functions)
+        xp : namespace of the array
+
+        Returns
+        -------
+        array, shape (functions,)
         """
-        pieces = values.reshape(*values.shape[:-1], len(self.widths), self.count)
-        mean, *last = np.moveaxis(np.abs(pieces @ self._last_coefficients), -1, 0)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            excess = np.maximum(*last) ** 2 / mean
-        return np.asarray(excess @ self.widths)
+        pieces = xp.reshape(values, (len(self.widths), self.count, -1))
+        sizes = xp.abs(constant(self._coefficients, values, xp) @ pieces)
+        last = xp.max(sizes[:, 1:, :], axis=1)
+        widths = constant(self.widths, values, xp)
+        return widths @ (last * last / sizes[:, 0, :])

@@ -7,8 +7,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.geodesic.ladder import is_good, straight
-from bodymeasure.geodesic.length_error import measure_length
+from bodymeasure.geodesic.ladder import straight
+from bodymeasure.geodesic.length_error import is_good, measure_length
 from bodymeasure.geodesic.method import Piece
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import Surface

@@ -97,9 +97,9 @@ def test_geodesic_curvature_of_a_circle_in_a_plane(radius: float) -> None:
     geometry = path_geometry(
         flat, 0.5 + circle[None], circle[None][:, ::-1] * [[-1], [1]], -circle[None]
     )
-    np.testing.assert_allclose(geometry.speed[0], radius, rtol=1e-14)
-    np.testing.assert_allclose(np.abs(geometry.geodesic_curvature[0]), 1 / radius, rtol=1e-13)
-    np.testing.assert_allclose(geometry.gaussian_curvature[0], 0.0, atol=1e-14)
+    np.testing.assert_allclose(geometry.speed[:, 0], radius, rtol=1e-14)
+    np.testing.assert_allclose(np.abs(geometry.geodesic_curvature[:, 0]), 1 / radius, rtol=1e-13)
+    np.testing.assert_allclose(geometry.gaussian_curvature[:, 0], 0.0, atol=1e-14)
 
 
 def test_gaussian_curvature_of_ennepers_surface() -> None:
@@ -108,10 +108,10 @@ def test_gaussian_curvature_of_ennepers_surface() -> None:
     ones = np.ones((1, 2, 3))
     geometry = path_geometry(BezierSurfaces(ENNEPER[None]), points.T[None], ones, 0 * ones)
     exact = -4 / (1 + (points**2).sum(axis=1)) ** 4
-    np.testing.assert_allclose(geometry.gaussian_curvature[0], exact, rtol=1e-12)
+    np.testing.assert_allclose(geometry.gaussian_curvature[:, 0], exact, rtol=1e-12)
     # |S_u| = |S_v| = 1 + u^2 + v^2
     np.testing.assert_allclose(
-        geometry.speed[0], np.sqrt(2) * (1 + (points**2).sum(axis=1)), rtol=1e-14
+        geometry.speed[:, 0], np.sqrt(2) * (1 + (points**2).sum(axis=1)), rtol=1e-14
     )
 
 

@@ -136,7 +136,7 @@ def jacobi_eigenvalue(net: Array, values: Array) -> tuple[float, float]:
     t = (np.arange(1, n)) / n
     place, velocity, second = (values @ rows.T for rows in SPACE.matrices(t))
     geometry = path_geometry(BezierSurfaces(net[None]), place[None], velocity[None], second[None])
-    speed, curvature = geometry.speed[0], geometry.gaussian_curvature[0]
+    speed, curvature = geometry.speed[:, 0], geometry.gaussian_curvature[:, 0]
     # Constant speed, to a small part: then s = t L.
     length = float(speed.mean())
     matrix = np.diag(2.0 * n * n / length**2 - curvature)

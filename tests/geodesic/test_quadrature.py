@@ -32,9 +32,9 @@ def test_it_is_off_by_the_known_amount_at_degree_2m(edges: list[float], count: i
 
 def test_many_functions_at_once() -> None:
     rule = Quadrature(np.array([0.0, 0.5, 1.0]), 8)
-    values = np.stack([rule.points, rule.points**2])[None] + 1.0
-    np.testing.assert_allclose(rule.integrate(values), [[1.5, 4.0 / 3.0]], rtol=1e-15)
-    assert rule.error_estimate(values).shape == (1, 2)
+    values = np.stack([rule.points, rule.points**2], axis=1) + 1.0
+    np.testing.assert_allclose(rule.integrate(values), [1.5, 4.0 / 3.0], rtol=1e-15)
+    assert rule.error_estimate(values).shape == (2,)
 
 
 @pytest.mark.parametrize("pole", [0.05, 0.1, 0.3, 1.0])
@@ -48,7 +48,7 @@ def test_its_error_estimate_is_close_above_the_error(pole: float, pieces: int) -
         rule, fine = Quadrature(edges, 24), Quadrature(np.linspace(0.0, 1.0, 65), 30)
         speed, exact = (np.hypot(q.points - center, pole) for q in (rule, fine))
         error = abs(float(rule.integrate(speed) - fine.integrate(exact)))
-        estimate = float(rule.error_estimate(speed)) + 1e-15
+        estimate = float(rule.error_estimate(speed[:, None])[0]) + 1e-15
         # `length_error` takes ten times the estimate.
         above &= error <= 10.0 * estimate
         if error > 1e-14:
@@ -59,4 +59,4 @@ def test_its_error_estimate_is_close_above_the_error(pole: float, pieces: int) -
 
 def test_an_estimate_of_a_polynomial_within_reach_is_rounding() -> None:
     rule = Quadrature(np.array([0.0, 1.0]), 12)
-    assert rule.error_estimate(1.0 + rule.points**9) < 1e-28
+    assert rule.error_estimate(1.0 + rule.points[:, None] ** 9)[0] < 1e-28

@@ -183,7 +183,7 @@ def test_second_derivatives_are_continuous_across_the_ends_of_supports() -> None
 def test_quadrature_of_a_space_keeps_to_its_pieces() -> None:
     trial = space(WU_C2, *LAYOUTS["short supports"])
     # Piecewise polynomials are integrated exactly only if no piece is cut across.
-    integral = trial.quadrature.integrate(trial.at_quadrature[1].T)
+    integral = trial.quadrature.integrate(trial.at_quadrature[1])
     ends = trial.matrices([0.0, 1.0])[0]
     np.testing.assert_allclose(integral, ends[1] - ends[0], atol=1e-13)
 

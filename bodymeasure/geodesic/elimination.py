@@ -1,0 +1,85 @@
+"""Gaussian elimination of many small systems at once: the batch runs along the last axis.
+
+Every step is one operation on arrays as long as the batch, and none writes in place, so that
+arrays of any library serve (the Python array API standard).
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+
+def solve_batch(matrix: Any, right: Any, xp: Any) -> Any:
+    """Solve systems without pivoting.
+
+    A system that would need it ends in numbers that are huge or not finite, for the caller to see.
+
+    Parameters
+    ----------
+    matrix : array, shape (n, n, problems)
+    right : array, shape (n, problems)
+    xp : namespace of the arrays
+
+    Returns
+    -------
+    array, shape (n, problems)
+    """
+    rows = []
+    size = matrix.shape[0]
+    for _ in range(size):
+        inverse = 1.0 / matrix[0, 0, :]
+        rows.append((inverse, matrix[0, 1:, :], right[0, :]))
+        factors = matrix[1:, 0, :] * inverse
+        right = right[1:, :] - factors * rows[-1][2]
+        matrix = matrix[1:, 1:, :] - factors[:, None, :] * rows[-1][1][None, :, :]
+    solution: list[Any] = []
+    for inverse, row, value in reversed(rows):
+        for factor, known in zip(range(row.shape[0]), solution, strict=True):
+            value = value - row[factor, :] * known
+        solution.insert(0, value * inverse)
+    return xp.stack(solution)
+
+
+class SymmetricSolution(NamedTuple):
+    """Solutions of symmetric systems, and what elimination tells of the matrices.
+
+    Parameters
+    ----------
+    solution : array, shape (n, problems)
+    pivots : array, shape (n, problems)
+        As many are negative as eigenvalues are: Sylvester's law of inertia.
+    """
+
+    solution: Any
+    pivots: Any
+
+
+def solve_symmetric(columns: list[Any], right: Any, xp: Any) -> SymmetricSolution:
+    """Solve symmetric systems without pivoting.
+
+    Parameters
+    ----------
+    columns : list of array, n of them
+        Column j of the lower triangle, from the diagonal down, shape (n - j, problems).
+    right : array, shape (n, problems)
+    xp : namespace of the arrays
+    """
+    size = len(columns)
+    # The right side stands below each column as one more row of the matrix.
+    columns = [xp.concat([column, right[j : j + 1, :]]) for j, column in enumerate(columns)]
+    factors: list[Any] = []
+    pivots: list[Any] = []
+    for i in range(size):
+        column = columns[i]
+        factor = column[1:, :] / column[0, :]
+        pivots.append(column[0, :])
+        factors.append(factor)
+        for j in range(i + 1, size):
+            columns[j] = columns[j] - factor[j - i - 1 :, :] * column[j - i, :]
+    solution: list[Any] = []
+    for factor in reversed(factors):
+        value = factor[-1, :]
+        for k, known in enumerate(solution):
+            value = value - factor[k, :] * known
+        solution.insert(0, value)
+    return SymmetricSolution(xp.stack(solution), xp.stack(pivots))

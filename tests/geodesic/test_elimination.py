@@ -1,0 +1,52 @@
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.geodesic.elimination import solve_batch, solve_symmetric
+
+Array = NDArray[np.float64]
+
+
+def systems(rng: np.random.Generator, size: int) -> tuple[Array, Array]:
+    """Well-conditioned systems that need no pivoting, batch first."""
+    matrices = rng.normal(size=(7, size, size))
+    matrices += 3.0 * size * np.eye(size)
+    return matrices, rng.normal(size=(7, size))
+
+
+def test_many_systems_at_once(rng: np.random.Generator) -> None:
+    for size in (1, 2, 5, 9):
+        matrix, right = systems(rng, size)
+        expected = np.linalg.solve(matrix, right[..., None])[..., 0]
+        found = solve_batch(np.moveaxis(matrix, 0, -1), right.T, np)
+        np.testing.assert_allclose(found.T, expected, rtol=1e-12)
+
+
+def lower_columns(matrix: Array) -> list[Array]:
+    return [matrix[:, j:, j].T for j in range(matrix.shape[1])]
+
+
+def test_symmetric_systems_and_the_signs_of_their_eigenvalues(rng: np.random.Generator) -> None:
+    for size in (1, 2, 6, 16):
+        root = rng.normal(size=(7, size, size))
+        signs = rng.choice([-1.0, 1.0], size=(7, 1, size))
+        matrix = (root * signs) @ root.transpose(0, 2, 1)
+        right = rng.normal(size=(7, size))
+        found = solve_symmetric(lower_columns(matrix), right.T, np)
+        residual = np.einsum("pij,jp->pi", matrix, found.solution) - right
+        scale = np.abs(matrix).max() * np.abs(found.solution).max()
+        assert np.abs(residual).max() < 1e-11 * scale
+        negative = (np.linalg.eigvalsh(matrix) < 0.0).sum(axis=1)
+        np.testing.assert_array_equal((found.pivots < 0.0).sum(axis=0), negative)
+
+
+def test_a_singular_system_shows_and_leaves_the_others_alone() -> None:
+    matrix = np.stack([np.zeros((2, 2)), 2.0 * np.eye(2)])
+    right = np.ones((2, 2))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        general = solve_batch(np.moveaxis(matrix, 0, -1), right.T, np)
+        symmetric = solve_symmetric(lower_columns(matrix), right.T, np).solution
+    for solution in (general, symmetric):
+        assert not np.isfinite(solution[:, 0]).all()
+        np.testing.assert_array_equal(solution[:, 1], 0.5)
