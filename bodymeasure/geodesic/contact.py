@@ -206,7 +206,7 @@ def _arc(
         correction=np.zeros(1),
         error=2.0 * np.abs(lengths[1] - lengths[0]) + 1e-15 * length,
         residual=np.zeros(1),
-        minimal=np.ones(1, bool),
+        index=np.zeros(1, np.int64),
     )
     return space, values, measured
 
@@ -241,12 +241,5 @@ def _joined(
         functions=PiecewisePolynomials(edges, coefficients),
         description=" + ".join(space.description for space, _, _ in parts),
     )
-    each = [measured for _, _, measured in parts]
-    measured = MeasuredLength(
-        raw=np.sum([m.raw for m in each], axis=0),
-        correction=np.sum([m.correction for m in each], axis=0),
-        error=np.sum([m.error for m in each], axis=0),
-        residual=np.max([m.residual for m in each], axis=0),
-        minimal=np.all([m.minimal for m in each], axis=0),
-    )
+    measured = MeasuredLength.of_parts([measured for _, _, measured in parts])
     return ContactPath(space, np.concatenate(values, axis=1), measured, contacts)

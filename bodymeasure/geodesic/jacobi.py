@@ -27,6 +27,11 @@ ROUNDING = 2e-16
 # If the length times the integral of the positive part of K is below this, no conjugate point can
 # lie on the path: Lyapunov's inequality (P. Hartman, Ordinary Differential Equations, XI.5.1).
 LYAPUNOV_BOUND = 4.0
+# The index of paths of which it is not known.
+UNKNOWN = -1
+# An eigenvalue of the second variation that is this small, beside its others of about 1, is made of
+# rounding errors, and its sign says nothing.
+EIGENVALUE_ROUNDING = 1e-11
 
 
 class Judgement(NamedTuple):
@@ -36,7 +41,7 @@ class Judgement(NamedTuple):
     correction: Any
     error: Any
     residual: Any
-    minimal: Any
+    index: Any
 
 
 def judge(space: TrialSpace, along: PathGeometry, xp: Any) -> Judgement:
@@ -71,36 +76,62 @@ def judge(space: TrialSpace, along: PathGeometry, xp: Any) -> Judgement:
     by_mode = 0.5 * load * solution
     shift = values @ solution
     slope = (constant(modes.slopes, speed, xp) @ solution) / speed
+    variation = _curvature_variation(quadrature, along, xp)
     left_out = xp.sum(xp.abs(by_mode[-2:, :]), axis=0)
-    left_out = left_out + _next_order(quadrature, along, shift, slope, xp)
+    left_out = left_out + _next_order(quadrature, along, (shift, slope), variation, xp)
     left_out = left_out + QUADRATURE_SAFETY * quadrature.error_estimate(speed, xp)
     # Besides sums of many terms, what is left over of the solution of the collocation equations.
     error = SAFETY * left_out + ROUNDING * (10.0 + space.size) * length
     # A system that could not be solved has a correction that is not finite, and an error too.
     known = xp.isfinite(error)
-    positive = weights @ (xp.where(curvature > 0.0, curvature, 0.0) * speed)
-    minimal = (positive * length < LYAPUNOV_BOUND) | xp.all(pivots > 0.0, axis=0)
+    # K on the geodesic, beside the path, differs by this times the square of the length.
+    doubt = variation * xp.max(xp.abs(shift), axis=0) * length * length / np.pi**2
+    index = _index(quadrature, along, pivots, doubt, xp)
     return Judgement(
         raw=length,
         correction=xp.sum(by_mode, axis=0),
         error=xp.where(known, error, xp.inf),
         residual=xp.max(xp.abs(kappa), axis=0) * length,
-        minimal=minimal & known,
+        index=xp.where(known, index, UNKNOWN),
     )
 
 
-def _next_order(
-    quadrature: Quadrature, along: PathGeometry, shift: Any, slope: Any, xp: Any
-) -> Any:
-    """The terms of the expansion that the correction leaves out."""
-    speed, kappa, curvature = along
+def _index(quadrature: Quadrature, along: PathGeometry, pivots: Any, doubt: Any, xp: Any) -> Any:
+    """How many eigenvalues of the second variation are negative.
+
+    That is the number of conjugate points on the way (Morse's index theorem: M. do Carmo,
+    *Riemannian Geometry*, chapter 11), and Galerkin's method never counts too many. `UNKNOWN` where
+    an eigenvalue is so small that its sign is in doubt: all but that one are about the mean of
+    1 / speed, so that the determinant tells.
+    """
+    speed, _, curvature = along
     weights = constant(quadrature.weights, speed, xp)
+    length, size = weights @ speed, weights @ (1.0 / speed)
+    negative = xp.sum(xp.where(pivots < 0.0, 1, 0), axis=0)
+    clear = xp.abs(xp.prod(pivots / size, axis=0)) > doubt + EIGENVALUE_ROUNDING
+    positive = weights @ (xp.where(curvature > 0.0, curvature, 0.0) * speed)
+    # The cheap test for none proves it without Galerkin's method.
+    return xp.where(positive * length < LYAPUNOV_BOUND, 0, xp.where(clear, negative, UNKNOWN))
+
+
+def _curvature_variation(quadrature: Quadrature, along: PathGeometry, xp: Any) -> Any:
+    """A size of the derivative of K across the path."""
+    speed, _, curvature = along
     steps = constant(np.diff(quadrature.points)[:, None], speed, xp)
     change = xp.abs(curvature[1:, :] - curvature[:-1, :]) / steps
     slower = xp.where(speed[1:, :] < speed[:-1, :], speed[1:, :], speed[:-1, :])
-    variation = xp.max(change / slower, axis=0)
-    length = weights @ speed
-    variation = variation + CURVATURE_VARIATION * xp.max(xp.abs(curvature), axis=0) / length
+    length = constant(quadrature.weights, speed, xp) @ speed
+    most = CURVATURE_VARIATION * xp.max(xp.abs(curvature), axis=0) / length
+    return xp.max(change / slower, axis=0) + most
+
+
+def _next_order(
+    quadrature: Quadrature, along: PathGeometry, field: tuple[Any, Any], variation: Any, xp: Any
+) -> Any:
+    """The terms of the expansion that the correction leaves out."""
+    speed, kappa, curvature = along
+    shift, slope = field
+    weights = constant(quadrature.weights, speed, xp)
     slope_square, shift_square = slope * slope, shift * shift
     cubic = (weights @ (xp.abs(shift) * shift_square * speed)) * variation / 6.0
     quartic = xp.abs(kappa * shift) * slope_square / 2.0 + slope_square * slope_square / 8.0

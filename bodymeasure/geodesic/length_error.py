@@ -27,13 +27,14 @@ the correction is a small part of the length (`TRUSTED_CORRECTION`).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 import array_api_compat.numpy
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.geodesic.jacobi import judge
+from bodymeasure.geodesic.jacobi import UNKNOWN, judge
 from bodymeasure.geodesic.path_geometry import path_geometry
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
@@ -59,15 +60,22 @@ class MeasuredLength:
     residual : ndarray
         Largest geodesic curvature at the quadrature points, which lie between the nodes, times the
         length: 0 for a geodesic.
-    minimal : ndarray of bool
-        The path is a strict local minimum of length: no conjugate point.
+    index : ndarray of int
+        Of the geodesic that the path stands for (`jacobi.judge`): 0 for a strict local minimum,
+        `jacobi.UNKNOWN` where that cannot be told.
     """
 
     raw: _Array
     correction: _Array
     error: _Array
     residual: _Array
-    minimal: NDArray[np.bool_]
+    index: NDArray[np.int64]
+
+    @property
+    def minimal(self) -> NDArray[np.bool_]:
+        """Which paths are proven to be shorter than all close to them."""
+        result: NDArray[np.bool_] = self.index == 0
+        return result
 
     @property
     def corrected(self) -> _Array:
@@ -77,6 +85,22 @@ class MeasuredLength:
     def take(self, rows: NDArray[np.int64]) -> MeasuredLength:
         """The lengths of some of the problems."""
         return MeasuredLength(*(getattr(self, field.name)[rows] for field in fields(self)))
+
+    @classmethod
+    def of_parts(cls, parts: Sequence[MeasuredLength]) -> MeasuredLength:
+        """Of paths that are made of parts, the joints of which stay in place.
+
+        The index is then the sum of the parts' indices.
+        """
+        indices = [part.index for part in parts]
+        known = np.all([index != UNKNOWN for index in indices], axis=0)
+        return cls(
+            raw=np.sum([part.raw for part in parts], axis=0),
+            correction=np.sum([part.correction for part in parts], axis=0),
+            error=np.sum([part.error for part in parts], axis=0),
+            residual=np.max([part.residual for part in parts], axis=0),
+            index=np.where(known, np.sum(indices, axis=0), UNKNOWN),
+        )
 
 
 def measure_length(surface: Surface, space: TrialSpace, values: _Array) -> MeasuredLength:

@@ -38,10 +38,13 @@ class GeodesicSolution:
         Largest geodesic curvature between the collocation points, times the length; 0 for an exact
         geodesic.
     status : ndarray of Status, or Status
-    local_minimum : ndarray of bool, or bool
-        The path is proven to be shorter than all paths close to it: no conjugate point. That a
-        path elsewhere on the patch is not shorter still is not proven. Of a path along an edge, it
-        is proven of each free leg for itself.
+    index : ndarray of int, or int
+        The Morse index: in how many independent ways the path can be changed, its ends fixed, so
+        that it gets shorter, which is the number of points on it that are conjugate to its start. 0
+        for a local minimum; -1 where it is not known, because no geodesic was found or because the
+        path ends at a conjugate point, as near as can be told. Of a path along an edge, it is the
+        sum over its free legs, the ends of which stay in place: 0 proves of each that it is a local
+        minimum, and of the whole no more than that.
     functions : ndarray of int, or int
         How many functions the path was found with.
     iterations : ndarray of int, or int
@@ -57,7 +60,7 @@ class GeodesicSolution:
     error_estimate: Any
     residual: Any
     status: Any
-    local_minimum: Any
+    index: Any
     functions: Any
     iterations: Any
     pieces: tuple[Piece, ...] = field(repr=False)
@@ -73,6 +76,15 @@ class GeodesicSolution:
         statuses = np.asarray(self.status, dtype=object).ravel()
         result = np.array([status.has_length for status in statuses], dtype=bool)
         return result.reshape(self.shape) if self.shape else bool(result[0])
+
+    @property
+    def local_minimum(self) -> Any:
+        """Whether the path is proven to be shorter than all paths close to it: its index is 0.
+
+        That a path elsewhere on the patch is not shorter still is not proven.
+        """
+        result = np.asarray(self.index) == 0
+        return result if self.shape else bool(result)
 
     @property
     def contacts(self) -> Any:

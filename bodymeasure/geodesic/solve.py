@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure.errors import ConvergenceError, InputError
+from bodymeasure.geodesic.jacobi import UNKNOWN
 from bodymeasure.geodesic.method import Method, MethodResult
 from bodymeasure.geodesic.rbf import RBFCollocation
 from bodymeasure.geodesic.search import SEARCHES, Search, is_outside, search_further
@@ -140,7 +141,8 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
     raw, length, residual = np.zeros(count), np.zeros(count), np.zeros(count)
     error = np.zeros(count)
     status = np.full(count, Status.CONVERGED, dtype=object)
-    minimal = np.ones(count, bool)
+    # Of geodesics from a point to itself, which nothing can shorten.
+    index = np.zeros(count, np.int64)
     functions, iterations = np.zeros(count, np.int64), np.zeros(count, np.int64)
     # The geodesic from a point to itself has length zero and needs no solving.
     apart = np.flatnonzero((starts != ends).any(axis=1))
@@ -155,7 +157,7 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
         length[here] = measured.corrected * scale[here]
         error[here] = measured.error * scale[here]
         residual[here] = measured.residual
-        minimal[here] = measured.minimal
+        index[here] = np.where(piece.converged, measured.index, UNKNOWN)
         functions[here] = piece.space.size
         # Between points in one place, as on a collapsed edge, the length is rounding and no more.
         error[here[measured.raw < NOTHING]] += raw[here[measured.raw < NOTHING]]
@@ -175,7 +177,7 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
         "error_estimate": error,
         "residual": residual,
         "status": status,
-        "local_minimum": minimal,
+        "index": index,
         "functions": functions,
         "iterations": iterations,
     }

@@ -18,8 +18,9 @@ class Status(Enum):
         "patch; measure across the neighboring patches, or take the mesh distance."
     )
     NOT_A_MINIMUM = (
-        "The path is a geodesic, but not a shortest one: it passes a conjugate point, and a "
-        "shorter path lies beside it; choose end points that are closer together."
+        "The path is a geodesic, but not a shortest one: it passes a conjugate point (or ends so "
+        "close to one that this cannot be told), and a shorter path lies beside it; choose end "
+        "points that are closer together."
     )
     NOT_CONVERGED = (
         "No trial space met the tolerance; allow more functions, loosen the tolerance, or split "

@@ -14,7 +14,7 @@ from surfaces import ENNEPER
 
 from bodymeasure import InputError
 from bodymeasure.bezier import derivatives
-from bodymeasure.geodesic import RBFCollocation, Status, solve_geodesic
+from bodymeasure.geodesic import GeodesicSolution, RBFCollocation, Status, solve_geodesic
 
 Array = NDArray[np.float64]
 
@@ -97,6 +97,63 @@ def test_the_antipodal_point_itself_is_not_called_converged() -> None:
     sphere = Torus(0.0, 1.0, span_u=1.5 * math.pi, span_v=2.0, begin_v=-1.0)
     solution = from_straight_line(sphere, (0.0, 0.5), (2 / 3, 0.5), on_failure="status")
     assert not solution.local_minimum or not solution.converged
+
+
+def equator(ends: Array) -> GeodesicSolution:
+    """Arcs of a great circle, to `ends` in units of pi, up to two turns and a half."""
+    sphere = Torus(0.0, 1.0, span_u=5.0 * math.pi, span_v=2.0, begin_v=-1.0)
+    to = np.stack([ends / 5.0, np.full_like(ends, 0.5)], axis=-1)
+    # Straight in (u, v) is the geodesic: what is asked is what becomes of it.
+    return from_straight_line(sphere, (0.0, 0.5), to, on_failure="status")
+
+
+def test_the_index_counts_the_antipodal_points_on_the_way() -> None:
+    ends = np.array([0.01, 0.4, 0.999, 1.001, 1.5, 1.999, 2.001, 2.7, 3.3, 4.9])
+    solution = equator(ends)
+    np.testing.assert_array_equal(solution.index, [0, 0, 0, 1, 1, 1, 2, 2, 3, 4])
+    np.testing.assert_array_equal(solution.local_minimum, solution.index == 0)
+    np.testing.assert_allclose(solution.raw_length, ends * math.pi, rtol=1e-12)
+    assert (solution.status[3:] == Status.NOT_A_MINIMUM).all()
+    # The same from the other end, and of one problem a plain number.
+    sphere = Torus(0.0, 1.0, span_u=5.0 * math.pi, span_v=2.0, begin_v=-1.0)
+    back = from_straight_line(sphere, (0.54, 0.5), (0.0, 0.5), on_failure="status")
+    assert back.index == 2
+    assert type(back.index) is int
+
+
+def test_at_a_conjugate_point_the_index_is_not_known() -> None:
+    solution = equator(np.array([1.0, 2.0, 3.0]))
+    assert (solution.index == -1).all()
+    assert not solution.local_minimum.any()
+    assert not solution.converged.any()
+
+
+def test_the_index_on_tori_and_cylinders() -> None:
+    # Conjugate points are 2 pi apart on the outer equator (K = 1/4), 4 pi u / 8.5 on the way; none
+    # lie on the inner one nor on a cylinder, where K is negative and zero.
+    torus = Torus(3.0, 1.0, span_u=5.0, span_v=2 * math.pi, begin_v=-0.5 * math.pi)
+    ends = np.array([0.1, 0.31, 0.32, 0.62, 0.64, 0.9])
+    outer = from_straight_line(
+        torus,
+        (0.0, 0.25),
+        np.stack([ends, np.full_like(ends, 0.25)], axis=-1),
+        on_failure="status",
+    )
+    np.testing.assert_array_equal(outer.index, np.floor(4.0 * 5.0 * ends / (2.0 * math.pi)))
+    inner = solve_geodesic(torus, (0.0, 0.75), (1.0, 0.75))
+    assert inner.index == 0
+    assert inner.length == pytest.approx(10.0, rel=1e-12)
+    assert solve_geodesic(Cylinder(), (0.0, 0.0), (1.0, 1.0)).index == 0
+
+
+def test_where_no_geodesic_was_found_the_index_is_not_known() -> None:
+    method = RBFCollocation(functions=2)
+    solution = solve_geodesic(ENNEPER, (0.1, 0.0), (1.0, 0.7), method=method, on_failure="status")
+    assert not solution.converged
+    assert solution.index == -1
+    assert not solution.local_minimum
+    # From a point to itself there is nothing to shorten.
+    assert solve_geodesic(ENNEPER, (0.1, 0.2), (0.1, 0.2)).index == 0
 
 
 def test_meridians_and_the_outer_and_inner_equator_of_a_torus() -> None:
