@@ -9,8 +9,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 
-def constant(values: NDArray[np.float64], like: Any, xp: Any) -> Any:
+def constant(values: NDArray[Any], like: Any, xp: Any) -> Any:
     """A numpy array as one of another library, on the device where the array `like` lives."""
     if isinstance(like, np.ndarray):
         return values
     return xp.asarray(values, device=array_api_compat.device(like))
+
+
+def to_numpy(array: Any) -> NDArray[Any]:
+    """An array of any library as one of numpy, on the CPU."""
+    if isinstance(array, np.ndarray):
+        return array
+    return np.asarray(array_api_compat.to_device(array, "cpu"))
+
+
+def is_on_cpu(array: Any) -> bool:
+    """Whether an array lives in the memory of the CPU."""
+    return isinstance(array, np.ndarray) or "cpu" in str(array_api_compat.device(array)).lower()

@@ -6,7 +6,11 @@ arrays of any library serve (the Python array API standard).
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any, NamedTuple
+
+# Up to so many systems, calls cost more than arithmetic.
+FEW = 64
 
 
 def solve_batch(matrix: Any, right: Any, xp: Any) -> Any:
@@ -64,18 +68,10 @@ def solve_symmetric(columns: list[Any], right: Any, xp: Any) -> SymmetricSolutio
     right : array, shape (n, problems)
     xp : namespace of the arrays
     """
-    size = len(columns)
     # The right side stands below each column as one more row of the matrix.
     columns = [xp.concat([column, right[j : j + 1, :]]) for j, column in enumerate(columns)]
-    factors: list[Any] = []
-    pivots: list[Any] = []
-    for i in range(size):
-        column = columns[i]
-        factor = column[1:, :] / column[0, :]
-        pivots.append(column[0, :])
-        factors.append(factor)
-        for j in range(i + 1, size):
-            columns[j] = columns[j] - factor[j - i - 1 :, :] * column[j - i, :]
+    steps = _by_column(columns) if right.shape[1] > FEW else _at_once(columns, xp)
+    pivots, factors = zip(*steps, strict=True)
     solution: list[Any] = []
     for factor in reversed(factors):
         value = factor[-1, :]
@@ -83,3 +79,26 @@ def solve_symmetric(columns: list[Any], right: Any, xp: Any) -> SymmetricSolutio
             value = value - factor[k, :] * known
         solution.insert(0, value)
     return SymmetricSolution(xp.stack(solution), xp.stack(pivots))
+
+
+def _by_column(columns: list[Any]) -> Iterator[tuple[Any, Any]]:
+    """Pivots, and what stands below them divided by them: half the arithmetic, more calls."""
+    for i in range(len(columns)):
+        column = columns[i]
+        factor = column[1:, :] / column[0, :]
+        yield column[0, :], factor
+        for j in range(i + 1, len(columns)):
+            columns[j] = columns[j] - factor[j - i - 1 :, :] * column[j - i, :]
+
+
+def _at_once(columns: list[Any], xp: Any) -> Iterator[tuple[Any, Any]]:
+    """The same by one operation a pivot on all that is left of the matrix."""
+    matrix = xp.stack(
+        [xp.concat([xp.zeros_like(columns[0][:j, :]), column]) for j, column in enumerate(columns)],
+        axis=1,
+    )
+    for _ in range(len(columns)):
+        column = matrix[:, 0, :]
+        factor = column[1:, :] / column[0, :]
+        yield column[0, :], factor
+        matrix = matrix[1:, 1:, :] - factor[:, None, :] * column[None, 1:-1, :]

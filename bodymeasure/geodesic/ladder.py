@@ -80,7 +80,7 @@ def solve_on_spaces(
             found = solver(part, space, values[chunk], max_iterations=limit)
             iterations[chunk] += found.iterations
             piece = _measured(part, space, chunk, found, tolerance)
-            done = piece.converged | (is_last or _is_far_outside(piece, found.converged))
+            done = piece.converged | (is_last or is_far_outside(piece, found.converged))
             values[chunk] = np.where(found.converged[:, None, None], found.values, np.nan)
             is_open[chunk] = ~done
             pieces.append(piece.take(np.flatnonzero(done)))
@@ -102,7 +102,7 @@ def _measured(
     return Piece(problems, space, found.values, measured, converged, found.singular)
 
 
-def _is_far_outside(piece: Piece, solved: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def is_far_outside(piece: Piece, solved: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Which paths leave their patch so clearly that more functions would not bring them back.
 
     They have no length on the patch, and the polynomial that continues it out there may be wild.

@@ -8,6 +8,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure.geodesic.clock import times_at
 from bodymeasure.geodesic.length_error import MeasuredLength
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
@@ -45,6 +46,9 @@ class Piece:
     converged, singular : ndarray of bool, shape (k,)
     contacts : tuple of EdgeContact
         The edges of its patch that the path runs along; only a piece of one problem has any.
+    speed : ndarray, shape (k, points), optional
+        At the points of the space's quadrature, where it is not constant: then t is not the part of
+        the length that lies behind.
     """
 
     problems: NDArray[np.int64]
@@ -54,6 +58,7 @@ class Piece:
     converged: NDArray[np.bool_]
     singular: NDArray[np.bool_]
     contacts: tuple[EdgeContact, ...] = ()
+    speed: NDArray[np.float64] | None = None
 
     def take(self, rows: NDArray[np.int64]) -> Piece:
         """Some of the problems, by their place in this piece."""
@@ -65,7 +70,19 @@ class Piece:
             self.converged[rows],
             self.singular[rows],
             self.contacts,
+            None if self.speed is None else self.speed[rows],
         )
+
+    def points(self, parts: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Where the paths are after parts of their lengths, (u, v), shape (problems, parts, 2)."""
+        if self.speed is None:
+            values = self.values @ self.space.matrices(parts)[0].T
+            return np.asarray(values.transpose(0, 2, 1))
+        times = times_at(self.space.quadrature, self.speed, parts)
+        points = self.space.functions.combined(self.values, times)
+        points[:, parts == 0.0] = self.values[:, None, :, 0]
+        points[:, parts == 1.0] = self.values[:, None, :, -1]
+        return points
 
     def renumbered(self, problems: NDArray[np.int64]) -> Piece:
         """The same paths under other problem numbers."""

@@ -40,6 +40,33 @@ class PiecewisePolynomials:
         values = np.einsum("tk,dkft->dtf", vandermonde, self.coefficients[..., piece])
         return np.asarray(values, dtype=np.float64)
 
+    def combined(self, values: _Array, t: _Array) -> _Array:
+        """Sums of the functions, each at its own places.
+
+        Parameters
+        ----------
+        values : ndarray, shape (problems, 2, functions)
+            Factors of the functions.
+        t : ndarray, shape (problems, k)
+
+        Returns
+        -------
+        ndarray, shape (problems, k, 2)
+        """
+        piece = np.clip(np.searchsorted(self.edges, t, side="right") - 1, 0, len(self.edges) - 2)
+        result = np.empty((*t.shape, 2))
+        for number in range(len(self.edges) - 1):
+            left, right = self.edges[number : number + 2]
+            sums = self.coefficients[0, :, :, number].astype(np.float64) @ values.transpose(
+                2, 0, 1
+            ).reshape(values.shape[2], -1)
+            sums = sums.reshape(-1, *values.shape[:2])
+            x = ((t - left) - (right - t)) / (right - left)
+            for axis in (0, 1):
+                there = chebyshev.chebval(x, sums[:, :, axis, None], tensor=False)
+                result[..., axis] = np.where(piece == number, there, result[..., axis])
+        return result
+
 
 def sample_points(edges: _Array, degree: int) -> _Array:
     """Where polynomials of a degree are sampled on each piece, shape (pieces, degree + 1)."""

@@ -9,7 +9,8 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.geodesic.ladder import TOLERANCE, solve_on_spaces
+from bodymeasure.geodesic.collocation import Form, check_form, collocate
+from bodymeasure.geodesic.ladder import TOLERANCE
 from bodymeasure.geodesic.method import MethodResult
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.settings import check_positive, whole_numbers
@@ -37,6 +38,9 @@ class PolynomialCollocation:
         The polynomials' degree, at least 2; several are tried in turn.
     tolerance : float
         Relative error of the length that is asked for.
+    form : {"fast", "full"}
+        Fast: with one unknown function a path where that serves, several times as fast. Full: with
+        u and v as two everywhere.
 
     Raises
     ------
@@ -46,8 +50,10 @@ class PolynomialCollocation:
 
     degrees: int | Sequence[int] = DEGREES
     tolerance: float = TOLERANCE
+    form: Form = "fast"
 
     def __post_init__(self) -> None:
+        check_form(self.form)
         whole_numbers("degrees", self.degrees, LEAST_DEGREE)
         check_positive("tolerance", self.tolerance)
 
@@ -59,4 +65,4 @@ class PolynomialCollocation:
             partial(polynomial_space, n)
             for n in whole_numbers("degrees", self.degrees, LEAST_DEGREE)
         ]
-        return solve_on_spaces(makers, surface, (start, end), tolerance=self.tolerance)
+        return collocate(makers, surface, (start, end), tolerance=self.tolerance, form=self.form)

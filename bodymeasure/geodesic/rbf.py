@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.errors import InputError
+from bodymeasure.geodesic.collocation import Form, check_form, collocate
 from bodymeasure.geodesic.kernels import WU_C10, Kernel
-from bodymeasure.geodesic.ladder import TOLERANCE, solve_on_spaces
+from bodymeasure.geodesic.ladder import TOLERANCE
 from bodymeasure.geodesic.method import MethodResult
 from bodymeasure.geodesic.rbf_space import rbf_space
 from bodymeasure.geodesic.surface import Surface
@@ -58,6 +59,9 @@ class RBFCollocation:
         The r above; 2 in the paper.
     tolerance : float
         Relative error of the length that is asked for.
+    form : {"fast", "full"}
+        Fast: with one unknown function a path where that serves, several times as fast. Full: with
+        u and v as two everywhere.
 
     Raises
     ------
@@ -71,8 +75,10 @@ class RBFCollocation:
     collocation_points: Sequence[float] | None = None
     support_radius: float = 2.0
     tolerance: float = TOLERANCE
+    form: Form = "fast"
 
     def __post_init__(self) -> None:
+        check_form(self.form)
         if not (np.isfinite(self.support_radius) and self.support_radius > 0.0):
             raise InputError(f"support_radius is {self.support_radius}; expected a positive number")
         if not self.tolerance > 0.0:
@@ -117,7 +123,7 @@ class RBFCollocation:
     def solve(self, surface: Surface, start: _Array, end: _Array) -> MethodResult:
         """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
         makers = [partial(self._space, count) for count in self._counts]
-        return solve_on_spaces(makers, surface, (start, end), tolerance=self.tolerance)
+        return collocate(makers, surface, (start, end), tolerance=self.tolerance, form=self.form)
 
 
 def default_centers(kernel: Kernel, count: int) -> _Array:

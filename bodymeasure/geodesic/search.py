@@ -78,7 +78,7 @@ def search_further(
             continue
         replaced = np.zeros(len(good), bool)
         converged = piece.converged.copy()
-        paths = (piece.values[again] @ piece.space.matrices(times)[0].T).transpose(0, 2, 1)
+        paths = piece.take(again).points(times)
         for row, known in zip(again, paths, strict=True):
             problem = piece.problems[row : row + 1]
             start, end = (points[problem[0]] for points in ends)

@@ -113,7 +113,7 @@ class GeodesicSolution:
         Parameters
         ----------
         t : array_like, shape () or (k,)
-            In [0, 1], from start to end.
+            In [0, 1], from start to end: parts of the length, as far as the path is a geodesic.
 
         Returns
         -------
@@ -135,8 +135,7 @@ class GeodesicSolution:
         # Problems without a piece have coinciding ends: the path stays there.
         points[:] = self.start.reshape(-1, 1, 2)
         for piece in self.pieces:
-            values = piece.values @ piece.space.matrices(times.ravel())[0].T
-            points[piece.problems] = values.transpose(0, 2, 1)
+            points[piece.problems] = piece.points(times.ravel())
         return points.reshape(*self.shape, *times.shape, 2)
 
     def __getitem__(self, key: Any) -> GeodesicSolution:

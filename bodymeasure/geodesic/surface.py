@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import lru_cache
-from typing import Protocol
+from functools import cached_property, lru_cache
+from typing import Any, Protocol
 
+import array_api_compat
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure.bezier import bernstein_values, elevate
 from bodymeasure.errors import InputError
+from bodymeasure.geodesic.arrays import constant, to_numpy
 
 # Order of the derivatives in a jet: (times by u, times by v).
 JET = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3))
@@ -47,19 +49,27 @@ class BezierSurfaces:
 
     Parameters
     ----------
-    control_points : ndarray, shape (problems, m + 1, n + 1, 3)
+    control_points : array, shape (problems, m + 1, n + 1, 3)
+        Of any library that keeps to the Python array API standard; the jets are numpy's.
     """
 
-    def __init__(self, control_points: NDArray[np.float64]) -> None:
+    def __init__(self, control_points: Any) -> None:
+        self.control_points = control_points
         self.degrees = (control_points.shape[1] - 1, control_points.shape[2] - 1)
+
+    @cached_property
+    def _nets(self) -> NDArray[np.float64]:
+        """Control points of all derivatives, shape (problems, basis functions, 3 * derivatives).
+
+        Made when first needed, since they take thirty times the place of the patches.
+        """
+        points = to_numpy(self.control_points)
         size = (self.degrees[0] + 1) * (self.degrees[1] + 1)
         # One large matrix product for all patches, then to (problems, basis functions, derivative
         # and component).
-        columns = control_points.reshape(-1, size, 3).transpose(1, 0, 2).reshape(size, -1)
+        columns = points.reshape(-1, size, 3).transpose(1, 0, 2).reshape(size, -1)
         nets = (_jet_map(*self.degrees) @ columns).reshape(len(JET), size, -1, 3)
-        self._nets = np.ascontiguousarray(nets.transpose(2, 1, 0, 3)).reshape(
-            -1, size, 3 * len(JET)
-        )
+        return np.ascontiguousarray(nets.transpose(2, 1, 0, 3)).reshape(-1, size, 3 * len(JET))
 
     def jet(self, parameters: NDArray[np.float64], order: int) -> NDArray[np.float64]:
         """Derivatives in the order of `JET`, shape (derivatives, 3, problems, k)."""
@@ -77,9 +87,11 @@ class BezierSurfaces:
 
     def take(self, problems: NDArray[np.int64]) -> BezierSurfaces:
         """The patches of some of the problems."""
-        part = object.__new__(BezierSurfaces)
-        part.degrees = self.degrees
-        part._nets = self._nets[problems]
+        points = self.control_points
+        xp = array_api_compat.array_namespace(points)
+        part = BezierSurfaces(xp.take(points, constant(problems, points, xp), axis=0))
+        if "_nets" in self.__dict__:
+            part._nets = self._nets[problems]
         return part
 
 

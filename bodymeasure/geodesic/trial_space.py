@@ -84,7 +84,12 @@ class TrialSpace:
 
     @cached_property
     def between_nodes(self) -> _Array:
-        """Map to values at points that lie close together everywhere, shape (k, n + 1)."""
-        k = np.arange(8 * self.size + 1)
-        values: _Array = self.matrices(0.5 - 0.5 * np.cos(np.pi * k / k[-1]))[0]
+        """Map to values at `times_between`, shape (k, n + 1)."""
+        values: _Array = self.matrices(self.times_between)[0]
         return values
+
+    @property
+    def times_between(self) -> _Array:
+        """Points that lie close together everywhere, shape (k,)."""
+        k = np.arange(8 * self.size + 1)
+        return np.asarray(0.5 - 0.5 * np.cos(np.pi * k / k[-1]))

@@ -63,7 +63,11 @@ def test_centers_inside_converge_algebraically(
     kernel: Kernel, counts: tuple[int, ...], least: float, most: float
 ) -> None:
     methods = [
-        RBFCollocation(kernel, centers=tuple(0.5 - 0.5 * np.cos(np.pi * np.arange(n) / (n - 1))))
+        RBFCollocation(
+            kernel,
+            centers=tuple(0.5 - 0.5 * np.cos(np.pi * np.arange(n) / (n - 1))),
+            form="full",
+        )
         for n in counts
     ]
     path, length = errors(methods)
@@ -87,7 +91,7 @@ def test_centers_inside_converge_algebraically(
 )
 def test_centers_outside_converge_spectrally(kernel: Kernel, counts: range) -> None:
     # Up to the kernel's degree all centers lie outside, and the functions are polynomials.
-    path, length = errors([RBFCollocation(kernel, functions=n) for n in counts])
+    path, length = errors([RBFCollocation(kernel, functions=n, form="full") for n in counts])
     floor = 1e-14
     digits_a_function = -np.polyfit(counts, np.log10(path), 1)[0]
     assert digits_a_function > 0.5
@@ -98,7 +102,7 @@ def test_centers_outside_converge_spectrally(kernel: Kernel, counts: range) -> N
 
 
 def test_the_default_kernel_goes_down_to_rounding() -> None:
-    path, length = errors([RBFCollocation(functions=n) for n in (16, 18, 20)])
+    path, length = errors([RBFCollocation(functions=n, form="full") for n in (16, 18, 20)])
     assert (path < [2e-9, 2e-10, 2e-11]).all()
     assert (length < 2e-15).all()
 

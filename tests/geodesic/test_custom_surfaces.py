@@ -216,7 +216,8 @@ class Patch:
 def test_a_patch_is_the_same_by_its_derivatives(scale: float) -> None:
     end = np.array([[1.0, 1.0], [0.3, 1.0]])
     own = solve_geodesic(Patch(scale * ENNEPER), (0.1, 0.0), end)
-    given = solve_geodesic(scale * ENNEPER, (0.1, 0.0), end)
+    method = RBFCollocation(form="full")
+    given = solve_geodesic(scale * ENNEPER, (0.1, 0.0), end, method=method)
     np.testing.assert_allclose(own.length, given.length, rtol=1e-13)
     np.testing.assert_allclose(own.path(0.5), given.path(0.5), atol=1e-11)
     np.testing.assert_array_equal(own.functions, given.functions)

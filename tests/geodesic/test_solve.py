@@ -55,7 +55,7 @@ def test_ends_of_paths(surface: Surface) -> None:
 def test_the_papers_equations_hold(surface: Surface, kernel: Kernel) -> None:
     # (7) to (10): the ends; (11) and (12): the geodesic equations (1) and (2), with Christoffel
     # symbols, at the collocation points; u and v written with the coefficients of (5) and (6).
-    method = RBFCollocation(kernel, functions=6, tolerance=1e-2)
+    method = RBFCollocation(kernel, functions=6, tolerance=1e-2, form="full")
     (piece,) = on(surface, method).pieces
     nodes = piece.space.nodes
     assert len(nodes) == 7
@@ -75,7 +75,7 @@ def test_the_papers_equations_hold(surface: Surface, kernel: Kernel) -> None:
 
 
 def test_coefficients_of_a_solution_give_its_path() -> None:
-    method = RBFCollocation(WU_C2, functions=5, tolerance=1e-2)
+    method = RBFCollocation(WU_C2, functions=5, tolerance=1e-2, form="full")
     solution = solve_geodesic(PLANE, (0.1, 0.8), (1.0, 0.2), method=method)
     (piece,) = solution.pieces
     centers = (-0.675, -0.225, 1.15, 1.45, 1.75)

@@ -1,0 +1,127 @@
+r"""The geodesic equation for paths that run across their straight line as a graph.
+
+Where a path does not turn back, one unknown function says where it runs: the offset q(t), with
+:math:`(u, v) = (t + q, t - q)` on a patch whose corners (0, 0) and (1, 1) are its ends. With
+:math:`T(t, q) = S(t + q, t - q)` the path has the velocity :math:`x' = T_t + T_q q'` and, but for
+:math:`T_q q''`, the acceleration :math:`h = T_{tt} + 2 T_{tq} q' + T_{qq} q'^2`. Its geodesic
+curvature is zero where
+
+.. math:: F = W q'' + (x' \cdot T_t)(h \cdot T_q) - (x' \cdot T_q)(h \cdot T_t) = 0, \qquad
+   W = |T_t \times T_q|^2,
+
+one equation, while the form with u(t) and v(t) has two: half the unknowns, an eighth of the linear
+algebra. On a Bezier patch T_q, T_t and T_tt are at a fixed t polynomials in q. All arrays have the
+batch along their last axis.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from bodymeasure.geodesic.path_geometry import PathGeometry
+
+
+def derivatives_by_offset(coefficients: Any, offset: Any, order: int) -> list[Any]:
+    """Values of polynomials in q and their derivatives, by Horner's scheme.
+
+    Parameters
+    ----------
+    coefficients : array, shape (powers, fields, points, 3, problems)
+    offset : array, shape (points, problems)
+    order : int
+        0 to 2.
+
+    Returns
+    -------
+    list of array, shape (fields, points, 3, problems)
+    """
+    q = offset[:, None, :]
+    powers = coefficients.shape[0]
+    sums = [coefficients[powers - 1, ...]]
+    for power in range(powers - 2, -1, -1):
+        if len(sums) <= order:
+            sums.append(sums[-1])
+            changed = range(len(sums) - 2, 0, -1)
+        else:
+            changed = range(len(sums) - 1, 0, -1)
+        for k in changed:
+            sums[k] = sums[k] * q + sums[k - 1]
+        sums[0] = sums[0] * q + coefficients[power, ...]
+    # Patches of low degree have fewer derivatives than asked for.
+    sums += [0.0 * sums[0]] * (order + 1 - len(sums))
+    return [2.0 * value if k == 2 else value for k, value in enumerate(sums)]
+
+
+def dot(a: Any, b: Any) -> Any:
+    """Scalar product of vectors whose components run along axis 1."""
+    return a[:, 0, :] * b[:, 0, :] + a[:, 1, :] * b[:, 1, :] + a[:, 2, :] * b[:, 2, :]
+
+
+def linearize(coefficients: Any, offset: Any, slope: Any, bend: Any) -> tuple[Any, Any, Any, Any]:
+    """The equation's left side F and its derivatives by q, q' and q''.
+
+    Parameters
+    ----------
+    coefficients : array, shape (powers, 3, points, 3, problems)
+        As from `offset_maps.offset_map`.
+    offset, slope, bend : array, shape (points, problems)
+        q, q' and q''.
+
+    Returns
+    -------
+    tuple of four arrays, shape (points, problems)
+    """
+    place, first, second = derivatives_by_offset(coefficients, offset, 2)
+    t_q, t_t, t_tt = place[0, ...], place[1, ...], place[2, ...]
+    t_qq, t_tq, t_ttq = first[0, ...], first[1, ...], first[2, ...]
+    t_qqq, t_tqq = second[0, ...], second[1, ...]
+    p = slope[:, None, :]
+    e, f, g = dot(t_t, t_t), dot(t_t, t_q), dot(t_q, t_q)
+    e_q, f_q = 2.0 * dot(t_tq, t_t), dot(t_tq, t_q) + dot(t_t, t_qq)
+    g_q = 2.0 * dot(t_qq, t_q)
+    # x' . T_t and x' . T_q, and h with its derivatives by q and q'.
+    along, across = e + f * slope, f + g * slope
+    h = t_tt + (2.0 * t_tq + t_qq * p) * p
+    h_q = t_ttq + (2.0 * t_tqq + t_qqq * p) * p
+    h_p = 2.0 * (t_tq + t_qq * p)
+    by_q, by_t = dot(h, t_q), dot(h, t_t)
+    area = e * g - f * f
+    left = area * bend + along * by_q - across * by_t
+    left_q = (e_q * g + e * g_q - 2.0 * f * f_q) * bend
+    left_q = left_q + (e_q + f_q * slope) * by_q - (f_q + g_q * slope) * by_t
+    left_q = left_q + along * (dot(h_q, t_q) + dot(h, t_qq))
+    left_q = left_q - across * (dot(h_q, t_t) + dot(h, t_tq))
+    left_p = f * by_q - g * by_t + along * dot(h_p, t_q) - across * dot(h_p, t_t)
+    return left, left_q, left_p, area
+
+
+def offset_geometry(coefficients: Any, offset: Any, slope: Any, bend: Any, xp: Any) -> PathGeometry:
+    """Speed, geodesic and Gaussian curvature; arguments as in `linearize`."""
+    place, first = derivatives_by_offset(coefficients, offset, 1)
+    t_q, t_t, t_tt = place[0, ...], place[1, ...], place[2, ...]
+    t_qq, t_tq = first[0, ...], first[1, ...]
+    p = slope[:, None, :]
+    velocity = t_t + t_q * p
+    acceleration = t_tt + (2.0 * t_tq + t_qq * p) * p + t_q * bend[:, None, :]
+    normal = _cross(t_t, t_q, xp)
+    area = dot(normal, normal)
+    speed_squared = dot(velocity, velocity)
+    speed = xp.sqrt(speed_squared)
+    bent = dot(velocity, t_t) * dot(acceleration, t_q) - dot(velocity, t_q) * dot(acceleration, t_t)
+    twist = dot(t_tq, normal)
+    return PathGeometry(
+        speed=speed,
+        geodesic_curvature=bent / (speed_squared * speed * xp.sqrt(area)),
+        gaussian_curvature=(dot(t_tt, normal) * dot(t_qq, normal) - twist * twist) / (area * area),
+    )
+
+
+def _cross(a: Any, b: Any, xp: Any) -> Any:
+    return xp.stack(
+        [
+            a[:, 1, :] * b[:, 2, :] - a[:, 2, :] * b[:, 1, :],
+            a[:, 2, :] * b[:, 0, :] - a[:, 0, :] * b[:, 2, :],
+            a[:, 0, :] * b[:, 1, :] - a[:, 1, :] * b[:, 0, :],
+        ],
+        axis=1,
+    )
