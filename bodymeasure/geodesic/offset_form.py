@@ -38,7 +38,7 @@ GUESS_STEPS = 2
 STEPS = 2
 LAST_STEP = 1e-4
 # Problems in one array operation: long enough to hide the calls, short enough for the cache.
-CHUNK = 512
+CHUNK = 1024
 # Problems whose failures are gathered for the next trial space; all at once elsewhere than on the
 # CPU. This bounds the memory.
 BLOCK = 16384
@@ -133,18 +133,17 @@ def _newton(
     space: TrialSpace, problems: OffsetProblems, offset: Any, steps: int
 ) -> tuple[Any, _Array]:
     """Offsets at the inner nodes, shape (n - 1, problems), and how large the last step was."""
+    coefficients = _coefficients(problems, space.nodes[1:-1])
     for _ in range(steps):
-        step = _step(space, problems, offset)
+        step = _step(space, coefficients, offset, problems.xp)
         offset = offset + step
     return offset, to_numpy(problems.xp.max(problems.xp.abs(step), axis=0))
 
 
-def _step(space: TrialSpace, problems: OffsetProblems, offset: Any) -> Any:
+def _step(space: TrialSpace, coefficients: Any, offset: Any, xp: Any) -> Any:
     """Newton's step from offsets at the inner nodes, shape (n - 1, problems)."""
-    xp = problems.xp
     times = space.nodes[1:-1]
     _, first, second = (constant(rows, offset, xp) for rows in _inner(space, times))
-    coefficients = _coefficients(problems, times)
     left, by_offset, by_slope, by_bend = linearize(
         coefficients, offset, first @ offset, second @ offset
     )
