@@ -19,6 +19,8 @@ _Array = NDArray[np.float64]
 POINTS_PER_NODE = 2
 # And some for spaces with few nodes; on each piece of a piecewise space at least these.
 FEWEST_POINTS = 8
+# Paths that are looked at between their nodes at once.
+CHUNK = 4096
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,8 +81,11 @@ class TrialSpace:
         values : ndarray, shape (problems, 2, n + 1)
         margin : float
         """
-        path = values @ self.between_nodes.T
-        return np.asarray((np.abs(path - 0.5) > 0.5 + margin).any(axis=(1, 2)))
+        leaves = np.zeros(len(values), bool)
+        for first in range(0, len(values), CHUNK):
+            path = values[first : first + CHUNK] @ self.between_nodes.T
+            leaves[first : first + CHUNK] = (np.abs(path - 0.5) > 0.5 + margin).any(axis=(1, 2))
+        return leaves
 
     @cached_property
     def between_nodes(self) -> _Array:
