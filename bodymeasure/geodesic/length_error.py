@@ -28,7 +28,7 @@ the correction is a small part of the length (`TRUSTED_CORRECTION`).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 import array_api_compat.numpy
 import numpy as np
@@ -43,6 +43,12 @@ _Array = NDArray[np.float64]
 
 # The expansion is leading order: past this part of the length the correction is not to be trusted.
 TRUSTED_CORRECTION = 1e-4
+# On a surface of size 1, derivatives by u and v are at most 6 in size, and more than that times the
+# rounding errors that `jacobi.ROUNDING` allows are made by a path that is not this part as long as
+# its way in u and v.
+STEEP = 0.2
+# Rounding errors of a derivative, relative to the terms that it is the sum of.
+CANCELLATION = 4e-16
 
 
 @dataclass(frozen=True)
@@ -86,6 +92,15 @@ class MeasuredLength:
         """The lengths of some of the problems."""
         return MeasuredLength(*(getattr(self, field.name)[rows] for field in fields(self)))
 
+    def scaled(self, powers: NDArray[np.int64]) -> MeasuredLength:
+        """The same on surfaces that are larger by powers of two."""
+        return replace(
+            self,
+            raw=np.ldexp(self.raw, powers),
+            correction=np.ldexp(self.correction, powers),
+            error=np.ldexp(self.error, powers),
+        )
+
     @classmethod
     def of_parts(cls, parts: Sequence[MeasuredLength]) -> MeasuredLength:
         """Of paths that are made of parts, the joints of which stay in place.
@@ -118,7 +133,34 @@ def measure_length(surface: Surface, space: TrialSpace, values: _Array) -> Measu
     moved = values - values[:, :, :1]
     geometry = path_geometry(surface, values @ place.T, *(moved @ rows.T for rows in slopes))
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        return MeasuredLength(*judge(space, geometry, array_api_compat.numpy))
+        measured = MeasuredLength(*judge(space, geometry, array_api_compat.numpy))
+    steep = np.flatnonzero(is_steep(measured.raw, values))
+    if len(steep):
+        measured.error[steep] += _cancellation(surface.take(steep), space, values[steep])
+    return measured
+
+
+def is_steep(length: _Array, values: _Array) -> NDArray[np.bool_]:
+    """Which paths are so short, for their way in u and v, that rounding errors count.
+
+    Parameters
+    ----------
+    length : ndarray, shape (problems,)
+    values : ndarray, shape (problems, 2, n + 1)
+    """
+    way = np.abs(values[:, :, 1:] - values[:, :, :-1]).sum(axis=(1, 2))
+    result: NDArray[np.bool_] = length < STEEP * way
+    return result
+
+
+def _cancellation(surface: Surface, space: TrialSpace, values: _Array) -> _Array:
+    """Rounding errors of lengths that are small beside what they are calculated from."""
+    place, slopes, _ = space.at_quadrature
+    velocity = np.abs((values - values[:, :, :1]) @ slopes.T)
+    magnitude = surface.magnitude((values @ place.T).transpose(0, 2, 1))
+    terms = magnitude[0] * velocity[:, 0] + magnitude[1] * velocity[:, 1]
+    result: _Array = CANCELLATION * (terms @ space.quadrature.weights)
+    return result
 
 
 def is_good(measured: MeasuredLength, tolerance: float) -> NDArray[np.bool_]:

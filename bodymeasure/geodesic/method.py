@@ -76,10 +76,11 @@ class Piece:
     def points(self, parts: NDArray[np.float64]) -> NDArray[np.float64]:
         """Where the paths are after parts of their lengths, (u, v), shape (problems, parts, 2)."""
         if self.speed is None:
-            values = self.values @ self.space.matrices(parts)[0].T
-            return np.asarray(values.transpose(0, 2, 1))
-        times = times_at(self.space.quadrature, self.speed, parts)
-        points = self.space.functions.combined(self.values, times)
+            places = self.values @ self.space.matrices(parts)[0].T
+            points = np.ascontiguousarray(places.transpose(0, 2, 1))
+        else:
+            times = times_at(self.space.quadrature, self.speed, parts)
+            points = self.space.functions.combined(self.values, times)
         points[:, parts == 0.0] = self.values[:, None, :, 0]
         points[:, parts == 1.0] = self.values[:, None, :, -1]
         return points

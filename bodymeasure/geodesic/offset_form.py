@@ -20,7 +20,7 @@ from bodymeasure.geodesic.arrays import constant, is_on_cpu, to_numpy
 from bodymeasure.geodesic.elimination import solve_batch
 from bodymeasure.geodesic.jacobi import judge
 from bodymeasure.geodesic.ladder import is_far_outside
-from bodymeasure.geodesic.length_error import MeasuredLength, is_good
+from bodymeasure.geodesic.length_error import MeasuredLength, is_good, is_steep
 from bodymeasure.geodesic.method import MethodResult, Piece
 from bodymeasure.geodesic.offset_equation import linearize, offset_geometry
 from bodymeasure.geodesic.offset_maps import FIELDS, offset_map
@@ -164,7 +164,8 @@ def _measured(space: TrialSpace, problems: OffsetProblems, offset: Any, toleranc
     values[:, :, 0], values[:, :, -1] = problems.start, problems.end
     for axis, parameter in enumerate(problems.parameters(space.nodes[1:-1], offset)):
         values[:, axis, 1:-1] = to_numpy(parameter).T
-    good = is_good(measured, tolerance)
+    # Those come from differences of neighboring control points, which this form never sees.
+    good = is_good(measured, tolerance) & ~is_steep(measured.raw, values)
     return Piece(
         np.arange(count),
         space,

@@ -132,8 +132,10 @@ class GeodesicSolution:
         if not ((times >= 0.0) & (times <= 1.0)).all():
             raise InputError(f"path parameters must lie in [0, 1]; got {times}")
         points = np.empty((int(np.prod(self.shape)), times.size, 2))
-        # Problems without a piece have coinciding ends: the path stays there.
-        points[:] = self.start.reshape(-1, 1, 2)
+        # Problems without a piece have their ends in one place, and a line that stays there.
+        first, last = (ends.reshape(-1, 1, 2) for ends in (self.start, self.end))
+        points[:] = first + (last - first) * times.reshape(1, -1, 1)
+        points[:, times.ravel() == 1.0] = last
         for piece in self.pieces:
             points[piece.problems] = piece.points(times.ravel())
         return points.reshape(*self.shape, *times.shape, 2)

@@ -8,18 +8,23 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure.errors import ConvergenceError, InputError
+from bodymeasure.geodesic.custom_surface import CustomSurface
 from bodymeasure.geodesic.jacobi import UNKNOWN
 from bodymeasure.geodesic.method import Method, MethodResult
+from bodymeasure.geodesic.near import solve_near_and_far
+from bodymeasure.geodesic.one_place import distances_in_one_place
 from bodymeasure.geodesic.rbf import RBFCollocation
 from bodymeasure.geodesic.search import SEARCHES, Search, is_outside, search_further
 from bodymeasure.geodesic.solution import GeodesicSolution
 from bodymeasure.geodesic.status import Status
-from bodymeasure.geodesic.surface import BezierSurfaces, CustomSurface, Surface
+from bodymeasure.geodesic.surface import BezierSurfaces, Surface
 
 _Array = NDArray[np.float64]
 
-# A length, on a surface of size 1, that cannot be told from 0.
-NOTHING = 1e-15
+# What the smallest lengths are rounded to.
+SMALLEST = float(np.finfo(np.float64).smallest_subnormal)
+# Coordinates beyond this could overflow in a length.
+LARGEST = 1e300
 # A path with a correction beyond this part of its length is no geodesic in any sense.
 STRAY = 0.1
 # How many failed problems an error message lists.
@@ -101,15 +106,16 @@ def solve_geodesic(
     if hasattr(surface, "derivatives"):
         batch = _broadcast(start.shape[:-1], end.shape[:-1])
         count = int(np.prod(batch))
-        surfaces: Surface = CustomSurface(surface.derivatives)
-        patch_of, scale = np.zeros(count, np.int64), np.ones(count)
+        surfaces: Surface
+        surfaces, size = CustomSurface(surface.derivatives).of_size_one()
+        patch_of, scale = np.zeros(count, np.int64), np.full(count, size)
     else:
         nets = _checked_control_points(surface)
         batch = _broadcast(nets.shape[:-3], start.shape[:-1], end.shape[:-1])
         # Each patch is prepared once, however many problems it has.
         patches = np.arange(int(np.prod(nets.shape[:-3]))).reshape(nets.shape[:-3])
         patch_of = np.broadcast_to(patches, batch).ravel()
-        nets, sizes = _normalized(nets.reshape(-1, *nets.shape[-3:]))
+        nets, sizes = _of_size_one(nets.reshape(-1, *nets.shape[-3:]))
         surfaces, scale = BezierSurfaces(nets), sizes[patch_of]
         count = len(patch_of)
     starts = np.broadcast_to(start, (*batch, 2)).reshape(-1, 2).copy()
@@ -139,15 +145,15 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
     surfaces, surface_of, starts, ends, scale, batch = problems
     count = len(starts)
     raw, length, residual = np.zeros(count), np.zeros(count), np.zeros(count)
-    error = np.zeros(count)
     status = np.full(count, Status.CONVERGED, dtype=object)
     # Of geodesics from a point to itself, which nothing can shorten.
     index = np.zeros(count, np.int64)
     functions, iterations = np.zeros(count, np.int64), np.zeros(count, np.int64)
-    # The geodesic from a point to itself has length zero and needs no solving.
-    apart = np.flatnonzero((starts != ends).any(axis=1))
+    # Between points in one place the length is zero, and nothing needs solving.
+    error = distances_in_one_place(surfaces, surface_of, starts, ends) * scale
+    apart = np.flatnonzero(~np.isfinite(error))
     part = surfaces.take(surface_of[apart])
-    result = method.solve(part, starts[apart], ends[apart])
+    result = solve_near_and_far(method, part, starts[apart], ends[apart])
     result = search_further(part, (starts[apart], ends[apart]), result, search, method.tolerance)
     result = _renumbered(result, apart)
     iterations[apart] = result.iterations
@@ -155,12 +161,11 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
         here, measured = piece.problems, piece.measured
         raw[here] = measured.raw * scale[here]
         length[here] = measured.corrected * scale[here]
-        error[here] = measured.error * scale[here]
+        # The smallest numbers have few digits.
+        error[here] = (measured.error + SMALLEST) * scale[here] + SMALLEST
         residual[here] = measured.residual
         index[here] = np.where(piece.converged, measured.index, UNKNOWN)
         functions[here] = piece.space.size
-        # Between points in one place, as on a collapsed edge, the length is rounding and no more.
-        error[here[measured.raw < NOTHING]] += raw[here[measured.raw < NOTHING]]
         # A path that is far from a geodesic says nothing of where the geodesic would run.
         stray = ~piece.converged & ~(np.abs(measured.correction) < STRAY * measured.raw)
         outside = is_outside(piece) & ~stray
@@ -230,6 +235,13 @@ def _checked_control_points(value: Any) -> _Array:
     bad = np.flatnonzero(~np.isfinite(flat).all(axis=(1, 2, 3)))
     if len(bad):
         raise InputError(f"patch {bad[0]} has control points that are not finite")
+    largest = np.abs(flat).max(axis=(1, 2, 3), initial=0.0)
+    huge = np.flatnonzero(largest > LARGEST)
+    if len(huge):
+        raise InputError(
+            f"patch {huge[0]} has coordinates of {largest[huge[0]]:.3g}; expected at most "
+            f"{LARGEST:g}: choose a larger unit"
+        )
     collapsed = collapsed_patches(flat)
     if len(collapsed):
         raise InputError(
@@ -243,11 +255,21 @@ def collapsed_patches(control_points: _Array) -> NDArray[np.int64]:
     return np.flatnonzero(np.ptp(control_points, axis=(1, 2)).max(axis=-1) == 0.0)
 
 
-def _normalized(nets: _Array) -> tuple[_Array, _Array]:
-    """Patches moved to the origin and scaled to size 1, so that tolerances mean the same to all."""
-    centered = nets - nets.mean(axis=(1, 2), keepdims=True)
-    scale = np.abs(centered).max(axis=(1, 2, 3))
-    return centered / scale[:, None, None, None], scale
+def _of_size_one(nets: _Array) -> tuple[_Array, _Array]:
+    """Patches scaled to about size 1, so that tolerances mean the same to all, and their sizes.
+
+    Powers of 2, so that nothing is rounded.
+    """
+    # Twice: where a patch lies far from the origin, its extent is much less than its coordinates.
+    nets, first = _scaled(nets, np.abs(nets).max(axis=(1, 2, 3)))
+    nets, second = _scaled(nets, np.ptp(nets, axis=(1, 2)).max(axis=1))
+    return nets, np.ldexp(1.0, first + second)
+
+
+def _scaled(nets: _Array, size: _Array) -> tuple[_Array, NDArray[np.int64]]:
+    """Patches divided by powers of 2, so that the size comes to lie in [1, 2), and the powers."""
+    exponents = np.frexp(size)[1].astype(np.int64) - 1
+    return np.ldexp(nets, -exponents[:, None, None, None]), exponents
 
 
 def _broadcast(*shapes: tuple[int, ...]) -> tuple[int, ...]:

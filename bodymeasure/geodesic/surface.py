@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cached_property, lru_cache
 from typing import Any, Protocol
 
 import array_api_compat
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from bodymeasure.bezier import bernstein_values, elevate
-from bodymeasure.errors import InputError
 from bodymeasure.geodesic.arrays import constant, to_numpy
+
+_Array = NDArray[np.float64]
 
 # Order of the derivatives in a jet: (times by u, times by v).
 JET = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3))
@@ -23,7 +23,7 @@ JET_SIZE = (1, 3, 6, 10)
 class Surface(Protocol):
     """A batch of surfaces, one for each geodesic problem."""
 
-    def jet(self, parameters: NDArray[np.float64], order: int) -> NDArray[np.float64]:
+    def jet(self, parameters: _Array, order: int) -> _Array:
         """Derivatives up to an order of at most 3.
 
         Parameters
@@ -34,7 +34,21 @@ class Surface(Protocol):
         Returns
         -------
         ndarray, shape (derivatives, 3, problems, k)
-            In the order of `JET`.
+            In the order of `JET`. The origin of the positions is any.
+        """
+
+    def magnitude(self, parameters: _Array) -> _Array:
+        """The size of what S_u and S_v are calculated from: what rounding errors are relative to.
+
+        Parameters
+        ----------
+        parameters : ndarray, shape (problems, k, 2)
+
+        Returns
+        -------
+        ndarray, shape (2, problems, k)
+            Of the terms that are summed up, and of the change by a rounding of the parameters
+            as a part of that.
         """
 
     def take(self, problems: NDArray[np.int64]) -> Surface:
@@ -45,7 +59,8 @@ class BezierSurfaces:
     """Bezier patches, each derivative held as control points of the patch's own degree.
 
     Then one product of the basis functions with one matrix gives all derivatives at once, and in
-    a numerically stable way.
+    a numerically stable way. The derivatives come from the differences of neighboring control
+    points, so that these may be as close together as they like, and the patch as far away.
 
     Parameters
     ----------
@@ -58,31 +73,48 @@ class BezierSurfaces:
         self.degrees = (control_points.shape[1] - 1, control_points.shape[2] - 1)
 
     @cached_property
-    def _nets(self) -> NDArray[np.float64]:
+    def _nets(self) -> _Array:
         """Control points of all derivatives, shape (problems, basis functions, 3 * derivatives).
 
         Made when first needed, since they take thirty times the place of the patches.
         """
         points = to_numpy(self.control_points)
-        size = (self.degrees[0] + 1) * (self.degrees[1] + 1)
-        # One large matrix product for all patches, then to (problems, basis functions, derivative
-        # and component).
-        columns = points.reshape(-1, size, 3).transpose(1, 0, 2).reshape(size, -1)
-        nets = (_jet_map(*self.degrees) @ columns).reshape(len(JET), size, -1, 3)
-        return np.ascontiguousarray(nets.transpose(2, 1, 0, 3)).reshape(-1, size, 3 * len(JET))
+        problems, size = len(points), (self.degrees[0] + 1) * (self.degrees[1] + 1)
+        nets = np.empty((size, 3 * len(JET), problems))
+        centered = points - points.mean(axis=(1, 2), keepdims=True)
+        nets[:, :3] = centered.reshape(problems, size, 3).transpose(1, 2, 0)
+        along_u, along_v = _edge_maps(*self.degrees)
+        for maps, axis, which in ((along_u, 1, _BY_U), (along_v, 2, _BY_V)):
+            edges = np.diff(points, axis=axis).reshape(problems, maps.shape[1], 3)
+            # One large matrix product for all patches.
+            columns = edges.transpose(1, 2, 0).reshape(maps.shape[1], 3 * problems)
+            found = (maps @ columns).reshape(len(which), size, 3, problems)
+            for number, net in zip(which, found, strict=True):
+                nets[:, 3 * number : 3 * number + 3] = net
+        return np.ascontiguousarray(nets.transpose(2, 0, 1))
 
-    def jet(self, parameters: NDArray[np.float64], order: int) -> NDArray[np.float64]:
+    def jet(self, parameters: _Array, order: int) -> _Array:
         """Derivatives in the order of `JET`, shape (derivatives, 3, problems, k)."""
+        return self._evaluated(self._nets[:, :, : 3 * JET_SIZE[order]], parameters)
+
+    def magnitude(self, parameters: _Array) -> _Array:
+        """Size of what S_u and S_v are calculated from, shape (2, problems, k)."""
+        terms = self._evaluated(np.abs(self._nets[:, :, 3 : 3 * JET_SIZE[2]]), parameters)
+        s_u, s_v, s_uu, s_uv, s_vv = np.linalg.norm(terms, axis=1)
+        u, v = np.abs(np.moveaxis(parameters, -1, 0))
+        return np.stack([s_u + s_uu * u + s_uv * v, s_v + s_uv * u + s_vv * v])
+
+    def _evaluated(self, nets: _Array, parameters: _Array) -> _Array:
         problems, count = parameters.shape[:2]
         basis = np.empty((problems, count, self.degrees[0] + 1, self.degrees[1] + 1))
         in_v = bernstein_values(self.degrees[1], parameters[..., 1])
         for i, value in enumerate(bernstein_values(self.degrees[0], parameters[..., 0])):
             for j, other in enumerate(in_v):
                 np.multiply(value, other, out=basis[:, :, i, j])
-        size = JET_SIZE[order]
-        values = basis.reshape(problems, count, self._nets.shape[1]) @ self._nets[:, :, : 3 * size]
-        return np.ascontiguousarray(values.reshape(-1, 3 * size).T).reshape(
-            size, 3, problems, count
+        values = basis.reshape(problems, count, nets.shape[1]) @ nets
+        columns = values.shape[-1]
+        return np.ascontiguousarray(values.reshape(-1, columns).T).reshape(
+            columns // 3, 3, problems, count
         )
 
     def take(self, problems: NDArray[np.int64]) -> BezierSurfaces:
@@ -95,53 +127,41 @@ class BezierSurfaces:
         return part
 
 
+# Derivatives that differences of control points along u give, and those along v.
+_BY_U = tuple(number for number, (i, _) in enumerate(JET) if i > 0)
+_BY_V = tuple(number for number, (i, j) in enumerate(JET) if i == 0 and j > 0)
+
+
 @lru_cache
-def _jet_map(degree_u: int, degree_v: int) -> NDArray[np.float64]:
-    """Matrix from a patch's control points to those of its derivatives, stacked."""
-    along_u, along_v = _derivative_maps(degree_u), _derivative_maps(degree_v)
-    return np.concatenate([np.kron(along_u[i], along_v[j]) for i, j in JET])
+def _edge_maps(degree_u: int, degree_v: int) -> tuple[_Array, _Array]:
+    """Matrices from a net's edges along u, and along v, to control points of its derivatives.
+
+    The edges are the differences of neighboring control points; the derivatives are those of
+    `_BY_U` and `_BY_V`, stacked.
+    """
+    maps_u, maps_v = _derivative_maps(degree_u), _derivative_maps(degree_v)
+    edges_u, edges_v = _maps_of_edges(degree_u), _maps_of_edges(degree_v)
+    by_u = [np.kron(edges_u[i - 1], maps_v[j]) for i, j in (JET[number] for number in _BY_U)]
+    by_v = [np.kron(maps_u[0], edges_v[j - 1]) for _, j in (JET[number] for number in _BY_V)]
+    return np.concatenate(by_u), np.concatenate(by_v)
 
 
-def _derivative_maps(degree: int) -> list[NDArray[np.float64]]:
+def _derivative_maps(degree: int) -> list[_Array]:
     """Maps from Bezier points of a curve to those of its derivatives, in the same degree."""
+    edges = np.diff(np.eye(degree + 1), axis=0)
+    return [np.eye(degree + 1)] + [by_edges @ edges for by_edges in _maps_of_edges(degree)]
+
+
+def _maps_of_edges(degree: int) -> list[_Array]:
+    """The same for the three derivatives, from the differences of neighboring Bezier points."""
     maps = []
-    difference = np.eye(degree + 1)
-    for order in range(4):
+    difference = degree * np.eye(degree)
+    for order in range(1, 4):
         lower = max(degree - order, 0)
         if order > degree:
-            difference = np.zeros((1, degree + 1))
+            difference = np.zeros((1, degree))
         # One column of control points a basis function: elevate them all as one curve's points.
         columns = difference.T[:, :, None, None].repeat(3, axis=-1)
         maps.append(elevate(columns, degree, 0)[:, :, 0, 0].T)
         difference = lower * np.diff(difference, axis=0)
     return maps
-
-
-class CustomSurface:
-    """One surface of the user's own, the same for all problems.
-
-    Parameters
-    ----------
-    derivatives : callable
-        From parameters of shape (..., 2) to derivatives of shape (..., 10, 3), in the order of
-        `JET`.
-    """
-
-    def __init__(self, derivatives: Callable[[NDArray[np.float64]], ArrayLike]) -> None:
-        self._derivatives = derivatives
-
-    def jet(self, parameters: NDArray[np.float64], order: int) -> NDArray[np.float64]:
-        """Derivatives in the order of `JET`, shape (derivatives, 3, problems, k)."""
-        values = np.asarray(self._derivatives(parameters), dtype=np.float64)
-        expected = (*parameters.shape[:-1], len(JET), 3)
-        if values.shape != expected:
-            raise InputError(
-                f"the surface's derivatives have shape {values.shape} for parameters of shape "
-                f"{parameters.shape}; expected {expected}"
-            )
-        return np.ascontiguousarray(values.transpose(2, 3, 0, 1)[: JET_SIZE[order]])
-
-    def take(self, problems: NDArray[np.int64]) -> CustomSurface:
-        """The same surface: it serves all problems."""
-        del problems
-        return self

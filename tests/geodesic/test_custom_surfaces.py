@@ -3,59 +3,19 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import pytest
+from custom_surfaces import Patch, Torus, product, wave
 from numpy.typing import NDArray
 from straight_line import from_straight_line
 from surfaces import ENNEPER
 
 from bodymeasure import InputError
-from bodymeasure.bezier import derivatives
 from bodymeasure.geodesic import GeodesicSolution, RBFCollocation, Status, solve_geodesic
 
 Array = NDArray[np.float64]
-
-ORDERS = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3))
-
-
-def wave(amplitude: float, frequency: float, phase: float, x: Array) -> list[Array]:
-    """``amplitude cos(frequency x + phase)`` and three derivatives."""
-    return [
-        amplitude * frequency**k * np.cos(frequency * x + phase + k * math.pi / 2) for k in range(4)
-    ]
-
-
-def product(a: list[Array], b: list[Array]) -> Array:
-    """All derivatives of a(u) b(v), shape (..., 10)."""
-    return np.stack([a[i] * b[j] for i, j in ORDERS], axis=-1)
-
-
-@dataclass(frozen=True)
-class Torus:
-    """Tube of radius r around a circle of radius R; with R = 0, a sphere."""
-
-    R: float
-    r: float
-    span_u: float = 1.0
-    span_v: float = 1.0
-    begin_v: float = -0.5
-
-    def derivatives(self, parameters: Array) -> Array:
-        u, v = parameters[..., 0], parameters[..., 1]
-        out = wave(self.r, self.span_v, self.begin_v, v)
-        out[0] = out[0] + self.R
-        one = [np.ones_like(u), 0 * u, 0 * u, 0 * u]
-        return np.stack(
-            [
-                product(wave(1.0, self.span_u, 0.0, u), out),
-                product(wave(1.0, self.span_u, -math.pi / 2, u), out),
-                product(one, wave(self.r, self.span_v, self.begin_v - math.pi / 2, v)),
-            ],
-            axis=-1,
-        )
 
 
 def sphere_angle(sphere: Torus, start: Array, end: Array) -> Array:
@@ -199,17 +159,6 @@ def test_helices() -> None:
     exact = np.hypot(step[..., 0] * 4 * math.pi / 3, 3 * step[..., 1])
     np.testing.assert_allclose(solution.length, exact, rtol=1e-13)
     assert solution.shape == (2, 2)
-
-
-@dataclass(frozen=True)
-class Patch:
-    """A Bezier patch by way of the protocol for the user's own surfaces."""
-
-    net: Any
-
-    def derivatives(self, parameters: Array) -> Array:
-        d = derivatives(self.net, parameters, order=3)
-        return np.stack([d[..., i, j, :] for i, j in ORDERS], axis=-2)
 
 
 @pytest.mark.parametrize("scale", [1e-3, 1.0, 1e4])

@@ -55,8 +55,9 @@ def test_scale(known: GeodesicSolution, scale: float) -> None:
     solution = solve_geodesic(NETS * scale, STARTS, ENDS)
     agrees(solution, known, scale)
     np.testing.assert_allclose(solution.raw_length / scale, known.raw_length, rtol=1e-13)
-    # Estimates are rough, but have the unit of the length.
-    np.testing.assert_allclose(solution.error_estimate / scale, known.error_estimate, rtol=0.1)
+    # Estimates are rough, but have the unit of the length; parts that are rounding errors have that
+    # of the patch's size, which is only known to a factor of 2.
+    np.testing.assert_allclose(solution.error_estimate / scale, known.error_estimate, rtol=0.5)
     np.testing.assert_allclose(solution.residual, known.residual, rtol=1e-3, atol=1e-12)
 
 
