@@ -21,10 +21,9 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.geodesic.contact import ContactPath
 from bodymeasure.geodesic.method import MethodResult, Piece
-from bodymeasure.geodesic.polynomial_space import polynomial_space
-from bodymeasure.geodesic.shortest import shortest_path
+from bodymeasure.geodesic.polish import OUTSIDE
+from bodymeasure.geodesic.shortest import EDGES, Known, shortest_paths
 from bodymeasure.geodesic.surface import Surface
 
 _Array = NDArray[np.float64]
@@ -32,18 +31,8 @@ _Array = NDArray[np.float64]
 Search = Literal["quick", "thorough", "straight"]
 SEARCHES: tuple[Search, ...] = get_args(Search)
 
-# A path is outside its patch if it is so by more than this in u or v: more than rounding errors of
-# a path along the edge, less than anything that could be measured.
-OUTSIDE = 1e-9
-# Degrees of the free pieces' trial spaces, tried in turn. Strongly bent ones take the highest.
-DEGREES = (12, 20, 32, 48, 72)
-# A path that was found must be shorter than the method's own by this part to be taken instead.
-SHORTER = 1e-8
-# A polygon of the search is shorter than the path it stands for by some thousandths; by more than
-# this part it stands for another.
-MISSED = 0.01
-# Points of the method's own path that the search starts from, among others.
-KNOWN_POINTS = 65
+# Problems that are searched at once, which bounds the memory.
+CHUNK = 128
 
 
 def search_further(
@@ -67,31 +56,32 @@ def search_further(
     """
     if search == "straight":
         return result
-    spaces = [polynomial_space(degree) for degree in DEGREES]
-    times = np.linspace(0.0, 1.0, KNOWN_POINTS)
-    pieces: list[Piece] = []
-    for piece in result.pieces:
-        good = piece.converged & piece.measured.minimal & ~is_outside(piece)
-        again = np.flatnonzero(~good if search == "quick" else np.ones_like(good))
-        if len(again) == 0:
-            pieces.append(piece)
-            continue
-        replaced = np.zeros(len(good), bool)
-        converged = piece.converged.copy()
-        paths = piece.take(again).points(times)
-        for row, known in zip(again, paths, strict=True):
-            problem = piece.problems[row : row + 1]
-            start, end = (points[problem[0]] for points in ends)
-            found = shortest_path(surface.take(problem), start, end, [known], spaces, tolerance)
-            if found.path is None:
-                # A shorter way that could not be made exact: the method's own is not the shortest.
-                converged[row] &= found.polygon >= (1.0 - MISSED) * _length(piece, row)
-            elif not (good[row] and _length(piece, row) <= _bound(found.path)):
-                replaced[row] = True
-                pieces.append(_as_piece(problem, found.path))
-        kept = replace(piece, converged=converged)
-        pieces.append(kept.take(np.flatnonzero(~replaced)))
-    return MethodResult(tuple(p for p in pieces if len(p.problems)), result.iterations)
+    count = len(ends[0])
+    good = np.zeros(count, bool)
+    place = np.empty((2, count), np.int64)
+    for number, piece in enumerate(result.pieces):
+        good[piece.problems] = piece.converged & piece.measured.minimal & ~is_outside(piece)
+        place[0, piece.problems] = number
+        place[1, piece.problems] = np.arange(len(piece.problems))
+    again = np.flatnonzero(~good if search == "quick" else np.ones_like(good))
+    doubtful, replaced = np.zeros(count, bool), np.zeros(count, bool)
+    shorter: list[Piece] = []
+    for first in range(0, len(again), CHUNK):
+        chunk = again[first : first + CHUNK]
+        own = _taken(result, place[:, chunk])
+        known = _known(own, good[chunk])
+        found = shortest_paths(surface.take(chunk), np.stack(ends)[:, chunk], known, tolerance)
+        shorter += [piece.renumbered(chunk[piece.problems]) for piece in found.pieces]
+        doubtful[chunk] = found.doubtful
+    for piece in shorter:
+        replaced[piece.problems] = True
+    kept = [piece.take(np.flatnonzero(~replaced[piece.problems])) for piece in result.pieces]
+    pieces = (
+        replace(piece, converged=piece.converged & ~doubtful[piece.problems])
+        for piece in [*kept, *shorter]
+        if len(piece.problems)
+    )
+    return MethodResult(tuple(pieces), result.iterations)
 
 
 def is_outside(piece: Piece) -> NDArray[np.bool_]:
@@ -99,21 +89,22 @@ def is_outside(piece: Piece) -> NDArray[np.bool_]:
     return piece.space.leaves_patch(piece.values, OUTSIDE)
 
 
-def _length(piece: Piece, row: np.integer) -> float:
-    return float(piece.measured.corrected[row])
+def _taken(result: MethodResult, place: NDArray[np.int64]) -> list[Piece]:
+    """The paths of some problems, given by their pieces and rows, numbered anew."""
+    numbers, rows = place
+    return [
+        result.pieces[number]
+        .take(rows[numbers == number])
+        .renumbered(np.flatnonzero(numbers == number))
+        for number in np.unique(numbers)
+    ]
 
 
-def _bound(found: ContactPath) -> float:
-    return float(found.measured.corrected[0]) * (1.0 + SHORTER)
-
-
-def _as_piece(problem: NDArray[np.int64], found: ContactPath) -> Piece:
-    return Piece(
-        problems=problem,
-        space=found.space,
-        values=found.values[None],
-        measured=found.measured,
-        converged=np.ones(1, bool),
-        singular=np.zeros(1, bool),
-        contacts=found.contacts,
-    )
+def _known(pieces: list[Piece], good: NDArray[np.bool_]) -> Known:
+    """Paths as the search wants them, and the lengths of those that are good."""
+    times = np.linspace(0.0, 1.0, EDGES + 1)
+    points, length = np.empty((len(good), EDGES + 1, 2)), np.empty(len(good))
+    for piece in pieces:
+        points[piece.problems] = piece.points(times)
+        length[piece.problems] = piece.measured.corrected
+    return Known(points, np.where(good, length, np.inf))

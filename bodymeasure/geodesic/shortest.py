@@ -1,32 +1,48 @@
-"""The shortest path inside the patch: candidates, descent, polishing."""
+"""The shortest paths inside patches: candidates, descent, polishing, for many problems at once."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.geodesic.contact import ContactPath, read_legs, solve_legs
-from bodymeasure.geodesic.descent import descend, ways_off
-from bodymeasure.geodesic.graph import rough_paths
+from bodymeasure.geodesic.descent import descend
+from bodymeasure.geodesic.method import Piece
+from bodymeasure.geodesic.polish import polish
+from bodymeasure.geodesic.polygon_energy import polygon_energy, polygon_lengths
+from bodymeasure.geodesic.rough_paths import rough_paths
+from bodymeasure.geodesic.saddles import ways_off
 from bodymeasure.geodesic.surface import Surface
-from bodymeasure.geodesic.trial_space import TrialSpace
 
 _Array = NDArray[np.float64]
+_Numbers = NDArray[np.int64]
 
-# Edges of the polygons that compete, and of those whose pattern of contacts is read, in turn.
-ROUGH_EDGES = 32
-FINE_EDGES = (64, 256)
-# A curvature below this, relative to the metric, is a saddle's.
-SADDLE = -1e-6
+# Edges of the polygons that compete.
+EDGES = 32
 # How far, in u or v, a path steps off a saddle.
 STEP_OFF = 0.05
-# Polygons within this of the best are polished: closer ones are not told apart by their lengths.
-CONTENDERS = 1.01
 # Polygons nearer to one another than this everywhere, in (u, v), lead to the same path.
 SAME = 0.02
+# Seeds nearer than this to a known local minimum lead to it.
+NEAR = 0.05
+# A path must be shorter than one that is known by this part to be taken instead.
+SHORTER = 1e-8
+
+
+class Known(NamedTuple):
+    """A path that is known already for each problem.
+
+    Parameters
+    ----------
+    points : ndarray, shape (problems, EDGES + 1, 2)
+        (u, v) at equal distances; they may leave the patch, or not be finite.
+    length : ndarray, shape (problems,)
+        Infinite where the path is not a proven local minimum inside the patch.
+    """
+
+    points: _Array
+    length: _Array
 
 
 class Found(NamedTuple):
@@ -34,116 +50,109 @@ class Found(NamedTuple):
 
     Parameters
     ----------
-    path : ContactPath or None
-        None if the best candidate could not be polished.
-    polygon : float
-        Length of the shortest polygon: a little less than the path that it stands for.
+    pieces : tuple of Piece
+        Paths that are shorter than those known.
+    doubtful : ndarray of bool, shape (problems,)
+        Where a path shorter still seems to exist, which could not be made exact.
     """
 
-    path: ContactPath | None
-    polygon: float
+    pieces: tuple[Piece, ...]
+    doubtful: NDArray[np.bool_]
 
 
-NOTHING_FOUND = Found(None, float("inf"))
+class _Contenders(NamedTuple):
+    """Polygons at rest, shape (contenders, EDGES + 1, 2), whose they are, and their lengths."""
+
+    problems: _Numbers
+    points: _Array
+    length: _Array
 
 
-def shortest_path(
-    surface: Surface,
-    start: _Array,
-    end: _Array,
-    known: Sequence[_Array],
-    spaces: Sequence[TrialSpace],
-    tolerance: float,
-) -> Found:
-    """The shortest path found between two points of a patch, inside it.
+# Overflow and the like on wild surfaces end as candidates that are not finite.
+@np.errstate(over="ignore", divide="ignore", invalid="ignore")
+def shortest_paths(surface: Surface, ends: _Array, known: Known, tolerance: float) -> Found:
+    """The shortest paths found between pairs of points, each in a patch.
 
-    Candidates are the straight line, paths that are known already, and the graph's; each slides
-    down to a path at rest, off saddles too, in the box; those nearly as short as the best are
-    polished, and the shortest of them wins. That there is none shorter still is not proven.
+    Candidates are the straight line, the path that is known already, and the graph's; each slides
+    down to a path at rest, off saddles too, in the box; then the shortest is made exact, and others
+    as long as they may be shorter: a polygon at rest is shorter than the path it stands for. That
+    there is none shorter still is not proven.
 
     Parameters
     ----------
     surface : Surface
-        Of one problem.
-    start, end : ndarray, shape (2,)
-    known : sequence of ndarray, shape (k, 2)
-        Paths from start to end; they may leave the patch.
-    spaces : sequence of TrialSpace
-        For the polishing, tried in turn.
+    ends : ndarray, shape (2, problems, 2)
+        Starts and ends.
+    known : Known
     tolerance : float
         Relative error asked for.
-
-    Returns
-    -------
-    Found
     """
-    # Overflow and the like on wild surfaces end as candidates that are not finite.
-    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
-        return _shortest(surface, (start, end), known, spaces, tolerance)
-
-
-def _shortest(
-    surface: Surface,
-    ends: tuple[_Array, _Array],
-    known: Sequence[_Array],
-    spaces: Sequence[TrialSpace],
-    tolerance: float,
-) -> Found:
-    start, end = ends
-    times = np.linspace(0.0, 1.0, ROUGH_EDGES + 1)
-    seeds = [start + (end - start) * times[:, None]]
-    seeds += [_resampled(path, ROUGH_EDGES) for path in known if np.isfinite(path).all()]
-    seeds += rough_paths(surface, start, end, ROUGH_EDGES)
-    jets = [surface.jet(seed[None], 2) for seed in seeds]
-    # Nothing can be found where the surface is not finite, or all one point.
-    if not all(np.isfinite(jet).all() and np.any(jet[1:3]) for jet in jets):
-        return NOTHING_FOUND
-    points, lengths = _at_rest(surface, np.stack(seeds))
-    order = np.argsort(lengths, kind="stable")
-    contenders: list[_Array] = []
-    for number in order:
-        if lengths[number] > CONTENDERS * lengths[order[0]]:
+    contenders = _at_rest(surface, *_seeds(surface, ends, known))
+    best = known.length * (1.0 - SHORTER)
+    doubt = np.full(len(best), np.inf)
+    latest = np.where(np.isfinite(best)[:, None, None], known.points, np.nan)
+    pieces: list[Piece] = []
+    winner = np.full(len(best), -1)
+    while True:
+        contenders = _others(contenders, latest, np.minimum(best, doubt))
+        if len(contenders.problems) == 0:
             break
-        if all(np.abs(points[number] - other).max() > SAME for other in contenders):
-            contenders.append(points[number])
-    polished = [_polished(surface, polygon, spaces, tolerance) for polygon in contenders]
-    polygon = float(lengths[order[0]])
-    if polished[0] is None:
-        return Found(None, polygon)
-    best = min(
-        (path for path in polished if path is not None),
-        key=lambda path: float(path.measured.corrected[0]),
+        problems, first = np.unique(contenders.problems, return_index=True)
+        latest[problems] = contenders.points[first]
+        polished, in_doubt = polish(surface.take(problems), latest[problems], tolerance)
+        doubt[problems] = np.minimum(doubt[problems], in_doubt)
+        for piece in polished:
+            owners, length = problems[piece.problems], piece.measured.corrected
+            shorter = length < best[owners]
+            winner[owners[shorter]] = len(pieces)
+            best[owners[shorter]] = length[shorter]
+            pieces.append(piece.renumbered(owners))
+    winners = (
+        piece.take(np.flatnonzero(winner[piece.problems] == number))
+        for number, piece in enumerate(pieces)
     )
-    return Found(best, polygon)
+    return Found(tuple(piece for piece in winners if len(piece.problems)), doubt < best)
 
 
-def _at_rest(surface: Surface, seeds: _Array) -> tuple[_Array, _Array]:
-    """Polygons that the seeds slide down to, those beyond saddles included, and their lengths."""
-    same = np.zeros(len(seeds), np.int64)
-    points, lengths = descend(surface.take(same), seeds)
-    curvature, direction = ways_off(surface.take(same), points)
-    saddles = np.flatnonzero(curvature < SADDLE)
-    if len(saddles) == 0:
-        return points, lengths
-    step = STEP_OFF * direction[saddles]
-    both = np.concatenate([points[saddles] - step, points[saddles] + step])
-    beyond, beyond_lengths = descend(surface.take(np.zeros(len(both), np.int64)), both)
-    return np.concatenate([points, beyond]), np.concatenate([lengths, beyond_lengths])
+def _seeds(surface: Surface, ends: _Array, known: Known) -> tuple[_Numbers, _Array]:
+    """Polygons to slide down from, and whose they are."""
+    times = np.linspace(0.0, 1.0, EDGES + 1)[:, None]
+    straight = ends[0, :, None] * (1.0 - times) + ends[1, :, None] * times
+    every = np.arange(len(straight))
+    unsure = np.flatnonzero(~np.isfinite(known.length))
+    rough = rough_paths(surface, ends, EDGES)
+    problems = np.concatenate([every, unsure, rough.problems])
+    points = np.concatenate([straight, known.points[unsure], rough.points])
+    points = np.clip(points, 0.0, 1.0)
+    points[:, 0], points[:, -1] = ends[:, problems]
+    energy = polygon_energy(surface.take(problems), points).energy
+    # Nothing can be found where the surface is not finite, or all one point.
+    usable = np.isfinite(energy) & (energy > 0.0)
+    sure = np.isfinite(known.length)[problems]
+    usable &= ~(sure & (_gap(points, known.points[problems]) <= NEAR))
+    return problems[usable], points[usable]
 
 
-def _polished(
-    surface: Surface, polygon: _Array, spaces: Sequence[TrialSpace], tolerance: float
-) -> ContactPath | None:
-    for edges in FINE_EDGES:
-        polygon = descend(surface, _resampled(polygon, edges)[None])[0][0]
-        path = solve_legs(surface, polygon, read_legs(polygon), spaces, tolerance)
-        if path is not None:
-            return path
-    return None
+def _at_rest(surface: Surface, problems: _Numbers, seeds: _Array) -> _Contenders:
+    """Where seeds slide down to, also those beyond saddles; in order of length."""
+    points = descend(surface.take(problems), seeds)
+    saddles, direction = ways_off(surface.take(problems), points)
+    beyond = np.concatenate([points[saddles] + sign * STEP_OFF * direction for sign in (-1.0, 1.0)])
+    owners = np.concatenate([problems[saddles]] * 2)
+    beyond = descend(surface.take(owners), beyond)
+    problems, points = np.concatenate([problems, owners]), np.concatenate([points, beyond])
+    length = polygon_lengths(surface.take(problems), points)
+    order = np.argsort(length, kind="stable")
+    return _Contenders(problems[order], points[order], length[order])
 
 
-def _resampled(path: _Array, edges: int) -> _Array:
-    """A polygon with another number of edges, kept in the box."""
-    old, new = np.linspace(0.0, 1.0, len(path)), np.linspace(0.0, 1.0, edges + 1)
-    polygon = np.stack([np.interp(new, old, path[:, axis]) for axis in (0, 1)], axis=1)
-    return np.clip(polygon, 0.0, 1.0)
+def _others(contenders: _Contenders, latest: _Array, best: _Array) -> _Contenders:
+    """Those that may be shorter than the best known, and are not the same as the latest."""
+    problems, points, length = contenders
+    keep = (length < best[problems]) & ~(_gap(points, latest[problems]) <= SAME)
+    return _Contenders(problems[keep], points[keep], length[keep])
+
+
+def _gap(points: _Array, others: _Array) -> _Array:
+    result: _Array = np.abs(points - others).max(axis=(1, 2))
+    return result

@@ -9,7 +9,6 @@ from scipy.optimize import brentq
 
 import bodymeasure as bm
 from bodymeasure.geodesic.contact import read_legs, solve_legs
-from bodymeasure.geodesic.descent import descend, ways_off
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import BezierSurfaces
 from bodymeasure.oracle import mesh_distances
@@ -119,37 +118,6 @@ def test_a_wall_round_the_straight_line_is_gone_round() -> None:
     assert abs(difference) <= 3.0 * mesh.exact_uncertainty[0, 0]
 
 
-def test_descent_never_lengthens_and_stays_in_the_box(rng: np.random.Generator) -> None:
-    nets = np.array([heights(rng.random((4, 4))) for _ in range(20)])
-    surface = BezierSurfaces(nets)
-    seeds = rng.random((20, 17, 2))
-    seeds[:, 0], seeds[:, -1] = START, END
-    points, lengths = descend(surface, seeds)
-    assert ((points >= 0.0) & (points <= 1.0)).all()
-    assert (points[:, 0] == START).all()
-    assert (points[:, -1] == END).all()
-    straight = np.linspace(START, END, 17)
-    _, again = descend(surface, points)
-    assert again == pytest.approx(lengths, rel=1e-9)
-    _, from_straight = descend(surface, np.repeat(straight[None], 20, axis=0))
-    chord = np.linalg.norm(nets[:, 3, 3] - nets[:, 0, 0], axis=-1)
-    assert (from_straight >= chord * (1.0 - 1e-12)).all()
-
-
-def test_a_saddle_is_known_by_its_curvature() -> None:
-    z = np.zeros((4, 4))
-    z[1:3, 1:3] = 2.0
-    line = np.linspace(START, END, 33)[None]
-    surface = BezierSurfaces(heights(z)[None])
-    over, _ = descend(surface, line)
-    curvature, direction = ways_off(surface, over)
-    assert curvature[0] < 0.0
-    # Off the ridge's top is to the side: u one way, v the other.
-    assert direction[0, 16, 0] == pytest.approx(-direction[0, 16, 1], rel=1e-3)
-    flat = BezierSurfaces(heights(np.zeros((4, 4)))[None])
-    assert ways_off(flat, descend(flat, line)[0])[0][0] > 0.0
-
-
 def test_the_pattern_of_a_polygon() -> None:
     inside = [0.3, 0.5]
     polygon = np.array(
@@ -240,7 +208,7 @@ def test_a_shorter_way_that_cannot_be_made_exact_is_not_kept_quiet(
     net = heights(z)
     loose = bm.RBFCollocation(tolerance=1e-3)
     shorter = bm.solve_geodesic(net, START, END, search="thorough").length
-    monkeypatch.setattr("bodymeasure.geodesic.search.DEGREES", (2,))
+    monkeypatch.setattr("bodymeasure.geodesic.polish.DEGREES", (2,))
     kept = bm.solve_geodesic(net, START, END, method=loose, search="thorough", on_failure="status")
     assert kept.raw_length > 1.02 * shorter
     assert not kept.converged

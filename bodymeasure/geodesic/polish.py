@@ -1,0 +1,139 @@
+"""Polygons at rest made exact: the geodesic that each stands for, or the path along edges."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
+
+from bodymeasure.geodesic.contact import ContactPath, read_legs, solve_legs
+from bodymeasure.geodesic.descent import descend
+from bodymeasure.geodesic.length_error import is_good, measure_length
+from bodymeasure.geodesic.method import Piece
+from bodymeasure.geodesic.newton import newton
+from bodymeasure.geodesic.polygon_energy import polygon_lengths
+from bodymeasure.geodesic.polynomial_space import polynomial_space
+from bodymeasure.geodesic.surface import Surface
+
+_Array = NDArray[np.float64]
+_Numbers = NDArray[np.int64]
+
+# Degrees of the trial spaces, tried in turn. Strongly bent paths take the highest.
+DEGREES = (12, 20, 32, 48, 72)
+# Newton steps on each: polygons are near enough that those that converge do so in fewer.
+MOST_STEPS = 8
+# A path may leave its patch by this much, in u or v: more than rounding errors of a path along the
+# edge, less than anything that could be measured.
+OUTSIDE = 1e-9
+# A path that is further than this from its polygon, in u or v, is another than was meant.
+ASTRAY = 0.1
+# Edges of the polygons whose pattern of contacts is read, in turn.
+FINE_EDGES = (64, 256)
+
+
+class Polished(NamedTuple):
+    """What became of polygons.
+
+    Parameters
+    ----------
+    pieces : tuple of Piece
+        Paths; their problems are the polygons' numbers.
+    doubt : ndarray, shape (polygons,)
+        The least length of a path that was not found; infinite where it was.
+    """
+
+    pieces: tuple[Piece, ...]
+    doubt: _Array
+
+
+def polish(surface: Surface, polygons: _Array, tolerance: float) -> Polished:
+    """Exact paths near polygons at rest.
+
+    Those that touch no edge are solved by collocation, all at once; the others, and those for which
+    that fails, leg by leg, with their contacts read from finer polygons.
+
+    Parameters
+    ----------
+    surface : Surface
+    polygons : ndarray, shape (polygons, m + 1, 2)
+        As `descend` returns them.
+    tolerance : float
+        Relative error asked for.
+    """
+    free = np.flatnonzero(((polygons > 0.0) & (polygons < 1.0))[:, 1:-1].all(axis=(1, 2)))
+    pieces = _collocated(surface, polygons, free, tolerance)
+    spaces = [polynomial_space(degree) for degree in DEGREES]
+    left = _without(np.arange(len(polygons)), pieces)
+    doubt = np.full(len(polygons), np.inf)
+    for edges in FINE_EDGES:
+        part = surface.take(left)
+        fine = descend(part, _refined(polygons[left], edges))
+        doubt[left] = polygon_lengths(part, fine)
+        for row, polygon in zip(left, fine, strict=True):
+            path = solve_legs(
+                surface.take(np.array([row])), polygon, read_legs(polygon), spaces, tolerance
+            )
+            if path is not None:
+                pieces.append(_as_piece(row, path))
+                doubt[row] = np.inf
+        left = _without(left, pieces)
+    return Polished(tuple(pieces), doubt)
+
+
+def _collocated(
+    surface: Surface, polygons: _Array, rows: _Numbers, tolerance: float
+) -> list[Piece]:
+    """Paths of some of the polygons that have no contact, each on the first space that serves."""
+    times = np.linspace(0.0, 1.0, polygons.shape[1])
+    pieces: list[Piece] = []
+    for degree in DEGREES:
+        if len(rows) == 0:
+            break
+        space = polynomial_space(degree)
+        start = (_spline(degree, polygons.shape[1]) @ polygons[rows]).swapaxes(1, 2)
+        part = surface.take(rows)
+        found = newton(part, space, start, max_iterations=MOST_STEPS)
+        measured = measure_length(part, space, found.values)
+        path = (found.values @ space.matrices(times)[0].T).swapaxes(1, 2)
+        good = found.converged & is_good(measured, tolerance)
+        good &= ~space.leaves_patch(found.values, OUTSIDE)
+        good &= np.abs(path - polygons[rows]).max(axis=(1, 2)) <= ASTRAY
+        piece = Piece(rows, space, found.values, measured, good, found.singular)
+        pieces.append(piece.take(np.flatnonzero(good)))
+        rows = rows[~good]
+    return pieces
+
+
+@lru_cache(maxsize=16)
+def _spline(degree: int, vertices: int) -> _Array:
+    """From a polygon's vertices to a smooth path at the nodes of a polynomial space."""
+    times = np.linspace(0.0, 1.0, vertices)
+    nodes = polynomial_space(degree).nodes
+    return np.asarray(CubicSpline(times, np.eye(vertices))(nodes))
+
+
+def _without(rows: _Numbers, pieces: list[Piece]) -> _Numbers:
+    """Those rows that have no piece yet."""
+    return np.setdiff1d(rows, np.concatenate([rows[:0], *(piece.problems for piece in pieces)]))
+
+
+def _refined(polygons: _Array, edges: int) -> _Array:
+    """Polygons with another number of edges."""
+    old, new = np.linspace(0.0, 1.0, polygons.shape[1]), np.linspace(0.0, 1.0, edges + 1)
+    result: _Array = np.stack([np.interp(new, old, row) for row in np.eye(len(old))], 1) @ polygons
+    return result
+
+
+def _as_piece(row: np.int64, found: ContactPath) -> Piece:
+    return Piece(
+        problems=np.array([row]),
+        space=found.space,
+        values=found.values[None],
+        measured=found.measured,
+        converged=np.ones(1, bool),
+        singular=np.zeros(1, bool),
+        contacts=found.contacts,
+    )
