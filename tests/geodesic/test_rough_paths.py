@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from bodymeasure.geodesic.custom_surface import CustomSurface
 from bodymeasure.geodesic.grid_graph import LINES, grid_points, shortest_trees
 from bodymeasure.geodesic.polygon_energy import polygon_lengths
 from bodymeasure.geodesic.rough_paths import MOST_PATHS, rough_paths
-from bodymeasure.geodesic.surface import BezierSurfaces, CustomSurface
+from bodymeasure.geodesic.surface import BezierSurfaces
 
 Array = NDArray[np.float64]
 
