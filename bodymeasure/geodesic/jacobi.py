@@ -20,7 +20,7 @@ _Array = NDArray[np.float64]
 
 # See the text of `length_error`.
 SAFETY = 3.0
-QUADRATURE_SAFETY = 10.0
+QUADRATURE_SAFETY = 3.0
 CURVATURE_VARIATION = 4.0
 # Rounding errors of a length, relative, a node: measured against 40-node solutions.
 ROUNDING = 2e-16

@@ -16,7 +16,7 @@ leading order. That excess is subtracted. What is left over is estimated by
 - the next term of the expansion, :math:`\tfrac16 \int |\partial_n K| |\psi|^3`, with the
   derivative across the path taken to be of the size of that along it, and of 4 K / L;
 - the terms after it, :math:`\int |\kappa_g \psi| \psi'^2 / 2 + \psi'^4 / 8 + K^2 \psi^4`;
-- ten times the error that the quadrature estimates of itself;
+- three times the error that the quadrature estimates of itself;
 
 all tripled, plus rounding. The factors were fixed by measurement
 (``tests/benchmarks/error_estimate.py``): on random and body patches the estimate covers the true

@@ -34,7 +34,7 @@ class NewtonResult:
         u and v at the nodes.
     converged : ndarray of bool, shape (problems,)
     singular : ndarray of bool, shape (problems,)
-        The Jacobian could not be solved with.
+        The Jacobian could not be solved with, or the residual is not finite from the start.
     iterations : ndarray of int, shape (problems,)
     """
 
@@ -114,7 +114,8 @@ def newton(
         full = converged[done, None, None] * direction[done]
         result.values[ended] = base[done] + full
         result.converged[ended] = converged[done]
-        result.singular[ended] = ~solvable[done]
+        # A first residual that is not finite says no more than a system that cannot be solved.
+        result.singular[ended] = ~solvable[done] | ~np.isfinite(base_norm[done])
         keep = np.flatnonzero(~done)
         active, base, base_norm = active[keep], base[keep], base_norm[keep]
         direction, step = direction[keep], step[keep]

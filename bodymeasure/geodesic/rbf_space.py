@@ -70,7 +70,7 @@ def rbf_space(
     breaks = _breaks(centers, support_radius)
     edges = np.array([0.0, *breaks, 1.0])
     samples = sample_points(edges, kernel.degree)
-    condition = float("inf")
+    condition, growth = float("inf"), float("inf")
     with localcontext(Context(prec=DIGITS)):
         sampled_basis = _basis(kernel, centers, samples.ravel(), support_radius)
         for shift in SHIFTS:
@@ -79,22 +79,33 @@ def rbf_space(
             if inverse is None or condition > DEGENERATE_CONDITION:
                 continue
             cardinal = np.stack([part @ inverse for part in sampled_basis])
-            if max(abs(cardinal[0]).sum(axis=1)) < LARGEST_CARDINAL_SUM:
+            growth = min(growth, float(max(abs(cardinal[0]).sum(axis=1))))
+            if growth < LARGEST_CARDINAL_SUM:
                 functions = _piecewise(edges, samples, cardinal)
                 break
         else:
-            raise InputError(
-                f"the collocation system of {len(centers)} {kernel.name} functions is degenerate "
-                f"(condition number {condition:.1e}) for every choice of collocation points tried; "
-                "choose other centers (no two alike, each within a support radius of [0, 1]), a "
-                "larger support radius, or another number of functions"
-            )
+            raise InputError(_refusal(f"{len(centers)} {kernel.name} functions", condition, growth))
     moved = "" if shift == 0.0 else f", collocation points moved by {shift:g} of their gaps"
     return TrialSpace(
         nodes=nodes,
         condition=condition,
         functions=functions,
         description=f"{len(centers)} {kernel.name} functions{moved}",
+    )
+
+
+def _refusal(functions: str, condition: float, growth: float) -> str:
+    if np.isfinite(growth):
+        return (
+            f"{functions} can hardly be told apart at any choice of collocation points tried: "
+            f"between the points, rounding errors would grow by a factor of {growth:.1e}; choose "
+            "fewer functions or a smaller support radius"
+        )
+    return (
+        f"the collocation system of {functions} is degenerate (condition number {condition:.1e}) "
+        "for every choice of collocation points tried; choose other centers (no two alike, each "
+        "within a support radius of [0, 1]), a larger support radius, or another number of "
+        "functions"
     )
 
 

@@ -37,26 +37,37 @@ def test_many_functions_at_once() -> None:
     assert rule.error_estimate(values).shape == (2,)
 
 
-@pytest.mark.parametrize("pole", [0.05, 0.1, 0.3, 1.0])
+@pytest.mark.parametrize("count", [16, 24, 40, 96])
 @pytest.mark.parametrize("pieces", [1, 3])
-def test_its_error_estimate_is_close_above_the_error(pole: float, pieces: int) -> None:
-    # A speed: the square root of a polynomial, whose complex roots lie `pole` beside [0, 1].
-    centers = np.linspace(0.05, 0.95, 7)
-    above, factors = True, []
-    for center in centers:
-        edges = np.linspace(0.0, 1.0, pieces + 1)
-        rule, fine = Quadrature(edges, 24), Quadrature(np.linspace(0.0, 1.0, 65), 30)
-        speed, exact = (np.hypot(q.points - center, pole) for q in (rule, fine))
-        error = abs(float(rule.integrate(speed) - fine.integrate(exact)))
-        estimate = float(rule.error_estimate(speed[:, None])[0]) + 1e-15
-        # `length_error` takes ten times the estimate.
-        above &= error <= 10.0 * estimate
-        if error > 1e-14:
-            factors.append(estimate / error)
-    assert above
-    assert not factors or np.median(factors) < 1e3
+def test_its_error_estimate_is_close_above_the_error(
+    count: int, pieces: int, rng: np.random.Generator
+) -> None:
+    # Speeds: square roots of polynomials, whose complex roots lie beside [0, 1], near and far.
+    centers, beside = rng.uniform(-0.1, 1.1, 4000), 10.0 ** rng.uniform(-2.5, 0.5, 4000)
+    rule = Quadrature(np.linspace(0.0, 1.0, pieces + 1), count)
+    speed = np.hypot(rule.points[:, None] - centers, beside)
+    # The integral of hypot(x, b) is (x hypot(x, b) + b^2 asinh(x / b)) / 2.
+    ends = np.array([1.0, 0.0])[:, None] - centers
+    exact, below = 0.5 * (ends * np.hypot(ends, beside) + beside**2 * np.arcsinh(ends / beside))
+    exact -= below
+    error = np.abs(rule.integrate(speed) - exact)
+    estimate = rule.error_estimate(speed)
+    # `length_error` takes nine times the estimate, and adds what is due to rounding errors.
+    rounding = 1e-14 * exact
+    assert np.mean(error <= 9.0 * estimate + rounding) >= (0.97 if count < 24 else 0.99)
+    assert (error <= 300.0 * estimate + rounding).all()
+    clear = error > 1e-13 * exact
+    if clear.any():
+        assert np.median(estimate[clear] / error[clear]) < 20.0
+
+
+def test_an_estimate_of_nothing_to_estimate_is_zero() -> None:
+    rule = Quadrature(np.array([0.0, 1.0]), 8)
+    with np.errstate(invalid="ignore"):
+        assert rule.error_estimate(np.zeros((8, 1)))[0] == 0.0
+        assert np.isnan(rule.error_estimate(np.full((8, 1), np.nan))[0])
 
 
 def test_an_estimate_of_a_polynomial_within_reach_is_rounding() -> None:
     rule = Quadrature(np.array([0.0, 1.0]), 12)
-    assert rule.error_estimate(1.0 + rule.points[:, None] ** 9)[0] < 1e-28
+    assert rule.error_estimate(1.0 + rule.points[:, None] ** 8)[0] < 1e-28

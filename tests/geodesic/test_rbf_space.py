@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from bodymeasure import InputError
-from bodymeasure.geodesic import WU_C2, WU_C4, WU_C6, WU_C10, Kernel
+from bodymeasure.geodesic import WU_C2, WU_C4, WU_C6, WU_C10, Kernel, RBFCollocation
 from bodymeasure.geodesic.rbf import LADDER, chebyshev_points, default_centers
 from bodymeasure.geodesic.rbf_space import rbf_coefficients, rbf_space
 from bodymeasure.geodesic.trial_space import TrialSpace
@@ -249,6 +249,15 @@ def test_breaks_that_differ_by_rounding_are_one() -> None:
     # -1.7 + 2 is not 0.3 in binary.
     trial = space(WU_C2, (-1.7, 0.3, 0.6, 1.5), 2.0)
     np.testing.assert_allclose(trial.functions.edges, [0.0, 0.3, 0.6, 1.0])
+
+
+@pytest.mark.parametrize("count", [34, 40])
+def test_too_many_functions_are_refused_for_what_they_do_to_rounding_errors(count: int) -> None:
+    with pytest.raises(InputError, match=r"rounding errors would grow .*choose fewer functions"):
+        list(RBFCollocation(functions=count).spaces)
+    # As the message says.
+    for better in (RBFCollocation(functions=30), RBFCollocation(functions=count, support_radius=1)):
+        assert len(list(better.spaces)) == 1
 
 
 @pytest.mark.parametrize(
