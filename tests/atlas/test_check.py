@@ -11,6 +11,7 @@ from hypothesis.extra.numpy import arrays
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from bodymeasure import InputError
 from bodymeasure.atlas import Atlas, Finding, FindingKind, Severity, Unit, check_atlas
 from bodymeasure.samples import load_sample, sample_names
 
@@ -126,6 +127,13 @@ def test_a_closed_tube_of_one_patch_is_sound() -> None:
 def test_samples_have_no_fault_but_kinks(name: str) -> None:
     findings = check_atlas(load_sample(name))
     assert {finding.kind for finding in findings} <= {FindingKind.KINKED_SEAM}
+
+
+@pytest.mark.parametrize("scale", [1e300, 1e160, 1e-160, 1e-300])
+def test_sizes_that_nothing_can_be_said_of_are_refused(scale: float) -> None:
+    atlas = grid_atlas(1, 1)
+    with pytest.raises(InputError, match=r"extends over .* choose another unit"):
+        check_atlas(replace(atlas, points=scale * atlas.points))
 
 
 # Collapses
