@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.method import Piece
+from bodymeasure.geodesic.status import have_length
 
 _Array = NDArray[np.float64]
 
@@ -73,9 +74,8 @@ class GeodesicSolution:
     @property
     def converged(self) -> Any:
         """Whether the length can be trusted, of the batch's shape."""
-        statuses = np.asarray(self.status, dtype=object).ravel()
-        result = np.array([status.has_length for status in statuses], dtype=bool)
-        return result.reshape(self.shape) if self.shape else bool(result[0])
+        result = have_length(np.asarray(self.status, dtype=object))
+        return result if self.shape else bool(result)
 
     @property
     def local_minimum(self) -> Any:

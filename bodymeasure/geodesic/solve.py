@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, NamedTuple, Protocol
+from typing import Literal, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure.errors import ConvergenceError, InputError
+from bodymeasure.geodesic.control_points import checked_control_points, of_size_one
 from bodymeasure.geodesic.custom_surface import CustomSurface
 from bodymeasure.geodesic.jacobi import UNKNOWN
 from bodymeasure.geodesic.method import Method, MethodResult
@@ -16,15 +17,13 @@ from bodymeasure.geodesic.one_place import distances_in_one_place
 from bodymeasure.geodesic.rbf import RBFCollocation
 from bodymeasure.geodesic.search import SEARCHES, Search, is_outside, search_further
 from bodymeasure.geodesic.solution import GeodesicSolution
-from bodymeasure.geodesic.status import Status
+from bodymeasure.geodesic.status import Status, have_length
 from bodymeasure.geodesic.surface import BezierSurfaces, Surface
 
 _Array = NDArray[np.float64]
 
 # What the smallest lengths are rounded to.
 SMALLEST = float(np.finfo(np.float64).smallest_subnormal)
-# Coordinates beyond this could overflow in a length.
-LARGEST = 1e300
 # A path with a correction beyond this part of its length is no geodesic in any sense.
 STRAY = 0.1
 # How many failed problems an error message lists.
@@ -62,7 +61,9 @@ def solve_geodesic(
     Parameters
     ----------
     surface : array_like of shape (*batch, m + 1, n + 1, 3), or object with ``derivatives``
-        Control points of Bezier patches, or one parametric surface over [0, 1] x [0, 1].
+        Control points of Bezier patches, or one parametric surface over [0, 1] x [0, 1]. Control
+        points may be an array of torch, CuPy or JAX: then most of the work is done by that library,
+        on the device where they are. The solution is numpy's.
     start, end : array_like, shape (*batch, 2)
         Points (u, v) in [0, 1]; they broadcast with each other and with the patches.
     method : Method, optional
@@ -110,12 +111,12 @@ def solve_geodesic(
         surfaces, size = CustomSurface(surface.derivatives).of_size_one()
         patch_of, scale = np.zeros(count, np.int64), np.full(count, size)
     else:
-        nets = _checked_control_points(surface)
+        nets = checked_control_points(surface)
         batch = _broadcast(nets.shape[:-3], start.shape[:-1], end.shape[:-1])
         # Each patch is prepared once, however many problems it has.
         patches = np.arange(int(np.prod(nets.shape[:-3]))).reshape(nets.shape[:-3])
         patch_of = np.broadcast_to(patches, batch).ravel()
-        nets, sizes = _of_size_one(nets.reshape(-1, *nets.shape[-3:]))
+        nets, sizes = of_size_one(nets.reshape((-1, *nets.shape[-3:])))
         surfaces, scale = BezierSurfaces(nets), sizes[patch_of]
         count = len(patch_of)
     starts = np.broadcast_to(start, (*batch, 2)).reshape(-1, 2).copy()
@@ -175,7 +176,7 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
         status[here[outside]] = Status.LEAVES_PATCH
         status[here[~piece.converged & ~outside]] = Status.NOT_CONVERGED
         status[here[piece.singular]] = Status.SINGULAR
-    length[~np.array([each.has_length for each in status], dtype=bool)] = np.nan
+    length[~have_length(status)] = np.nan
     arrays = {
         "length": length,
         "raw_length": raw,
@@ -214,62 +215,6 @@ def _checked_parameters(name: str, value: ArrayLike) -> _Array:
     if bad.any():
         raise InputError(f"{name} holds {array[bad][0].tolist()}; expected u and v in [0, 1]")
     return array
-
-
-def _checked_control_points(value: Any) -> _Array:
-    try:
-        if np.iscomplexobj(value):
-            raise TypeError
-        nets = np.asarray(value, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise InputError(
-            f"a surface of type {type(value).__name__} is neither an array of real numbers nor "
-            "an object with a method `derivatives`"
-        ) from None
-    if nets.ndim < 3 or nets.shape[-1] != 3 or min(nets.shape[-3:-1]) < 2:
-        raise InputError(
-            f"control points have shape {nets.shape}; expected (..., m + 1, n + 1, 3), "
-            "such as (4, 4, 3) for one bicubic patch"
-        )
-    flat = nets.reshape(-1, *nets.shape[-3:])
-    bad = np.flatnonzero(~np.isfinite(flat).all(axis=(1, 2, 3)))
-    if len(bad):
-        raise InputError(f"patch {bad[0]} has control points that are not finite")
-    largest = np.abs(flat).max(axis=(1, 2, 3), initial=0.0)
-    huge = np.flatnonzero(largest > LARGEST)
-    if len(huge):
-        raise InputError(
-            f"patch {huge[0]} has coordinates of {largest[huge[0]]:.3g}; expected at most "
-            f"{LARGEST:g}: choose a larger unit"
-        )
-    collapsed = collapsed_patches(flat)
-    if len(collapsed):
-        raise InputError(
-            f"patch {collapsed[0]} is degenerate: all its control points are equal; remove it"
-        )
-    return nets
-
-
-def collapsed_patches(control_points: _Array) -> NDArray[np.int64]:
-    """Numbers of the patches, shape (patches, m + 1, n + 1, 3), whose points are all equal."""
-    return np.flatnonzero(np.ptp(control_points, axis=(1, 2)).max(axis=-1) == 0.0)
-
-
-def _of_size_one(nets: _Array) -> tuple[_Array, _Array]:
-    """Patches scaled to about size 1, so that tolerances mean the same to all, and their sizes.
-
-    Powers of 2, so that nothing is rounded.
-    """
-    # Twice: where a patch lies far from the origin, its extent is much less than its coordinates.
-    nets, first = _scaled(nets, np.abs(nets).max(axis=(1, 2, 3)))
-    nets, second = _scaled(nets, np.ptp(nets, axis=(1, 2)).max(axis=1))
-    return nets, np.ldexp(1.0, first + second)
-
-
-def _scaled(nets: _Array, size: _Array) -> tuple[_Array, NDArray[np.int64]]:
-    """Patches divided by powers of 2, so that the size comes to lie in [1, 2), and the powers."""
-    exponents = np.frexp(size)[1].astype(np.int64) - 1
-    return np.ldexp(nets, -exponents[:, None, None, None]), exponents
 
 
 def _broadcast(*shapes: tuple[int, ...]) -> tuple[int, ...]:

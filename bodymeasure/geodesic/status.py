@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 from enum import Enum
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 
 class Status(Enum):
@@ -40,3 +44,12 @@ class Status(Enum):
     def sentence(self) -> str:
         """The status in words for the user."""
         return self.value
+
+
+def have_length(statuses: NDArray[Any]) -> NDArray[np.bool_]:
+    """`Status.has_length` of each of an array of statuses."""
+    result = np.zeros(statuses.shape, bool)
+    for status in Status:
+        if status.has_length:
+            result |= statuses == status
+    return result

@@ -83,8 +83,11 @@ class TrialSpace:
         """
         leaves = np.zeros(len(values), bool)
         for first in range(0, len(values), CHUNK):
-            path = values[first : first + CHUNK] @ self.between_nodes.T
-            leaves[first : first + CHUNK] = (np.abs(path - 0.5) > 0.5 + margin).any(axis=(1, 2))
+            some = values[first : first + CHUNK]
+            # The times along the first axis, over which a minimum is much the fastest.
+            paths = self.between_nodes @ some.reshape(-1, some.shape[2]).T
+            outside = (paths.min(axis=0) < -margin) | (paths.max(axis=0) > 1.0 + margin)
+            leaves[first : first + CHUNK] = outside.reshape(-1, 2).any(axis=1)
         return leaves
 
     @cached_property

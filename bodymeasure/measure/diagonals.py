@@ -9,7 +9,7 @@ import numpy as np
 from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import GeodesicSolution, Method, Search, solve_geodesic
-from bodymeasure.geodesic.solve import collapsed_patches
+from bodymeasure.geodesic.control_points import collapsed_patches
 
 # Ends (u, v) of a patch's two diagonals; shape (2, 2).
 DIAGONAL_STARTS = np.array([[0.0, 0.0], [1.0, 0.0]])
