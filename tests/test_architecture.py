@@ -34,6 +34,7 @@ LAYERS = (
     ("measure",),
     ("scene",),
     ("report", "viewer"),
+    ("paper",),
     ("cli",),
     ("__main__",),
 )
@@ -47,8 +48,8 @@ RESERVED = {
     "vtk": {"scene", "viewer"},
     "vtkmodules": {"scene", "viewer"},
     # pyvista takes its color maps from it.
-    "matplotlib": {"scene", "report", "viewer"},
-    "jinja2": {"report"},
+    "matplotlib": {"scene", "report", "viewer", "paper"},
+    "jinja2": {"report", "paper"},
     "click": {"cli"},
     "rich": {"cli"},
 }
