@@ -1,0 +1,90 @@
+"""Pairs of polynomials in two variables, many at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+_Array = NDArray[np.float64]
+_Complex = NDArray[np.complex128]
+
+
+class PairValues(NamedTuple):
+    """Both polynomials of each pair at points (pairs, k), with first derivatives.
+
+    Each is a pair of arrays of shape (pairs, k); `size` is the sum of the sizes of the terms, which
+    is what rounding errors are relative to.
+    """
+
+    value: tuple[_Complex, _Complex]
+    by_x: tuple[_Complex, _Complex]
+    by_y: tuple[_Complex, _Complex]
+    size: tuple[_Array, _Array]
+
+
+@dataclass(frozen=True, eq=False)
+class PolynomialPair:
+    """Two polynomials in (x, y) for each of a batch.
+
+    Parameters
+    ----------
+    first, second : ndarray, shape (pairs, degree in x + 1, degree in y + 1)
+        ``[p, i, j]`` is the coefficient of ``x^i y^j``.
+    """
+
+    first: _Array
+    second: _Array
+
+    def take(self, rows: NDArray[np.int64]) -> PolynomialPair:
+        """Some of the batch."""
+        return PolynomialPair(self.first[rows], self.second[rows])
+
+    @property
+    def both(self) -> tuple[_Array, _Array]:
+        """The two, to loop over."""
+        return self.first, self.second
+
+    @property
+    def turned(self) -> PolynomialPair:
+        """The same with x and y exchanged."""
+        return PolynomialPair(*(c.swapaxes(1, 2) for c in self.both))
+
+    def in_units(self, unit: float) -> PolynomialPair:
+        """The same for x / unit and y / unit, with 1 for the largest coefficient."""
+        scaled = []
+        for c in self.both:
+            powers = [unit ** np.arange(n, dtype=np.float64) for n in c.shape[1:]]
+            scaled.append(of_size_one(c * np.outer(*powers)))
+        return PolynomialPair(*scaled)
+
+    def at(self, points: _Complex) -> PairValues:
+        """Values at points (pairs, k, 2)."""
+        exponents = np.arange(max(max(c.shape[1:]) for c in self.both))
+        x, y = (points[..., i, None] ** exponents for i in range(2))
+        slopes = [
+            np.concatenate([np.zeros_like(p[..., :1]), p[..., :-1]], axis=-1) * exponents
+            for p in (x, y)
+        ]
+
+        def sums(left: _Complex, right: _Complex) -> tuple[_Complex, _Complex]:
+            first, second = (
+                ((left[..., : c.shape[1]] @ c) * right[..., : c.shape[2]]).sum(axis=-1)
+                for c in self.both
+            )
+            return first, second
+
+        sizes = (
+            ((np.abs(x[..., : c.shape[1]]) @ np.abs(c)) * np.abs(y[..., : c.shape[2]])).sum(axis=-1)
+            for c in self.both
+        )
+        first, second = sizes
+        return PairValues(sums(x, y), sums(slopes[0], y), sums(x, slopes[1]), (first, second))
+
+
+def of_size_one(coefficients: _Array) -> _Array:
+    """Polynomials multiplied so that their largest coefficient is 1 in size; zero stays zero."""
+    size = np.abs(coefficients).max(axis=(1, 2), keepdims=True)
+    return np.asarray(coefficients / np.where(size > 0.0, size, 1.0))
