@@ -32,6 +32,9 @@ CONVERGED = 1e-9
 RESIDUAL = 1e-10
 # Roots nearer to one another, relative to their size or 1, are one.
 SAME = 1e-7
+# At a multiple root Newton's method creeps. A point with such a residual that it still moves by no
+# more than this stands for one, and for all such points this near.
+CREEPING, CREPT = 1e-13, 1e-3
 # A root with an imaginary part of that relative size is a real one.
 REAL = 1e-9
 # Roots beyond this have no meaning: powers of them no longer add up.
@@ -57,7 +60,10 @@ def all_roots(pair: PolynomialPair, units: tuple[float, ...]) -> _Complex:
     for unit in units:
         scaled = pair.in_units(unit)
         found += [unit * hidden_roots(scaled), unit * hidden_roots(scaled.turned)[..., ::-1]]
-    return distinct(polish(pair, np.concatenate(found, axis=1)))
+    simple, multiple = polish(pair, np.concatenate(found, axis=1))
+    both = np.concatenate([simple, multiple], axis=1)
+    radius = np.repeat([SAME, CREPT], [simple.shape[1], multiple.shape[1]])
+    return distinct(both, radius)
 
 
 def hidden_roots(pair: PolynomialPair) -> _Complex:
@@ -112,8 +118,14 @@ def _solved(matrices: _Array, right: _Array) -> _Array:
         return np.asarray(np.linalg.pinv(matrices) @ right)
 
 
-def polish(pair: PolynomialPair, guesses: _Complex) -> _Complex:
-    """Newton's method from guesses (pairs, k, 2); NaN where it does not arrive at a root."""
+def polish(pair: PolynomialPair, guesses: _Complex) -> tuple[_Complex, _Complex]:
+    """Newton's method from guesses (pairs, k, 2).
+
+    Returns
+    -------
+    simple, multiple : ndarray, shape (pairs, k, 2)
+        Where it arrived at a root, and where it creeps towards one; NaN elsewhere.
+    """
     points = np.array(guesses, dtype=np.complex128)
     size = np.full(points.shape[:2], np.inf)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
@@ -125,9 +137,13 @@ def polish(pair: PolynomialPair, guesses: _Complex) -> _Complex:
             step /= determinant[..., None]
             points = points - step
             size = np.abs(step).max(axis=2) / np.maximum(1.0, np.abs(points).max(axis=2))
-        good = (size < CONVERGED) & (np.abs(points) < FURTHEST).all(axis=2)
-        good &= are_roots(pair, points, RESIDUAL)
-    return np.where(good[..., None], points, np.nan)
+        near = (np.abs(points) < FURTHEST).all(axis=2)
+        simple = near & (size < CONVERGED) & are_roots(pair, points, RESIDUAL)
+        multiple = near & ~simple & (size < CREPT) & are_roots(pair, points, CREEPING)
+    return (
+        np.where(simple[..., None], points, np.nan),
+        np.where(multiple[..., None], points, np.nan),
+    )
 
 
 def are_roots(pair: PolynomialPair, points: _Complex, tolerance: float) -> NDArray[np.bool_]:
@@ -141,12 +157,15 @@ def are_roots(pair: PolynomialPair, points: _Complex, tolerance: float) -> NDArr
     return np.asarray(small[0] & small[1])
 
 
-def distinct(points: _Complex) -> _Complex:
-    """Each point once, those that are none left out, shape (pairs, most, 2)."""
+def distinct(points: _Complex, radius: _Array) -> _Complex:
+    """Each point once, those that are none left out, shape (pairs, most, 2).
+
+    A point is left out if one before it is within its radius, shape (k,).
+    """
     valid = np.asarray(np.isfinite(points).all(axis=2))
     size = np.maximum(1.0, np.abs(points).max(axis=2))
     gap = np.abs(points[:, :, None] - points[:, None]).max(axis=3)
-    near = np.asarray(gap < SAME * size[:, :, None])
+    near = np.asarray(gap < (radius * size)[:, :, None])
     earlier = np.tril(np.ones(gap.shape[1:], bool), -1)
     keep = valid & ~(near & earlier & valid[:, None, :]).any(axis=2)
     order = np.argsort(~keep, axis=1, kind="stable")[:, : keep.sum(axis=1).max(initial=0)]

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from bodymeasure.geodesic.trial_space import TrialSpace
 from bodymeasure.paper.polynomial_pair import PolynomialPair
-from bodymeasure.paper.roots import all_roots, are_roots, counted, distinct, real_roots
+from bodymeasure.paper.roots import SAME, all_roots, are_roots, counted, distinct, real_roots
 from bodymeasure.paper.two_functions import (
     MIDDLE,
     collocation_equations,
@@ -82,7 +82,7 @@ def _searched(pair: PolynomialPair, equations: PolynomialPair, count: int) -> _C
         wider = np.full((len(found), found.shape[1] + roots.shape[1], 2), np.nan, np.complex128)
         wider[:, : found.shape[1]] = found
         wider[rows, found.shape[1] :] = roots
-        found = distinct(wider)
+        found = distinct(wider, np.full(wider.shape[1], SAME))
         rows = np.flatnonzero(counted(found) < count)
         if len(rows) == 0:
             break
