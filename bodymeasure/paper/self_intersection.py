@@ -1,0 +1,71 @@
+"""Which patches cut through themselves, as far as a triangle mesh of them tells."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas.tessellation import grid_faces
+from bodymeasure.bezier import evaluate
+
+_Array = NDArray[np.float64]
+
+# Cells of the mesh along each side. A loop that is narrower than one may be missed: of 700 patches
+# of the widest scatter, twice as many cells find 18 more, all of which are folded too.
+CELLS = 16
+
+
+def intersects_itself(control_points: _Array) -> bool:
+    """Whether two triangles without a common corner of a patch's mesh meet.
+
+    Parameters
+    ----------
+    control_points : ndarray, shape (4, 4, 3)
+
+    Notes
+    -----
+    Triangles in general position meet where an edge of one goes through the other. Neighbors, which
+    meet in their common corner, are left to the test for folds.
+    """
+    side = np.linspace(0.0, 1.0, CELLS + 1)
+    parameters = np.stack(np.meshgrid(side, side, indexing="ij"), axis=-1).reshape(-1, 2)
+    points = evaluate(control_points, parameters)
+    faces = grid_faces(np.arange((CELLS + 1) ** 2).reshape(CELLS + 1, -1))
+    first, second = _near_pairs(points[faces], faces)
+    triangles = points[faces]
+    return bool(
+        _pierced(triangles[first], triangles[second]).any()
+        or _pierced(triangles[second], triangles[first]).any()
+    )
+
+
+def _near_pairs(
+    triangles: _Array, faces: NDArray[np.int64]
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Pairs of triangles whose boxes overlap and that share no corner."""
+    low, high = triangles.min(axis=1), triangles.max(axis=1)
+    overlap = np.triu(np.ones((len(faces), len(faces)), bool), 1)
+    for axis in range(3):
+        overlap &= low[:, None, axis] <= high[None, :, axis]
+        overlap &= low[None, :, axis] <= high[:, None, axis]
+    first, second = np.nonzero(overlap)
+    shared = (faces[first][:, :, None] == faces[second][:, None, :]).any(axis=(1, 2))
+    return first[~shared], second[~shared]
+
+
+def _pierced(triangles: _Array, others: _Array) -> NDArray[np.bool_]:
+    """Through which triangles (k, 3, 3) an edge of the other one goes."""
+    a, b, c = triangles.swapaxes(0, 1)
+    result = np.zeros(len(triangles), bool)
+    for i in range(3):
+        start, end = others[:, i], others[:, (i + 1) % 3]
+        crosses = _side(a, b, c, start) * _side(a, b, c, end) < 0.0
+        turns = [_side(start, end, p, q) for p, q in ((a, b), (b, c), (c, a))]
+        same = (np.sign(turns[0]) == np.sign(turns[1])) & (np.sign(turns[1]) == np.sign(turns[2]))
+        result |= crosses & same & (turns[0] != 0.0)
+    return result
+
+
+def _side(a: _Array, b: _Array, c: _Array, point: _Array) -> _Array:
+    """Six times the volume of tetrahedra, with a sign that tells the side."""
+    return np.asarray((np.cross(b - a, c - a) * (point - a)).sum(axis=1))
