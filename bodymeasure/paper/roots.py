@@ -12,6 +12,8 @@ makes every root exact, and those found with either variable hidden are put toge
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -35,6 +37,9 @@ SAME = 1e-7
 # At a multiple root Newton's method creeps. A point with such a residual that it still moves by no
 # more than this stands for one, and for all such points this near.
 CREEPING, CREPT = 1e-13, 1e-3
+# Among so many neighbors the same root is looked for.
+WINDOW = 16
+_MIX = np.array([[0.7123, 0.4391], [0.5811, 0.3217]])
 # A root with an imaginary part of that relative size is a real one.
 REAL = 1e-9
 # Roots beyond this have no meaning: powers of them no longer add up.
@@ -164,13 +169,27 @@ def distinct(points: _Complex, radius: _Array) -> _Complex:
     """
     valid = np.asarray(np.isfinite(points).all(axis=2))
     size = np.maximum(1.0, np.abs(points).max(axis=2))
-    gap = np.abs(points[:, :, None] - points[:, None]).max(axis=3)
-    near = np.asarray(gap < (radius * size)[:, :, None])
-    earlier = np.tril(np.ones(gap.shape[1:], bool), -1)
-    keep = valid & ~(near & earlier & valid[:, None, :]).any(axis=2)
+    reach = np.where(valid, radius * size, 0.0)
+    # In the order of a number that no two different points have in common but by accident, points
+    # that are one stand together.
+    number = points.real @ _MIX[0] + points.imag @ _MIX[1]
+    order = np.argsort(number, axis=1)
+    ordered, reach = np.take_along_axis(points, order[..., None], axis=1), _along(reach, order)
+    dropped = np.zeros(valid.shape, bool)
+    for gap in range(1, min(WINDOW, points.shape[1])):
+        apart = np.abs(ordered[:, gap:] - ordered[:, :-gap]).max(axis=2)
+        later = order[:, gap:] > order[:, :-gap]
+        dropped[:, gap:] |= later & (apart < reach[:, gap:])
+        dropped[:, :-gap] |= ~later & (apart < reach[:, :-gap])
+    keep = valid.copy()
+    np.put_along_axis(keep, order, _along(valid, order) & ~dropped, axis=1)
     order = np.argsort(~keep, axis=1, kind="stable")[:, : keep.sum(axis=1).max(initial=0)]
     kept = np.where(keep[..., None], points, np.nan)
     return np.take_along_axis(kept, order[..., None], axis=1)
+
+
+def _along(values: NDArray[Any], order: NDArray[np.int64]) -> NDArray[Any]:
+    return np.take_along_axis(values, order, axis=1)
 
 
 def counted(points: _Complex) -> NDArray[np.int64]:

@@ -47,7 +47,7 @@ class SystemRoots(NamedTuple):
     complex_count: NDArray[np.int64]
 
 
-def system_roots(control_points: _Array, space: TrialSpace) -> SystemRoots:
+def system_roots(control_points: _Array, space: TrialSpace, *, far: bool = True) -> SystemRoots:
     """All roots of equations (11) and (12) for diagonals, with one collocation point.
 
     Parameters
@@ -55,7 +55,11 @@ def system_roots(control_points: _Array, space: TrialSpace) -> SystemRoots:
     control_points : ndarray, shape (patches, 4, 4, 3)
     space : TrialSpace
         Of two functions.
+    far : bool
+        Whether to look again for roots far from the patch where fewer than the general number have
+        been found.
     """
+    units = UNITS if far else UNITS[:1]
     direction, is_graph = graph_directions(control_points)
     found: list[_Complex] = [np.empty((0, 2), np.complex128)] * len(control_points)
     for kind in (True, False):
@@ -63,21 +67,26 @@ def system_roots(control_points: _Array, space: TrialSpace) -> SystemRoots:
         equations = collocation_equations(control_points[rows], space)
         if kind:
             reduced = graph_equations(control_points[rows], space, direction[rows])
-            roots = _searched(reduced, equations, GRAPH_COUNT)
+            roots = _searched(reduced, equations, GRAPH_COUNT, units)
         else:
-            roots = _searched(equations, equations, GENERAL_COUNT)
+            roots = _searched(equations, equations, GENERAL_COUNT, units)
         for row, points in zip(rows, roots, strict=True):
             found[row] = points
     counts = np.array([counted(points[None])[0] for points in found], np.int64)
     return SystemRoots(tuple(MIDDLE + real_roots(points) for points in found), counts)
 
 
-def _searched(pair: PolynomialPair, equations: PolynomialPair, count: int) -> _Complex:
+def _searched(
+    pair: PolynomialPair,
+    equations: PolynomialPair,
+    count: int,
+    units: tuple[tuple[float, ...], ...],
+) -> _Complex:
     """Roots of a pair that are roots of the equations too, in larger units where some lack."""
     found = np.full((len(pair.first), 0, 2), np.nan, np.complex128)
     rows = np.arange(len(pair.first))
-    for units in UNITS:
-        roots = all_roots(pair.take(rows), units)
+    for some in units:
+        roots = all_roots(pair.take(rows), some)
         roots[~are_roots(equations.take(rows), roots, RESIDUAL)] = np.nan
         wider = np.full((len(found), found.shape[1] + roots.shape[1], 2), np.nan, np.complex128)
         wider[:, : found.shape[1]] = found

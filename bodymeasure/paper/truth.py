@@ -14,7 +14,7 @@ _Bools = NDArray[np.bool_]
 
 START, END = (0.0, 0.0), (1.0, 1.0)
 # Where paths are looked at, and by how much u may fall from rounding.
-LOOKS = 1025
+LOOKS = 129
 ROUNDING = 1e-9
 
 

@@ -87,7 +87,9 @@ def solve_two_functions(
     rows = np.arange(count)
     for number, t in enumerate(collocation_points):
         space = paper_space((t,))
-        found = _candidates(control_points[rows], space)
+        # What lies far away is no path inside; but all solutions are counted once.
+        far = rule == "all" or number == 0
+        found = _candidates(control_points[rows], space, far)
         if number == 0:
             roots = np.bincount(found.owner, minlength=count)
             inside = np.bincount(found.owner[found.inside], minlength=count)
@@ -128,8 +130,8 @@ def nodal_values(places: _Array) -> _Array:
     return values
 
 
-def _candidates(control_points: _Array, space: TrialSpace) -> _Candidates:
-    real = system_roots(control_points, space).real
+def _candidates(control_points: _Array, space: TrialSpace, far: bool) -> _Candidates:
+    real = system_roots(control_points, space, far=far).real
     owner = np.repeat(np.arange(len(real)), [len(roots) for roots in real])
     place = np.concatenate([np.empty((0, 2)), *real])
     values = nodal_values(place)

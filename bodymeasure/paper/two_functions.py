@@ -10,6 +10,7 @@ roots of (1) and (2).
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import comb
 
 import numpy as np
@@ -109,8 +110,7 @@ def graph_equations(control_points: _Array, space: TrialSpace, direction: _Array
     base = control_points - height * along
     along_u, along_v = base[:, 3, 0] - base[:, 0, 0], base[:, 0, 3] - base[:, 0, 0]
     _, bend = _motion(space)
-    circle = _circle()
-    z_u, z_v = (_derivative(height, circle, i, j)[0] for i, j in ((1, 0), (0, 1)))
+    z_u, z_v = (_derivative(height, i, j)[0] for i, j in ((1, 0), (0, 1)))
     straight = along_u[:, :, None, None] * bend[:, None] + along_v[:, :, None, None] * bend[None, :]
     first = np.einsum("pc,pcab->pab", along_u, straight)
     second = np.einsum("pc,pcab->pab", along_v, straight)
@@ -134,10 +134,9 @@ def _motion(space: TrialSpace) -> tuple[_Complex, _Complex]:
 
 def _products(control_points: _Array, space: TrialSpace) -> tuple[_Complex, _Complex]:
     """``S_u . a`` and ``S_v . a`` for unknowns on the product of two circles."""
-    circle = _circle()
     nets = control_points - control_points.mean(axis=(1, 2), keepdims=True)
     s_u, s_v, s_uu, s_uv, s_vv = (
-        _derivative(nets, circle, i, j) for i, j in ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
+        _derivative(nets, i, j) for i, j in ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
     )
     slope, bend = _motion(space)
     du, dv = slope[:, None], slope[None]
@@ -145,14 +144,16 @@ def _products(control_points: _Array, space: TrialSpace) -> tuple[_Complex, _Com
     return (s_u * a).sum(axis=0), (s_v * a).sum(axis=0)
 
 
-def _derivative(nets: _Array, points: _Complex, by_u: int, by_v: int) -> _Complex:
-    """A derivative at (1/2 + points) x (1/2 + points), shape (coordinates, patches, k, k)."""
-    return np.asarray(np.einsum("ai,pijc,bj->cpab", _rows(points, by_u), nets, _rows(points, by_v)))
+def _derivative(nets: _Array, by_u: int, by_v: int) -> _Complex:
+    """A derivative on the product of two circles, shape (coordinates, patches, k, k)."""
+    along_v = nets.transpose(3, 0, 1, 2) @ _rows(by_v).T
+    return np.asarray(_rows(by_u) @ along_v)
 
 
-def _rows(s: _Complex, order: int) -> _Complex:
-    """From Bezier points of a cubic to its derivative at 1/2 + s, shape (points, 4)."""
-    columns = []
+@lru_cache
+def _rows(order: int) -> _Complex:
+    """From Bezier points of a cubic to its derivative on the circle, shape (points, 4)."""
+    s, columns = _circle(), []
     for i in range(4):
         powers = polynomial.polymul(
             polynomial.polypow([MIDDLE, 1.0], i), polynomial.polypow([1.0 - MIDDLE, -1.0], 3 - i)
