@@ -38,6 +38,7 @@ def map_in_processes(
     *,
     processes: int,
     progress: Callable[[int], None] | None = None,
+    apart: bool = False,
 ) -> list[Result]:
     """``[function(item) for item in items]``, in worker processes.
 
@@ -51,6 +52,9 @@ def map_in_processes(
         How many workers; 1 calls the function here.
     progress : callable, optional
         Called here with the number of finished items, each time one is finished.
+    apart : bool
+        Whether a single worker is started too, instead of calling the function here. Workers have
+        one thread each; with more, sums may be rounded otherwise.
 
     Returns
     -------
@@ -68,7 +72,7 @@ def map_in_processes(
     reaches the caller; they also end on their own if this process is killed.
     """
     processes = min(processes, len(items))
-    if processes <= 1:
+    if processes < 1 or (processes == 1 and not apart):
         results = []
         for item in items:
             results.append(function(item))

@@ -79,7 +79,7 @@ class Comparison:
 def compare(
     control_points: _Array,
     *,
-    processes: int = 1,
+    processes: int,
     progress: Callable[[int], None] | None = None,
 ) -> Comparison:
     """Solve for the diagonals from (0, 0) to (1, 1) by both methods, and converged.
@@ -88,13 +88,15 @@ def compare(
     ----------
     control_points : ndarray, shape (patches, 4, 4, 3)
     processes : int
-        Worker processes. The lengths do not depend on how many there are.
+        Worker processes. What is found does not depend on how many there are.
     progress : callable, optional
         Called with the number of patches that are done.
     """
     chunks = in_chunks(control_points)
     advance = None if progress is None else _patches_done(progress, len(control_points))
-    parts = map_in_processes(compare_chunk, chunks, processes=processes, progress=advance)
+    parts = map_in_processes(
+        compare_chunk, chunks, processes=processes, progress=advance, apart=True
+    )
     return Comparison(
         **{
             f.name: np.concatenate([getattr(part, f.name) for part in parts])

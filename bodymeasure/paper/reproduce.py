@@ -1,0 +1,216 @@
+"""The whole reproduction: every table of the paper and those beyond it, from one seed."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import platform
+import time
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from bodymeasure.errors import InputError
+from bodymeasure.paper.beyond import COUNTS, FEW_COUNTS, beyond_table, known_diagonals, settings
+from bodymeasure.paper.comparison import compare
+from bodymeasure.paper.normalization import normalize
+from bodymeasure.paper.random_patches import GROUP_SIZE, GROUPS, READINGS, make_testing_data
+from bodymeasure.paper.scaling import measure_scaling, scaling_table
+from bodymeasure.paper.speed import BATCH, speed_table
+from bodymeasure.paper.spreads import distribution_table, roots_table
+from bodymeasure.paper.table import Table
+from bodymeasure.paper.tables import (
+    ReadingResult,
+    closest_table,
+    events_table,
+    table_3,
+    table_4,
+    truth_table,
+)
+from bodymeasure.samples import load_sample
+
+# The year of the paper.
+SEED = 2007
+# A quick run: enough to see that everything works.
+QUICK_GROUP_SIZE = 3
+# Of the body, each so many-th patch.
+BODY = "female_average"
+BODY_STEP, QUICK_BODY_STEP = 4, 24
+# Of the reading, so many patches for what lies beyond the paper, and for the scaling.
+BEYOND_PATCHES, QUICK_BEYOND_PATCHES = 200, 20
+SCALING_PATCHES, QUICK_SCALING_PATCHES = 600, 40
+# The reading that goes on to the tables about speed, scaling and what lies beyond.
+CHOSEN = "grid 0.6"
+PACKAGES = ("bodymeasure", "numpy", "scipy", "matplotlib")
+
+# Opens a bar with a label and a total, to be called with how many are done.
+Bar = Callable[[str, int], AbstractContextManager[Callable[[int], None]]]
+
+
+def no_bar(_label: str, _total: int) -> AbstractContextManager[Callable[[int], None]]:
+    """Progress that nobody sees."""
+    return nullcontext(lambda _done: None)
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What a run is made with.
+
+    Parameters
+    ----------
+    seed : int
+        At least 0.
+    quick : bool
+        Few patches and settings.
+    processes : int
+        Worker processes, at least 1.
+
+    Raises
+    ------
+    InputError
+        If a number is too small.
+    """
+
+    seed: int = SEED
+    quick: bool = False
+    processes: int = 1
+
+    def __post_init__(self) -> None:
+        if self.seed < 0:
+            raise InputError(f"seed is {self.seed}; expected a whole number of at least 0")
+        if self.processes < 1:
+            raise InputError(f"processes is {self.processes}; expected at least 1")
+
+    @property
+    def group_size(self) -> int:
+        """Patches a group; the paper's 250, but for a quick run."""
+        return QUICK_GROUP_SIZE if self.quick else GROUP_SIZE
+
+
+@dataclass(frozen=True)
+class Reproduction:
+    """All tables of a run, with what is needed to repeat it."""
+
+    settings: Settings
+    tables: tuple[Table, ...]
+    versions: dict[str, str]
+    seconds: dict[str, float]
+
+    def table(self, name: str) -> Table:
+        """A table by its name."""
+        return next(table for table in self.tables if table.name == name)
+
+
+@dataclass
+class _Study:
+    """What the parts of a run hand on: tables, and the results on the readings."""
+
+    settings: Settings
+    bar: Bar
+    tables: list[Table] = field(default_factory=list)
+    results: list[ReadingResult] = field(default_factory=list)
+
+    @property
+    def chosen(self) -> ReadingResult:
+        return next(r for r in self.results if r.reading.name == CHOSEN)
+
+
+def reproduce(settings_: Settings, bar: Bar = no_bar) -> Reproduction:
+    """Run everything.
+
+    Parameters
+    ----------
+    settings_ : Settings
+    bar : callable, optional
+        Opens a progress bar.
+    """
+    study = _Study(settings_, bar)
+    seconds = {}
+    for name, part in PARTS:
+        begin = time.perf_counter()
+        part(study)
+        seconds[name] = time.perf_counter() - begin
+    return Reproduction(settings_, tuple(study.tables), _versions(), seconds)
+
+
+def _testing(study: _Study) -> None:
+    """Tables 3 and 4 for each reading."""
+    seed, size = study.settings.seed, study.settings.group_size
+    drawn = []
+    with study.bar("drawing patches", len(READINGS)) as progress:
+        for number, reading in enumerate(READINGS, start=1):
+            drawn.append(make_testing_data(reading, seed, groups=GROUPS, size=size))
+            progress(number)
+    # All at once, so that processes are started once.
+    nets = np.concatenate([data.control_points.reshape(-1, 4, 4, 3) for data in drawn])
+    with study.bar("Tables 3 and 4", len(nets)) as progress:
+        found = compare(nets, processes=study.settings.processes, progress=progress)
+    for number, (reading, data) in enumerate(zip(READINGS, drawn, strict=True)):
+        rows = slice(number * GROUPS * size, (number + 1) * GROUPS * size)
+        study.results.append(ReadingResult(reading, data, found.take(rows)))
+    study.tables.append(closest_table(study.results))
+    for result in study.results:
+        study.tables += [
+            table_3(result),
+            table_4(result, "inside"),
+            table_4(result, "all"),
+            truth_table(result),
+        ]
+    study.tables += [
+        events_table(study.results),
+        distribution_table(study.results),
+        roots_table(study.results),
+    ]
+
+
+def _speed(study: _Study) -> None:
+    """Time a patch."""
+    chosen = study.chosen
+    nets = chosen.data.control_points.reshape(-1, 4, 4, 3)
+    batch = len(nets) if study.settings.quick else BATCH
+    study.tables.append(speed_table(chosen.reading.name, nets, chosen.found, batch))
+
+
+def _scaling(study: _Study) -> None:
+    """Distributed collocation."""
+    count = QUICK_SCALING_PATCHES if study.settings.quick else SCALING_PATCHES
+    nets = study.chosen.data.control_points.reshape(-1, 4, 4, 3)
+    nets = np.tile(nets, (-(-count // len(nets)), 1, 1, 1))[:count]
+    numbers = sorted({1, 2, study.settings.processes})
+    with study.bar("distributed collocation", len(numbers)) as progress:
+        study.tables.append(scaling_table(measure_scaling(nets, numbers, progress)))
+
+
+def _beyond(study: _Study) -> None:
+    """More functions, other kernels, other places."""
+    quick = study.settings.quick
+    nets = study.chosen.data.control_points.reshape(-1, 4, 4, 3)
+    nets = nets[: QUICK_BEYOND_PATCHES if quick else BEYOND_PATCHES]
+    body = load_sample(BODY).control_points[:: QUICK_BODY_STEP if quick else BODY_STEP]
+    problems = [
+        known_diagonals(f"random, {CHOSEN}", nets),
+        known_diagonals(f"body, {BODY}", normalize(body).control_points),
+    ]
+    counts: Sequence[int] = FEW_COUNTS if quick else COUNTS
+    with study.bar("beyond 2007", len(settings())) as progress:
+        study.tables.append(beyond_table(problems, counts, progress))
+
+
+# In this order; what measures a body (Table 5) has its place before what lies beyond the paper.
+PARTS: tuple[tuple[str, Callable[[_Study], None]], ...] = (
+    ("Tables 3 and 4", _testing),
+    ("speed", _speed),
+    ("distributed collocation", _scaling),
+    ("beyond 2007", _beyond),
+)
+
+
+def _versions() -> dict[str, str]:
+    versions = {"Python": platform.python_version()}
+    for package in PACKAGES:
+        try:
+            versions[package] = importlib.metadata.version(package)
+        except importlib.metadata.PackageNotFoundError:
+            continue
+    return versions

@@ -1,0 +1,69 @@
+"""Tables for charts: how differences and numbers of solutions are distributed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from bodymeasure.paper.table import Column, Table, rows_of
+from bodymeasure.paper.tables import ReadingResult, signed_difference
+
+LEVELS = tuple(range(0, 101, 5))
+
+
+def distribution_table(results: Sequence[ReadingResult]) -> Table:
+    """Quantiles of the sizes of differences, by reading."""
+    rows = []
+    for result in results:
+        found = result.found
+        for name, lengths, reference in (
+            ("RBF inside against Ritz", found.inside_length, found.ritz_length),
+            ("RBF inside against the truth", found.inside_length, found.true_length),
+            ("RBF of all against the truth", found.all_length, found.true_length),
+            ("Ritz against the truth", found.ritz_length, found.true_length),
+        ):
+            size = np.abs(signed_difference(lengths, reference))
+            size = size[np.isfinite(size)]
+            figures = np.quantile(size, np.array(LEVELS) / 100.0) if len(size) else [None] * 21
+            rows.append((result.reading.name, name, len(size), *figures))
+    return Table(
+        "distribution",
+        "How the differences are distributed",
+        (
+            Column("reading", "Reading", "text"),
+            Column("difference", "Difference", "text"),
+            Column("count", "Patches", "count"),
+            *(Column(f"quantile_{level}", f"{level} %", "small") for level in LEVELS),
+        ),
+        rows_of(rows),
+        ("Quantiles of the relative difference without its sign.",),
+    )
+
+
+def roots_table(results: Sequence[ReadingResult]) -> Table:
+    """How many patches have how many real solutions at t = 1/2."""
+    most = max(int(result.found.roots.max(initial=0)) for result in results)
+    counts = [np.bincount(result.found.roots, minlength=most + 1) for result in results]
+    inside = [np.bincount(result.found.roots_inside, minlength=most + 1) for result in results]
+    rows = [
+        (number, *(int(c[number]) for c in counts), *(int(c[number]) for c in inside))
+        for number in range(most + 1)
+    ]
+    return Table(
+        "roots",
+        "Real solutions of the system for two functions",
+        (
+            Column("solutions", "Solutions", "count"),
+            *(
+                Column(f"real_{i}", f"Patches, {r.reading.name}", "count")
+                for i, r in enumerate(results)
+            ),
+            *(
+                Column(f"inside_{i}", f"Inside, {r.reading.name}", "count")
+                for i, r in enumerate(results)
+            ),
+        ),
+        rows_of(rows),
+        ("How many patches have so many real solutions, and so many inside the patch.",),
+    )

@@ -1,0 +1,328 @@
+"""Tables 3 and 4 in the paper's form, and the truth beside them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.paper import published
+from bodymeasure.paper.comparison import Comparison
+from bodymeasure.paper.random_patches import Reading, TestingData
+from bodymeasure.paper.table import Column, Table, Value, rows_of
+
+_Array = NDArray[np.float64]
+
+# Rows of Table 3.
+SAMPLES = 4
+# A length this much longer than the truth, relative, is wrong in the sixth figure or before.
+VISIBLE = 1e-5
+RULES_IN_WORDS = {
+    "inside": "the shortest solution inside the patch",
+    "all": "the shortest of all solutions",
+}
+
+
+@dataclass(frozen=True, eq=False)
+class ReadingResult:
+    """What was found on the testing data of one reading: groups in order, one after the other."""
+
+    reading: Reading
+    data: TestingData
+    found: Comparison
+
+    @property
+    def groups(self) -> tuple[tuple[str, Comparison], ...]:
+        """Each set by its number, and all together."""
+        count, size = self.data.control_points.shape[:2]
+        sets = [
+            (str(g + 1), self.found.take(slice(g * size, (g + 1) * size))) for g in range(count)
+        ]
+        return (*sets, ("all", self.found))
+
+
+def by_rule(found: Comparison, rule: str) -> _Array:
+    """Lengths by radial functions, of the rule ``inside`` or ``all``."""
+    return found.inside_length if rule == "inside" else found.all_length
+
+
+def signed_difference(lengths: _Array, reference: _Array) -> _Array:
+    """Equation (15) for each sample by itself: the relative difference with its sign.
+
+    The sum in (15) has one term then. Summed up over samples, signs would be lost, and "mean
+    accuracy loss" would not be a mean.
+    """
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.asarray((lengths - reference) / reference)
+
+
+def table_3(result: ReadingResult) -> Table:
+    """The first patches: lengths and seconds by both methods, and the truth."""
+    found = result.found.take(slice(0, SAMPLES))
+    rows = []
+    for i in range(len(found)):
+        paper: tuple[Value, ...] = (
+            published.TABLE_3[i] if i < len(published.TABLE_3) else (None,) * 4
+        )
+        truth = found.true_length[i]
+        rows.append(
+            (
+                i + 1,
+                found.inside_length[i],
+                found.rbf_seconds[i],
+                found.ritz_length[i],
+                found.ritz_seconds[i],
+                truth,
+                signed_difference(found.inside_length[i], truth),
+                signed_difference(found.ritz_length[i], truth),
+                *paper,
+            )
+        )
+    return Table(
+        f"table_3_{key(result.reading)}",
+        f"Table 3, reading “{result.reading.name}”: sample data",
+        (
+            Column("sample", "Sample", "count"),
+            Column("rbf_length", "RBF, normalized unit", "length"),
+            Column("rbf_seconds", "RBF, seconds", "seconds", is_timing=True),
+            Column("ritz_length", "Ritz, normalized unit", "length"),
+            Column("ritz_seconds", "Ritz, seconds", "seconds", is_timing=True),
+            Column("true_length", "Truth", "length"),
+            Column("rbf_error", "RBF against the truth", "percent"),
+            Column("ritz_error", "Ritz against the truth", "percent"),
+            Column("published_rbf_length", "Paper: RBF", "length"),
+            Column("published_rbf_seconds", "seconds", "seconds"),
+            Column("published_ritz_length", "Paper: Ritz", "length"),
+            Column("published_ritz_seconds", "seconds", "seconds"),
+        ),
+        rows_of(rows),
+        (
+            "The first patches of the first set; the paper does not say which patches its rows "
+            "are, so that rows do not correspond.",
+        ),
+    )
+
+
+def table_4(result: ReadingResult, rule: str) -> Table:
+    """Accuracy loss (15) and time ratio (16) of each set, beside the paper's."""
+    rows = []
+    for number, (name, found) in enumerate(result.groups):
+        loss = signed_difference(by_rule(found, rule), found.ritz_length)
+        known = loss[np.isfinite(loss)]
+        paper = (
+            published.TABLE_4[number]
+            if name != "all" and number < len(published.TABLE_4)
+            else (None, None)
+        )
+        rows.append(
+            (
+                name,
+                len(found),
+                len(known),
+                len(found) - len(known),
+                _mean(known),
+                _median(known),
+                _signed_rms(known),
+                _mean(found.ritz_seconds / found.rbf_seconds),
+                _median(found.ritz_seconds / found.rbf_seconds),
+                *paper,
+            )
+        )
+    return Table(
+        f"table_4_{key(result.reading)}_{rule}",
+        f"Table 4, reading “{result.reading.name}”: {RULES_IN_WORDS[rule]}",
+        (
+            Column("set", "Set", "text"),
+            Column("patches", "Patches", "count"),
+            Column("compared", "Compared", "count"),
+            Column("failed", "No RBF solution", "count"),
+            Column("mean_loss", "Mean accuracy loss", "percent"),
+            Column("median_loss", "Median", "percent"),
+            Column("rms", "Root mean square", "percent"),
+            Column("mean_time_ratio", "Mean time ratio", "percent", is_timing=True),
+            Column("median_time_ratio", "Median", "percent", is_timing=True),
+            Column("published_loss", "Paper: loss", "percent"),
+            Column("published_time_ratio", "Paper: time", "percent"),
+        ),
+        rows_of(rows),
+        (
+            "Accuracy loss: (g_C - g_R) / g_R of each patch, which is (15) with one term in its "
+            "sum; root mean square: (15) with the sum divided by the number of patches. "
+            "Time ratio: (16), t_R / t_C, of processor times for one patch by itself; t_C is that "
+            "of the solution inside the patch, with all roots.",
+        ),
+    )
+
+
+def truth_table(result: ReadingResult) -> Table:
+    """Which of the methods erred: each against the converged solution."""
+    found = result.found
+    rows = []
+    for name, lengths in (
+        ("RBF, inside", found.inside_length),
+        ("RBF, of all", found.all_length),
+        ("Ritz", found.ritz_length),
+    ):
+        error = signed_difference(lengths, found.true_length)
+        other = signed_difference(
+            found.inside_length if name == "Ritz" else found.ritz_length, found.true_length
+        )
+        both = np.isfinite(error) & np.isfinite(other)
+        error_known = error[np.isfinite(error)]
+        rows.append(
+            (
+                name,
+                len(error_known),
+                len(found) - len(error_known),
+                _mean(error_known),
+                _median(error_known),
+                _median(np.abs(error_known)),
+                error_known.min(initial=np.inf),
+                error_known.max(initial=-np.inf),
+                int((np.abs(error[both]) < np.abs(other[both])).sum()),
+                int(both.sum()),
+            )
+        )
+    return Table(
+        f"truth_{key(result.reading)}",
+        f"Against the truth, reading “{result.reading.name}”",
+        (
+            Column("method", "Method", "text"),
+            Column("compared", "Compared", "count"),
+            Column("not_compared", "Not", "count"),
+            Column("mean", "Mean difference", "percent"),
+            Column("median", "Median", "percent"),
+            Column("median_size", "Median of its size", "small"),
+            Column("least", "Least", "percent"),
+            Column("largest", "Largest", "percent"),
+            Column("nearer", "Nearer than the other", "count"),
+            Column("of", "of", "count"),
+        ),
+        rows_of(rows),
+        (
+            "Truth: the shortest path inside the patch, searched thoroughly; where it has no "
+            "length that can be trusted, or the method has none, nothing is compared. A negative "
+            "difference is a path that leaves the patch. The other method is Ritz, for Ritz the "
+            "solution inside.",
+        ),
+    )
+
+
+def events_table(results: Sequence[ReadingResult]) -> Table:
+    """Everything that was counted, a reading a column."""
+    rows: list[tuple[Any, ...]] = []
+
+    def count(name: str, values: Sequence[Any]) -> None:
+        rows.append((name, *values))
+
+    found = [result.found for result in results]
+    count("patches", [len(f) for f in found])
+    count("drawn and refused: folded", [r.data.folded for r in results])
+    count("drawn and refused: cut through themselves", [r.data.intersecting for r in results])
+    count("RBF: real solutions a patch, mean", [float(f.roots.mean()) for f in found])
+    count("RBF: real solutions a patch, most", [int(f.roots.max()) for f in found])
+    count("RBF: of these inside, mean", [float(f.roots_inside.mean()) for f in found])
+    count("RBF: none inside at t = 1/2", [int((f.roots_inside == 0).sum()) for f in found])
+    count(
+        "RBF: collocation point moved",
+        [
+            int((np.isfinite(f.collocation_point) & (f.collocation_point != 0.5)).sum())
+            for f in found
+        ],
+    )
+    count("RBF: none inside at any point", [int(np.isnan(f.inside_length).sum()) for f in found])
+    count("RBF: no solution at all", [int(np.isnan(f.all_length).sum()) for f in found])
+    count("RBF: determinant zero", [int((f.degenerate > 0).sum()) for f in found])
+    count("Ritz: not under the bound", [int((~f.ritz_stopped).sum()) for f in found])
+    count("Ritz: stopped too early", [int(_stopped_early(f).sum()) for f in found])
+    count("Ritz: path leaves the patch", [int((~f.ritz_inside).sum()) for f in found])
+    count("truth: turns back in u", [int(f.turns_back.sum()) for f in found])
+    count("truth: runs along an edge", [int(f.along_edge.sum()) for f in found])
+    count("truth: not known", [int(np.isnan(f.true_length).sum()) for f in found])
+    return Table(
+        "events",
+        "What happened, by reading",
+        (
+            Column("what", "Count", "text"),
+            *(Column(key(r.reading), r.reading.name, "number") for r in results),
+        ),
+        rows_of(rows),
+        (
+            "Ritz stopped too early: under the bound, and yet off by more than 1e-5 of the length, "
+            "though the true path neither turns back nor touches an edge. Where the true path "
+            "turns back in u or runs along an edge, u = t cannot follow it.",
+        ),
+    )
+
+
+def _stopped_early(found: Comparison) -> NDArray[np.bool_]:
+    error = np.abs(signed_difference(found.ritz_length, found.true_length))
+    return np.asarray(
+        found.ritz_stopped & ~found.turns_back & ~found.along_edge & (error > VISIBLE)
+    )
+
+
+def closest_table(results: Sequence[ReadingResult]) -> Table:
+    """How near each reading comes to the published figures."""
+    low, high = min(published.LENGTHS), max(published.LENGTHS)
+    rows = []
+    for result in results:
+        found = result.found
+        losses = {
+            rule: signed_difference(by_rule(found, rule), found.ritz_length)
+            for rule in RULES_IN_WORDS
+        }
+        means = {rule: _mean(loss[np.isfinite(loss)]) for rule, loss in losses.items()}
+        lengths = found.ritz_length[np.isfinite(found.ritz_length)]
+        rows.append(
+            (
+                result.reading.name,
+                result.reading.description,
+                means["inside"],
+                means["all"],
+                None if means["inside"] is None else abs(means["inside"] - published.MEAN_LOSS),
+                _median(lengths),
+                float(((lengths >= low) & (lengths <= high)).mean()),
+            )
+        )
+    rows.sort(key=lambda row: (row[4] is None, row[4]))
+    return Table(
+        "closest",
+        "The readings of section 6.1, the nearest to the published figures first",
+        (
+            Column("reading", "Reading", "text"),
+            Column("description", "What it is", "text"),
+            Column("mean_loss_inside", "Mean loss, inside", "percent"),
+            Column("mean_loss_all", "Mean loss, of all", "percent"),
+            Column("off", "Off the paper's mean", "percent"),
+            Column("median_length", "Median length by Ritz", "length"),
+            Column("in_range", "Between the lengths of the paper's Table 3", "percent"),
+        ),
+        rows_of(rows),
+        (
+            f"The mean of the paper's four sets is {100 * published.MEAN_LOSS:.2f} %; its four "
+            f"lengths lie between {low} and {high}.",
+        ),
+    )
+
+
+def key(reading: Reading) -> str:
+    """A reading's name as a part of names for programs."""
+    return reading.name.replace(" ", "_").replace(".", "_")
+
+
+def _mean(values: _Array) -> float | None:
+    return float(values.mean()) if len(values) else None
+
+
+def _median(values: _Array) -> float | None:
+    return float(np.median(values)) if len(values) else None
+
+
+def _signed_rms(values: _Array) -> float | None:
+    if len(values) == 0:
+        return None
+    return float(np.sign(values.mean()) * np.sqrt(np.mean(values**2)))
