@@ -18,6 +18,7 @@ from bodymeasure.cli.check import check
 from bodymeasure.cli.console import print_error, print_note
 from bodymeasure.cli.diagonals import diagonals
 from bodymeasure.cli.options import EXIT_CODES
+from bodymeasure.cli.paper import paper
 from bodymeasure.cli.report import report
 from bodymeasure.cli.samples import samples
 from bodymeasure.cli.view import view
@@ -117,7 +118,7 @@ def app(ctx: click.Context) -> int | None:
     return EXIT_BAD_INPUT
 
 
-for command in (report, diagonals, check, view, samples):
+for command in (report, diagonals, check, view, samples, paper):
     app.add_command(command)
 
 

@@ -165,8 +165,9 @@ def beyond_table(
         rows_of(rows),
         (
             "Relative errors: of the paths as they are, all patches counted; and with the "
-            "correction, where it is small enough to be trusted. A polynomial of degree N and Ritz's of order N have as many "
-            "unknowns as N functions and a constant. An empty row: the system is degenerate.",
+            "correction, where it is small enough to be trusted. A polynomial of degree N and "
+            "Ritz's of order N have as many unknowns as N functions and a constant. An empty row: "
+            "the system is degenerate.",
         ),
     )
 

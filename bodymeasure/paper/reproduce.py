@@ -179,7 +179,8 @@ def _scaling(study: _Study) -> None:
     nets = np.tile(nets, (-(-count // len(nets)), 1, 1, 1))[:count]
     numbers = sorted({1, 2, study.settings.processes})
     with study.bar("distributed collocation", len(numbers)) as progress:
-        study.tables.append(scaling_table(measure_scaling(nets, numbers, progress)))
+        runs = measure_scaling(nets, numbers, progress, with_start=not study.settings.quick)
+        study.tables.append(scaling_table(runs))
 
 
 def _beyond(study: _Study) -> None:

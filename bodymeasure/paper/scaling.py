@@ -25,7 +25,8 @@ LEAST_SECONDS = 1e-3
 class Run(NamedTuple):
     """A batch solved by some processes: the solution, and seconds by the clock.
 
-    `start` is what it takes until the processes stand ready, `seconds` all of it.
+    `start` is what it takes until the processes stand ready, NaN if that was not measured;
+    `seconds` is all of it.
     """
 
     processes: int
@@ -72,6 +73,8 @@ def measure_scaling(
     control_points: _Array,
     processes: Sequence[int],
     progress: Callable[[int], None] | None = None,
+    *,
+    with_start: bool = True,
 ) -> list[Run]:
     """Solve a batch with one number of processes after the other.
 
@@ -79,14 +82,18 @@ def measure_scaling(
     ----------
     progress : callable, optional
         Called with the number of runs that are done.
+    with_start : bool
+        Whether the start is measured too, which takes as long again.
     """
     runs = []
     for done, number in enumerate(processes, start=1):
         begin = time.perf_counter()
-        map_in_processes(_nothing, list(range(number)), processes=number, apart=True)
+        if with_start:
+            map_in_processes(_nothing, list(range(number)), processes=number, apart=True)
         ready = time.perf_counter()
         solution = solve_distributed(control_points, number)
-        runs.append(Run(number, solution, ready - begin, time.perf_counter() - ready))
+        start = ready - begin if with_start else float("nan")
+        runs.append(Run(number, solution, start, time.perf_counter() - ready))
         if progress is not None:
             progress(done)
     return runs
@@ -111,7 +118,7 @@ def scaling_table(runs: Sequence[Run]) -> Table:
             run.seconds,
             run.start,
             one.seconds / run.seconds,
-            (one.seconds - one.start) / max(run.seconds - run.start, LEAST_SECONDS),
+            (one.seconds - one.start) / np.maximum(run.seconds - run.start, LEAST_SECONDS),
         )
         for run in runs
     ]

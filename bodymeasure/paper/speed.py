@@ -74,8 +74,8 @@ def speed_table(
             "Ritz and two functions: one patch by itself, as in the paper; bodymeasure: all "
             "patches in one batch, straight to the geodesic without a search for shorter ones, one "
             "thread. Errors are relative, against the truth, of the patches that were solved and "
-            "whose truth is known. Against the paper, most of the factor is twenty years of computers, and "
-            "compiled arrays instead of Mathematica.",
+            "whose truth is known. Against the paper, most of the factor is twenty years of "
+            "computers, and compiled arrays instead of Mathematica.",
         ),
     )
 

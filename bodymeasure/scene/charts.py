@@ -48,13 +48,13 @@ def color_bar(paths: Paths) -> bytes:
     paths : Paths
         Of the whole body, as the pictures' scale.
     """
-    with _style():
-        return _svg(_draw_color_bar(paths), "color-bar")
+    with chart_style():
+        return figure_svg(_draw_color_bar(paths), "color-bar")
 
 
 def color_bar_image(paths: Paths, dots_per_inch: int) -> NDArray[np.uint8]:
     """What the colors of paths mean, as pixels, shape (height, width, 3)."""
-    with _style():
+    with chart_style():
         figure = _draw_color_bar(paths)
         figure.set_dpi(dots_per_inch)
         return figure_pixels(figure)
@@ -106,8 +106,8 @@ def histogram(survey: Survey) -> bytes:
         raise InputError(
             "there are no differences to draw a histogram of; run the survey with its cross-check"
         )
-    with _style():
-        return _svg(_draw_histogram(value), "histogram")
+    with chart_style():
+        return figure_svg(_draw_histogram(value), "histogram")
 
 
 def _draw_histogram(value: NDArray[np.float64]) -> Any:
@@ -147,7 +147,7 @@ def _draw_histogram(value: NDArray[np.float64]) -> Any:
 
 
 @contextmanager
-def _style() -> Iterator[None]:
+def chart_style() -> Iterator[None]:
     """Matplotlib's settings for charts, for as long as one is drawn."""
     try:
         from matplotlib import rc_context
@@ -160,11 +160,11 @@ def _style() -> Iterator[None]:
 def _decades(axes: Any, ends: NDArray[np.float64]) -> None:
     """Label the powers of ten along an axis of logarithms."""
     powers = np.arange(np.ceil(ends[0]), np.floor(ends[1]) + 1).astype(int)
-    axes.set_xticks(powers, [_power(power) for power in powers])
+    axes.set_xticks(powers, [power_of_ten(power) for power in powers])
     axes.tick_params(length=2.5, labelsize=TEXT_SIZE)
 
 
-def _power(power: int) -> str:
+def power_of_ten(power: int) -> str:
     """A power of ten in plain letters, which need no fonts of matplotlib's own."""
     return "10" + str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
@@ -172,10 +172,10 @@ def _power(power: int) -> str:
 def _number(value: float) -> str:
     """Two digits and a power of ten."""
     digits, power = f"{value:.1e}".split("e")
-    return f"{digits} \N{MULTIPLICATION SIGN} {_power(int(power))}"
+    return f"{digits} \N{MULTIPLICATION SIGN} {power_of_ten(int(power))}"
 
 
-def _svg(figure: Any, name: str) -> bytes:
+def figure_svg(figure: Any, name: str) -> bytes:
     """A figure as an SVG element that may stand in a page beside others."""
     file = io.BytesIO()
     figure.savefig(file, format="svg", transparent=True, metadata={"Date": None, "Creator": None})

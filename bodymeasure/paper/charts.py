@@ -1,0 +1,155 @@
+"""The page's charts, drawn from the tables alone."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from bodymeasure.paper.spreads import LEVELS
+from bodymeasure.paper.table import Table
+from bodymeasure.scene.charts import chart_style, figure_svg
+
+COLORS = ("#1f5f8b", "#c2571a", "#2e7d4f", "#7b4ea3", "#8a6d1f", "#b3202c", "#3b82b5", "#555555")
+MARKERS = "osD^vPX*"
+# Errors below this are rounding.
+FLOOR = 1e-16
+# What the two charts of `beyond` show.
+METHODS = (
+    "RBF Wu C2, centers outside",
+    "RBF Wu C10, centers outside",
+    "polynomial collocation",
+    "Ritz, u and v free",
+    "Ritz, u = t",
+)
+PLACINGS = (
+    "RBF Wu C2, centers outside",
+    "RBF Wu C2, centers from 1 on, even nodes",
+    "RBF Wu C2, centers from 1 on, Chebyshev nodes",
+    "RBF Wu C2, centers at Chebyshev points",
+    "RBF Wu C2, centers and nodes even",
+)
+
+
+def columns(table: Table) -> list[dict[str, Any]]:
+    """A table's rows by the names of its columns."""
+    names = [column.name for column in table.columns]
+    return [dict(zip(names, row, strict=True)) for row in table.rows]
+
+
+def accuracy_chart(table: Table, families: Sequence[str], value: str, name: str) -> bytes:
+    """Errors against the number of functions, a panel for each set of patches, as SVG."""
+    rows = columns(table)
+    sets = list(dict.fromkeys(row["patches"] for row in rows))
+    with chart_style():
+        figure, panels = _panels(len(sets))
+        for axes, patches in zip(panels, sets, strict=True):
+            for number, family in enumerate(families):
+                points = [
+                    (row["functions"], max(row[value], FLOOR))
+                    for row in rows
+                    if (row["patches"], row["family"]) == (patches, family)
+                    and row[value] is not None
+                ]
+                _line(axes, points, number, family)
+            axes.set_title(patches, fontsize=9)
+            axes.set_yscale("log")
+            axes.set_xlabel("functions")
+        panels[0].set_ylabel("relative error, median")
+        _legend(figure, panels[0])
+        return figure_svg(figure, name)
+
+
+def cost_chart(table: Table, name: str) -> bytes:
+    """Errors with the correction against time, as SVG."""
+    rows = columns(table)
+    sets = list(dict.fromkeys(row["patches"] for row in rows))
+    with chart_style():
+        figure, panels = _panels(len(sets))
+        for axes, patches in zip(panels, sets, strict=True):
+            for number, family in enumerate(METHODS):
+                points = [
+                    (row["microseconds"], max(row["median"], FLOOR))
+                    for row in rows
+                    if (row["patches"], row["family"]) == (patches, family)
+                    and None not in (row["median"], row["microseconds"])
+                ]
+                _line(axes, points, number, family, joined=False)
+            axes.set_title(patches, fontsize=9)
+            axes.set_xscale("log")
+            axes.set_yscale("log")
+            axes.set_xlabel("microseconds a patch")
+        panels[0].set_ylabel("relative error with correction")
+        _legend(figure, panels[0])
+        return figure_svg(figure, name)
+
+
+def distribution_chart(table: Table, reading: str, name: str) -> bytes:
+    """Which part of the patches has a difference up to some size, as SVG."""
+    with chart_style():
+        figure, (axes,) = _panels(1)
+        rows = [row for row in columns(table) if row["reading"] == reading]
+        for number, row in enumerate(rows):
+            points = [
+                (max(row[f"quantile_{level}"], FLOOR), level)
+                for level in LEVELS
+                if row[f"quantile_{level}"] is not None
+            ]
+            _line(axes, points, number, row["difference"])
+        axes.set_xscale("log")
+        axes.set_xlabel("relative difference, without its sign")
+        axes.set_ylabel("patches up to that, %")
+        _legend(figure, axes)
+        return figure_svg(figure, name)
+
+
+def roots_chart(table: Table, name: str) -> bytes:
+    """How many patches have how many real solutions, as SVG."""
+    with chart_style():
+        figure, (axes,) = _panels(1)
+        labels = [c for c in table.columns if c.name.startswith("real_")]
+        rows = columns(table)
+        for number, column in enumerate(labels):
+            points = [(row["solutions"], row[column.name]) for row in rows]
+            _line(axes, points, number, column.label.removeprefix("Patches, "))
+        axes.set_xlabel("real solutions of the two-function system")
+        axes.set_ylabel("patches")
+        _legend(figure, axes)
+        return figure_svg(figure, name)
+
+
+def _panels(count: int) -> tuple[Any, list[Any]]:
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(7.6 if count > 1 else 5.6, 3.9))
+    panels = figure.subplots(1, count, sharey=count > 1, squeeze=False)[0]
+    for axes in panels:
+        axes.spines[["top", "right"]].set_visible(False)
+        axes.grid(visible=True, color="#d5dae0", linewidth=0.5)
+    return figure, list(panels)
+
+
+def _line(
+    axes: Any,
+    points: Sequence[tuple[float, float]],
+    number: int,
+    label: str,
+    *,
+    joined: bool = True,
+) -> None:
+    axes.plot(
+        [x for x, _ in points],
+        [y for _, y in points],
+        color=COLORS[number % len(COLORS)],
+        marker=MARKERS[number % len(MARKERS)],
+        markersize=3.5,
+        linewidth=1.1 if joined else 0.0,
+        label=label,
+    )
+
+
+def _legend(figure: Any, axes: Any) -> None:
+    """Below the panels, so that it hides nothing."""
+    handles, labels = axes.get_legend_handles_labels()
+    rows = -(-len(labels) // 2)
+    figure.subplots_adjust(left=0.1, right=0.97, top=0.92, bottom=0.16 + 0.058 * rows)
+    figure.legend(handles, labels, loc="lower center", ncols=2, fontsize=8, frameon=False)

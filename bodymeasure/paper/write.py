@@ -1,0 +1,65 @@
+"""Writing what a reproduction found."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final
+
+import msgspec
+
+from bodymeasure.files import make_folder, write_all
+from bodymeasure.paper.page import render_page
+from bodymeasure.paper.reproduce import Reproduction
+from bodymeasure.paper.table import to_csv, to_record
+
+SCHEMA: Final = "bodymeasure paper"
+VERSION: Final = 1
+
+
+def write_reproduction(found: Reproduction, folder: Path) -> tuple[Path, ...]:
+    """Write ``paper.html``, ``tables.json`` and ``tables.csv``: all of them or none.
+
+    Parameters
+    ----------
+    found : Reproduction
+    folder : Path
+        Made if it is not there; files of these names in it are replaced.
+
+    Returns
+    -------
+    tuple of Path
+        The files, the page first.
+
+    Raises
+    ------
+    MissingExtraError
+        If jinja2 or matplotlib is not installed.
+    InputError
+        If the folder cannot be made or written to, or the disk is full.
+    """
+    contents = {
+        folder / "paper.html": render_page(found),
+        folder / "tables.json": to_json(found),
+        folder / "tables.csv": to_csv(found.tables),
+    }
+    make_folder(folder)
+    write_all(contents)
+    return tuple(contents)
+
+
+def to_json(found: Reproduction) -> bytes:
+    """All tables with the seed, versions and times; every float round-trips."""
+    document = {
+        "schema": SCHEMA,
+        "version": VERSION,
+        "settings": {
+            "seed": found.settings.seed,
+            "quick": found.settings.quick,
+            "processes": found.settings.processes,
+            "patches_a_set": found.settings.group_size,
+        },
+        "versions": found.versions,
+        "seconds": found.seconds,
+        "tables": {table.name: to_record(table) for table in found.tables},
+    }
+    return msgspec.json.format(msgspec.json.encode(document), indent=1) + b"\n"
