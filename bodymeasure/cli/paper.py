@@ -63,7 +63,7 @@ def paper(output: Path, quick: bool, seed: int, processes: int) -> int:
 def _summary(rows: tuple[tuple[object, ...], ...], seconds: float) -> Table:
     """What a reader wants to know first: the mean accuracy loss of each reading."""
     table = Table(
-        title=Text(f"Mean accuracy loss against Ritz ({_percent(MEAN_LOSS)} in the paper)", "bold"),
+        title=Text(f"Mean accuracy loss (paper: {_percent(MEAN_LOSS)})", "bold"),
         title_justify="left",
         box=None,
     )

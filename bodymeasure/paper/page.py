@@ -195,9 +195,11 @@ def shown(value: Value, column: Column) -> str:
         case "number":
             return f"{value:,}" if isinstance(value, int) else f"{value:,.2f}"
         case "length":
-            return f"{value:.6g}"
+            return f"{value:#.6g}"
         case "percent":
             return numbers.percent(value)
+        case "share":
+            return f"{100.0 * value:.1f}\N{NO-BREAK SPACE}%"
         case "small":
             return numbers.scientific(value)
         case "seconds":

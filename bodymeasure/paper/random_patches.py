@@ -93,7 +93,7 @@ READINGS = (
 
 
 @dataclass(frozen=True, eq=False)
-class TestingData:
+class RandomPatches:
     """Accepted patches of one reading, and how many were refused.
 
     Parameters
@@ -110,7 +110,7 @@ class TestingData:
 
 def make_testing_data(
     reading: Reading, seed: int, *, groups: int = GROUPS, size: int = GROUP_SIZE
-) -> TestingData:
+) -> RandomPatches:
     """Random patches as in section 6.1.
 
     Parameters
@@ -143,7 +143,7 @@ def make_testing_data(
             intersecting += faults.count("intersecting")
             patches += [net for net, f in zip(nets, faults, strict=True) if not f]
         accepted.append(np.array(patches))
-    return TestingData(np.array(accepted), folded, intersecting)
+    return RandomPatches(np.array(accepted), folded, intersecting)
 
 
 def draw(reading: Reading, rng: np.random.Generator, count: int) -> _Array:

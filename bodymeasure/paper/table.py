@@ -10,9 +10,11 @@ from typing import Any, Literal
 
 import numpy as np
 
-# How a number is to be read: a length in the unit of the patches, a ratio that is shown in percent
-# or as a power of ten, seconds, a factor, a plain count, or words.
-Kind = Literal["text", "count", "number", "length", "percent", "small", "seconds", "factor"]
+# How a number is to be read: a length in the unit of the patches; a ratio that is shown in percent
+# with its sign, in percent without, or as a power of ten; seconds, a factor, a count, or words.
+Kind = Literal[
+    "text", "count", "number", "length", "percent", "share", "small", "seconds", "factor"
+]
 Value = str | int | float | bool | None
 
 
@@ -53,8 +55,8 @@ class Table:
 
 
 def plain(value: Any) -> Value:
-    """A value as files hold it: numpy's numbers as Python's, None for what is not finite."""
-    if isinstance(value, np.generic):
+    """A single value as files hold it: numbers as Python has them, None for what is not finite."""
+    if isinstance(value, np.generic | np.ndarray):
         value = value.item()
     if isinstance(value, float) and not np.isfinite(value):
         return None

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from bodymeasure.paper import published
 from bodymeasure.paper.comparison import Comparison
-from bodymeasure.paper.random_patches import Reading, TestingData
+from bodymeasure.paper.random_patches import RandomPatches, Reading
 from bodymeasure.paper.table import Column, Table, Value, rows_of
 
 _Array = NDArray[np.float64]
@@ -31,7 +31,7 @@ class ReadingResult:
     """What was found on the testing data of one reading: groups in order, one after the other."""
 
     reading: Reading
-    data: TestingData
+    data: RandomPatches
     found: Comparison
 
     @property
@@ -142,10 +142,10 @@ def table_4(result: ReadingResult, rule: str) -> Table:
             Column("mean_loss", "Mean accuracy loss", "percent"),
             Column("median_loss", "Median", "percent"),
             Column("rms", "Root mean square", "percent"),
-            Column("mean_time_ratio", "Mean time ratio", "percent", is_timing=True),
-            Column("median_time_ratio", "Median", "percent", is_timing=True),
+            Column("mean_time_ratio", "Mean time ratio", "share", is_timing=True),
+            Column("median_time_ratio", "Median", "share", is_timing=True),
             Column("published_loss", "Paper: loss", "percent"),
-            Column("published_time_ratio", "Paper: time", "percent"),
+            Column("published_time_ratio", "Paper: time", "share"),
         ),
         rows_of(rows),
         (
@@ -297,9 +297,9 @@ def closest_table(results: Sequence[ReadingResult]) -> Table:
             Column("description", "What it is", "text"),
             Column("mean_loss_inside", "Mean loss, inside", "percent"),
             Column("mean_loss_all", "Mean loss, of all", "percent"),
-            Column("off", "Off the paper's mean", "percent"),
+            Column("off", "Off the paper's mean", "share"),
             Column("median_length", "Median length by Ritz", "length"),
-            Column("in_range", "Between the lengths of the paper's Table 3", "percent"),
+            Column("in_range", "Between the lengths of the paper's Table 3", "share"),
         ),
         rows_of(rows),
         (
