@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
 from bodymeasure.paper.spreads import LEVELS
 from bodymeasure.paper.table import Table
-from bodymeasure.scene.charts import chart_style, figure_svg
+from bodymeasure.scene.charts import chart_style, figure_svg, power_of_ten
 
 COLORS = ("#1f5f8b", "#c2571a", "#2e7d4f", "#7b4ea3", "#8a6d1f", "#b3202c", "#3b82b5", "#555555")
 MARKERS = "osD^vPX*"
@@ -52,7 +53,7 @@ def accuracy_chart(table: Table, families: Sequence[str], value: str, name: str)
                 ]
                 _line(axes, points, number, family)
             axes.set_title(patches, fontsize=9)
-            axes.set_yscale("log")
+            _decades(axes.yaxis)
             axes.set_xlabel("functions")
         panels[0].set_ylabel("relative error, median")
         _legend(figure, panels[0])
@@ -75,8 +76,8 @@ def cost_chart(table: Table, name: str) -> bytes:
                 ]
                 _line(axes, points, number, family, joined=False)
             axes.set_title(patches, fontsize=9)
-            axes.set_xscale("log")
-            axes.set_yscale("log")
+            _decades(axes.xaxis)
+            _decades(axes.yaxis)
             axes.set_xlabel("microseconds a patch")
         panels[0].set_ylabel("relative error with correction")
         _legend(figure, panels[0])
@@ -95,7 +96,7 @@ def distribution_chart(table: Table, reading: str, name: str) -> bytes:
                 if row[f"quantile_{level}"] is not None
             ]
             _line(axes, points, number, row["difference"])
-        axes.set_xscale("log")
+        _decades(axes.xaxis)
         axes.set_xlabel("relative difference, without its sign")
         axes.set_ylabel("patches up to that, %")
         _legend(figure, axes)
@@ -145,6 +146,13 @@ def _line(
         linewidth=1.1 if joined else 0.0,
         label=label,
     )
+
+
+def _decades(axis: Any) -> None:
+    """A logarithmic axis with powers of ten in plain letters."""
+    axis.axes.set(**{f"{axis.axis_name}scale": "log"})
+    axis.set_major_formatter(lambda value, _: power_of_ten(round(math.log10(value))))
+    axis.set_minor_formatter(lambda _value, _: "")
 
 
 def _legend(figure: Any, axes: Any) -> None:

@@ -95,12 +95,11 @@ def render_page(found: Reproduction) -> bytes:
 
 
 def _context(found: Reproduction) -> dict[str, Any]:
-    sections = []
+    sections, made = [], _pictures(found)
     for anchor, heading, prefixes, words in SECTIONS:
         tables = [t for t in found.tables if t.name.startswith(prefixes)]
         if tables:
-            pictures = _pictures(found).get(anchor, [])
-            sections.append((anchor, heading, words, pictures, tables))
+            sections.append((anchor, heading, words, made.get(anchor, []), tables))
     return {
         "found": found,
         "sections": sections,
