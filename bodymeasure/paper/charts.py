@@ -76,7 +76,10 @@ def cost_chart(table: Table, name: str) -> bytes:
                 ]
                 _line(axes, points, number, family, joined=False)
             axes.set_title(patches, fontsize=9)
-            _decades(axes.xaxis)
+            axes.set_xscale("log")
+            axes.xaxis.set_major_locator(_ticks())
+            axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+            axes.xaxis.set_minor_formatter(lambda _value, _: "")
             _decades(axes.yaxis)
             axes.set_xlabel("microseconds a patch")
         panels[0].set_ylabel("relative error with correction")
@@ -146,6 +149,13 @@ def _line(
         linewidth=1.1 if joined else 0.0,
         label=label,
     )
+
+
+def _ticks() -> Any:
+    """1, 2 and 5 times powers of ten."""
+    from matplotlib.ticker import LogLocator
+
+    return LogLocator(subs=(1.0, 2.0, 5.0))
 
 
 def _decades(axis: Any) -> None:

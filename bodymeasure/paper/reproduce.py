@@ -15,7 +15,14 @@ from bodymeasure.errors import InputError
 from bodymeasure.paper.beyond import COUNTS, FEW_COUNTS, beyond_table, known_diagonals, settings
 from bodymeasure.paper.comparison import compare
 from bodymeasure.paper.normalization import normalize
-from bodymeasure.paper.random_patches import GROUP_SIZE, GROUPS, READINGS, make_testing_data
+from bodymeasure.paper.random_patches import (
+    GROUP_SIZE,
+    GROUPS,
+    READINGS,
+    RandomPatches,
+    Reading,
+    make_testing_data,
+)
 from bodymeasure.paper.scaling import measure_scaling, scaling_table
 from bodymeasure.paper.speed import BATCH, speed_table
 from bodymeasure.paper.spreads import distribution_table, roots_table
@@ -37,6 +44,7 @@ QUICK_GROUP_SIZE = 3
 # Of the body, each so many-th patch.
 BODY = "female_average"
 BODY_STEP, QUICK_BODY_STEP = 4, 24
+BODY_PATCHES = Reading(f"body {BODY}", "Patches of a sample body, normalized.", 1.0)
 # Of the reading, so many patches for what lies beyond the paper, and for the scaling.
 BEYOND_PATCHES, QUICK_BEYOND_PATCHES = 200, 20
 SCALING_PATCHES, QUICK_SCALING_PATCHES = 600, 40
@@ -87,6 +95,11 @@ class Settings:
         """Patches a group; the paper's 250, but for a quick run."""
         return QUICK_GROUP_SIZE if self.quick else GROUP_SIZE
 
+    @property
+    def body_step(self) -> int:
+        """Each so many-th patch of the body is taken."""
+        return QUICK_BODY_STEP if self.quick else BODY_STEP
+
 
 @dataclass(frozen=True)
 class Reproduction:
@@ -110,6 +123,7 @@ class _Study:
     bar: Bar
     tables: list[Table] = field(default_factory=list)
     results: list[ReadingResult] = field(default_factory=list)
+    body: ReadingResult = field(init=False)
 
     @property
     def chosen(self) -> ReadingResult:
@@ -142,13 +156,21 @@ def _testing(study: _Study) -> None:
         for number, reading in enumerate(READINGS, start=1):
             drawn.append(make_testing_data(reading, seed, groups=GROUPS, size=size))
             progress(number)
+    body = load_sample(BODY).control_points[:: study.settings.body_step]
+    drawn.append(RandomPatches(normalize(body).control_points[None], 0, 0))
     # All at once, so that processes are started once.
     nets = np.concatenate([data.control_points.reshape(-1, 4, 4, 3) for data in drawn])
     with study.bar("Tables 3 and 4", len(nets)) as progress:
         found = compare(nets, processes=study.settings.processes, progress=progress)
-    for number, (reading, data) in enumerate(zip(READINGS, drawn, strict=True)):
-        rows = slice(number * GROUPS * size, (number + 1) * GROUPS * size)
-        study.results.append(ReadingResult(reading, data, found.take(rows)))
+    first = 0
+    for reading, data in zip((*READINGS, BODY_PATCHES), drawn, strict=True):
+        last = first + data.control_points[..., 0, 0, 0].size
+        result = ReadingResult(reading, data, found.take(slice(first, last)))
+        first = last
+        if reading is BODY_PATCHES:
+            study.body = result
+        else:
+            study.results.append(result)
     study.tables.append(closest_table(study.results))
     for result in study.results:
         study.tables += [
@@ -158,6 +180,7 @@ def _testing(study: _Study) -> None:
             truth_table(result),
         ]
     study.tables += [
+        truth_table(study.body),
         events_table(study.results),
         distribution_table(study.results),
         roots_table(study.results),
@@ -166,10 +189,9 @@ def _testing(study: _Study) -> None:
 
 def _speed(study: _Study) -> None:
     """Time a patch."""
-    chosen = study.chosen
-    nets = chosen.data.control_points.reshape(-1, 4, 4, 3)
-    batch = len(nets) if study.settings.quick else BATCH
-    study.tables.append(speed_table(chosen.reading.name, nets, chosen.found, batch))
+    for name, result in (("speed", study.chosen), ("speed_body", study.body)):
+        batch = len(result.found) if study.settings.quick else BATCH
+        study.tables.append(speed_table(name, result, batch))
 
 
 def _scaling(study: _Study) -> None:
@@ -188,10 +210,9 @@ def _beyond(study: _Study) -> None:
     quick = study.settings.quick
     nets = study.chosen.data.control_points.reshape(-1, 4, 4, 3)
     nets = nets[: QUICK_BEYOND_PATCHES if quick else BEYOND_PATCHES]
-    body = load_sample(BODY).control_points[:: QUICK_BODY_STEP if quick else BODY_STEP]
     problems = [
         known_diagonals(f"random, {CHOSEN}", nets),
-        known_diagonals(f"body, {BODY}", normalize(body).control_points),
+        known_diagonals(BODY_PATCHES.name, study.body.data.control_points[0]),
     ]
     counts: Sequence[int] = FEW_COUNTS if quick else COUNTS
     with study.bar("beyond 2007", len(settings())) as progress:

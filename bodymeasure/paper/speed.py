@@ -11,7 +11,7 @@ from bodymeasure.geodesic import Method, RBFCollocation, solve_geodesic
 from bodymeasure.paper import published
 from bodymeasure.paper.comparison import Comparison
 from bodymeasure.paper.table import Column, Table, rows_of
-from bodymeasure.paper.tables import signed_difference
+from bodymeasure.paper.tables import ReadingResult, signed_difference
 from bodymeasure.paper.truth import END, START
 
 _Array = NDArray[np.float64]
@@ -26,21 +26,18 @@ OUR_METHODS: tuple[tuple[str, Method], ...] = (
 )
 
 
-def speed_table(
-    name: str, control_points: _Array, found: Comparison, batch_size: int = BATCH
-) -> Table:
-    """Seconds a patch by each method on the patches of one reading, and how accurate it was.
+def speed_table(name: str, result: ReadingResult, batch_size: int = BATCH) -> Table:
+    """Seconds a patch by each method on one set of patches, and how accurate it was.
 
     Parameters
     ----------
     name : str
-        Of the reading.
-    control_points : ndarray, shape (patches, 4, 4, 3)
-    found : Comparison
-        On these patches.
+        Of the table.
+    result : ReadingResult
     batch_size : int
         Patches, some of them more than once, that are solved together.
     """
+    found, control_points = result.found, result.data.control_points.reshape(-1, 4, 4, 3)
     two, ritz = float(found.rbf_seconds.mean()), float(found.ritz_seconds.mean())
     rows = [
         ("the paper's Ritz, 2007", None, None, None, published.SECONDS_BY_RITZ),
@@ -58,8 +55,8 @@ def speed_table(
         lengths = solution.length[: len(control_points)]
         rows.append((label, *_accuracy(lengths, found), seconds / len(batch)))
     return Table(
-        "speed",
-        f"Time a patch, reading “{name}”",
+        name,
+        f"Time a patch: {result.reading.name}",
         (
             Column("method", "Method", "text"),
             Column("solved", "Solved", "count"),
