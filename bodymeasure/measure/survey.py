@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib.metadata
 import platform
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -103,7 +103,9 @@ def measure_atlas(
             f"libigl exact on {levels} segments a side of each patch, extrapolated; heat on the "
             "finest"
         )
-    return Survey(atlas, solution, boundary, checked, findings, settings, _versions(), seconds)
+    return Survey(
+        atlas, solution, boundary, checked, findings, settings, package_versions(PACKAGES), seconds
+    )
 
 
 @contextmanager
@@ -113,9 +115,10 @@ def _timed(seconds: dict[str, float], step: str) -> Iterator[None]:
     seconds[step] = time.perf_counter() - begin
 
 
-def _versions() -> dict[str, str]:
+def package_versions(packages: Sequence[str]) -> dict[str, str]:
+    """Versions of Python and of those packages that are installed."""
     versions = {"Python": platform.python_version()}
-    for package in PACKAGES:
+    for package in packages:
         try:
             versions[package] = importlib.metadata.version(package)
         except importlib.metadata.PackageNotFoundError:

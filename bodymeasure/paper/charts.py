@@ -37,54 +37,50 @@ def columns(table: Table) -> list[dict[str, Any]]:
     return [dict(zip(names, row, strict=True)) for row in table.rows]
 
 
-def accuracy_chart(table: Table, families: Sequence[str], value: str, name: str) -> bytes:
-    """Errors against the number of functions, a panel for each set of patches, as SVG."""
-    rows = columns(table)
-    sets = list(dict.fromkeys(row["patches"] for row in rows))
+def accuracy_chart(table: Table, families: Sequence[str], name: str) -> bytes:
+    """Errors of paths against the number of functions, as SVG."""
     with chart_style():
-        figure, panels = _panels(len(sets))
-        for axes, patches in zip(panels, sets, strict=True):
-            for number, family in enumerate(families):
-                points = [
-                    (row["functions"], max(row[value], FLOOR))
-                    for row in rows
-                    if (row["patches"], row["family"]) == (patches, family)
-                    and row[value] is not None
-                ]
-                _line(axes, points, number, family)
-            axes.set_title(patches, fontsize=9)
-            _decades(axes.yaxis)
+        figure, panels = _by_set(table, families, ("functions", "raw_median"), joined=True)
+        for axes in panels:
             axes.set_xlabel("functions")
         panels[0].set_ylabel("relative error, median")
-        _legend(figure, panels[0])
         return figure_svg(figure, name)
 
 
-def cost_chart(table: Table, name: str) -> bytes:
+def cost_chart(table: Table, families: Sequence[str], name: str) -> bytes:
     """Errors with the correction against time, as SVG."""
-    rows = columns(table)
-    sets = list(dict.fromkeys(row["patches"] for row in rows))
     with chart_style():
-        figure, panels = _panels(len(sets))
-        for axes, patches in zip(panels, sets, strict=True):
-            for number, family in enumerate(METHODS):
-                points = [
-                    (row["microseconds"], max(row["median"], FLOOR))
-                    for row in rows
-                    if (row["patches"], row["family"]) == (patches, family)
-                    and None not in (row["median"], row["microseconds"])
-                ]
-                _line(axes, points, number, family, joined=False)
-            axes.set_title(patches, fontsize=9)
+        figure, panels = _by_set(table, families, ("microseconds", "median"), joined=False)
+        for axes in panels:
             axes.set_xscale("log")
             axes.xaxis.set_major_locator(_ticks())
             axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
             axes.xaxis.set_minor_formatter(lambda _value, _: "")
-            _decades(axes.yaxis)
             axes.set_xlabel("microseconds a patch")
         panels[0].set_ylabel("relative error with correction")
-        _legend(figure, panels[0])
         return figure_svg(figure, name)
+
+
+def _by_set(
+    table: Table, families: Sequence[str], across_and_up: tuple[str, str], *, joined: bool
+) -> tuple[Any, list[Any]]:
+    """A panel for each set of patches with a line for each family, by two columns."""
+    across, up = across_and_up
+    rows = [row for row in columns(table) if row[across] is not None and row[up] is not None]
+    sets = list(dict.fromkeys(row["patches"] for row in columns(table)))
+    figure, panels = _panels(len(sets))
+    for axes, patches in zip(panels, sets, strict=True):
+        for number, family in enumerate(families):
+            points = [
+                (row[across], max(row[up], FLOOR))
+                for row in rows
+                if (row["patches"], row["family"]) == (patches, family)
+            ]
+            _line(axes, points, number, family, joined=joined)
+        axes.set_title(patches, fontsize=9)
+        _decades(axes.yaxis)
+    _legend(figure, panels[0])
+    return figure, panels
 
 
 def distribution_chart(table: Table, reading: str, name: str) -> bytes:

@@ -129,15 +129,15 @@ def _pictures(found: Reproduction) -> dict[str, list[tuple[str, str]]]:
         ],
         "beyond": [
             (
-                charts.accuracy_chart(beyond, charts.METHODS, "raw_median", "methods"),
+                charts.accuracy_chart(beyond, charts.METHODS, "methods"),
                 "Error of the length of the computed path, without the correction.",
             ),
             (
-                charts.accuracy_chart(beyond, charts.PLACINGS, "raw_median", "placings"),
+                charts.accuracy_chart(beyond, charts.PLACINGS, "placings"),
                 "The same for the paper's kernel, by where centers and collocation points stand.",
             ),
             (
-                charts.cost_chart(beyond, "cost"),
+                charts.cost_chart(beyond, charts.METHODS, "cost"),
                 "Error with the correction against processor time, one point a number of "
                 "functions.",
             ),

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.metadata
-import platform
 import time
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
@@ -12,6 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from bodymeasure.errors import InputError
+from bodymeasure.measure import package_versions
 from bodymeasure.paper.beyond import COUNTS, FEW_COUNTS, beyond_table, known_diagonals, settings
 from bodymeasure.paper.comparison import compare
 from bodymeasure.paper.normalization import normalize
@@ -145,7 +144,7 @@ def reproduce(settings_: Settings, bar: Bar = no_bar) -> Reproduction:
         begin = time.perf_counter()
         part(study)
         seconds[name] = time.perf_counter() - begin
-    return Reproduction(settings_, tuple(study.tables), _versions(), seconds)
+    return Reproduction(settings_, tuple(study.tables), package_versions(PACKAGES), seconds)
 
 
 def _testing(study: _Study) -> None:
@@ -226,13 +225,3 @@ PARTS: tuple[tuple[str, Callable[[_Study], None]], ...] = (
     ("distributed collocation", _scaling),
     ("beyond 2007", _beyond),
 )
-
-
-def _versions() -> dict[str, str]:
-    versions = {"Python": platform.python_version()}
-    for package in PACKAGES:
-        try:
-            versions[package] = importlib.metadata.version(package)
-        except importlib.metadata.PackageNotFoundError:
-            continue
-    return versions
