@@ -5,7 +5,8 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -25,6 +26,7 @@ class Ran:
 
 
 Run = Callable[..., Ran]
+Bar = tuple[str, int, list[int]]
 Edited = Callable[[Callable[[dict[str, Any]], object]], Any]
 
 # As from a terminal: where tests run in the background, children inherit that interrupts are
@@ -58,6 +60,19 @@ def hide_here(monkeypatch: pytest.MonkeyPatch, package: str) -> None:
     monkeypatch.setattr(sys, "meta_path", list(sys.meta_path))
     monkeypatch.delitem(sys.modules, package, raising=False)
     exec(hide(package), {})
+
+
+def recorded_bars(monkeypatch: pytest.MonkeyPatch, command: str) -> list[Bar]:
+    """Progress bars of a command: the label of each, its total, and what it was told is done."""
+    bars: list[Bar] = []
+
+    @contextmanager
+    def bar(label: str, total: int) -> Iterator[Callable[[int], None]]:
+        bars.append((label, total, []))
+        yield bars[-1][2].append
+
+    monkeypatch.setattr(f"bodymeasure.cli.{command}.progress_bar", bar)
+    return bars
 
 
 def start(*arguments: object, setup: str = "", **options: Any) -> subprocess.Popen[str]:

@@ -98,6 +98,16 @@ def distinct(points: Array) -> Array:
     return np.array(roots).reshape(-1, 2)
 
 
+def missed(found: Array, expected: Array) -> list[Array]:
+    """Those expected that are not found."""
+    return [
+        root
+        for root in expected
+        if np.abs(found - root).max(axis=1, initial=0.0).min(initial=np.inf)
+        > SAME * max(1.0, np.abs(root).max())
+    ]
+
+
 def sharpened(net: Array, motion: Array, points: Array) -> Array:
     """Roots by Newton's method in fractions, NaN where it does not converge.
 

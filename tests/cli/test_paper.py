@@ -3,14 +3,12 @@ from __future__ import annotations
 import csv
 import json
 import re
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
 import pytest
-from command_line import Run, hide_here
+from command_line import Run, hide_here, recorded_bars
 
 from bodymeasure.paper import reproduce
 from bodymeasure.paper.random_patches import READINGS
@@ -60,14 +58,7 @@ class Loads(HTMLParser):
 def test_every_table_and_the_page(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    bars: list[tuple[str, int, list[int]]] = []
-
-    @contextmanager
-    def bar(label: str, total: int) -> Iterator[Callable[[int], None]]:
-        bars.append((label, total, []))
-        yield bars[-1][2].append
-
-    monkeypatch.setattr("bodymeasure.cli.paper.progress_bar", bar)
+    bars = recorded_bars(monkeypatch, "paper")
     folder = tmp_path / "new" / "paper"
     ran = run("paper", "-o", folder, "--quick", "--seed", 5, "--processes", 2)
     assert (ran.code, ran.err) == (0, "")

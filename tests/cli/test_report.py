@@ -3,15 +3,13 @@ from __future__ import annotations
 import csv
 import json
 import math
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import jsonschema
 import pytest
-from command_line import Run, hide_here
+from command_line import Run, hide_here, recorded_bars
 
 from bodymeasure import read_atlas
 from bodymeasure.oracle import MeshDistances, mesh_distances
@@ -56,14 +54,7 @@ def test_a_part_of_a_body(run: Run, part: Path, tmp_path: Path) -> None:
 def test_a_single_patch_with_pictures_and_progress(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    bars: list[tuple[str, int, list[int]]] = []
-
-    @contextmanager
-    def bar(label: str, total: int) -> Iterator[Callable[[int], None]]:
-        bars.append((label, total, []))
-        yield bars[-1][2].append
-
-    monkeypatch.setattr("bodymeasure.cli.report.progress_bar", bar)
+    bars = recorded_bars(monkeypatch, "report")
     # Which draws faster here, and has something to say.
     hide_here(monkeypatch, "pyvista")
     opengl_trouble.cache_clear()

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from multistart import SAME, distinct, expansion, multistart_roots, sharpened, starts
+from multistart import distinct, expansion, missed, multistart_roots, sharpened, starts
 from numpy.typing import NDArray
 from wild import wild_patches
 
@@ -20,16 +20,6 @@ from bodymeasure.paper.two_functions import (
 )
 
 Array = NDArray[np.float64]
-
-
-def missed(found: Array, expected: Array) -> list[Array]:
-    """Those expected that are not found."""
-    return [
-        root
-        for root in expected
-        if np.abs(found - root).max(axis=1, initial=0.0).min(initial=np.inf)
-        > SAME * max(1.0, np.abs(root).max())
-    ]
 
 
 def test_all_intersections_of_lines_are_found() -> None:
