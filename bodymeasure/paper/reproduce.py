@@ -22,14 +22,13 @@ from bodymeasure.paper.random_patches import (
     Reading,
     make_testing_data,
 )
+from bodymeasure.paper.readings import closest_table, events_table
 from bodymeasure.paper.scaling import measure_scaling, scaling_table
 from bodymeasure.paper.speed import BATCH, speed_table
 from bodymeasure.paper.spreads import distribution_table, roots_table
 from bodymeasure.paper.table import Table
 from bodymeasure.paper.tables import (
     ReadingResult,
-    closest_table,
-    events_table,
     table_3,
     table_4,
     truth_table,

@@ -14,12 +14,11 @@ import pytest
 from bodymeasure.paper import published
 from bodymeasure.paper.comparison import Comparison
 from bodymeasure.paper.random_patches import READINGS, RandomPatches
+from bodymeasure.paper.readings import closest_table, events_table
 from bodymeasure.paper.spreads import distribution_table, roots_table
 from bodymeasure.paper.table import Column, Table, plain, rows_of, to_csv, to_record
 from bodymeasure.paper.tables import (
     ReadingResult,
-    closest_table,
-    events_table,
     signed_difference,
     table_3,
     table_4,
