@@ -54,24 +54,29 @@ class Setting:
 
 
 def known_diagonals(name: str, control_points: _Array) -> Known:
-    """Those of some patches whose shortest diagonal is known and a geodesic inside.
+    """Those of some patches whose diagonal is known by `independent_lengths`."""
+    lengths = independent_lengths(control_points)
+    rows = np.flatnonzero(np.isfinite(lengths))
+    return Known(name, control_points[rows], lengths[rows])
 
-    Found by polynomial collocation and Ritz, which must agree; radial functions are judged by what
+
+def independent_lengths(control_points: _Array) -> _Array:
+    """Lengths of diagonals that are geodesics inside their patch, NaN for others.
+
+    Found by polynomial collocation and Ritz, which must agree: radial functions are judged by what
     they had no part in.
     """
-    ends = ENDS["diagonal"]
     solutions = [
-        solve_geodesic(control_points, *ends, method=method, on_failure="status")
+        solve_geodesic(control_points, *ENDS["diagonal"], method=method, on_failure="status")
         for method in (
             PolynomialCollocation(degrees=(16, 24, 32), tolerance=1e-12),
             Ritz(order=(16, 24, 32), tolerance=1e-12),
         )
     ]
-    lengths = np.array([solution.length for solution in solutions])
+    first, second = (solution.length for solution in solutions)
     with np.errstate(invalid="ignore"):
-        agree = np.abs(lengths[0] - lengths[1]) <= 1e-10 * lengths[0]
-    rows = np.flatnonzero(agree)
-    return Known(name, control_points[rows], lengths[0, rows])
+        agree = np.abs(first - second) <= 1e-10 * first
+    return np.asarray(np.where(agree, first, np.nan))
 
 
 def settings() -> tuple[Setting, ...]:
