@@ -168,7 +168,7 @@ def _measured(space: TrialSpace, problems: OffsetProblems, offset: Any, toleranc
     good = is_good(measured, tolerance) & ~is_steep(measured.raw, values)
     return Piece(
         np.arange(count),
-        space,
+        space.with_lines,
         values,
         measured,
         good,
