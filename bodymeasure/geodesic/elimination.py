@@ -9,8 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+import numpy as np
+from scipy.linalg import cho_solve
+
 # Up to so many systems, calls cost more than arithmetic.
 FEW = 64
+# Of systems as large as this, few are solved one by one.
+LARGE = 48
 
 
 def solve_batch(matrix: Any, right: Any, xp: Any) -> Any:
@@ -68,6 +73,33 @@ def solve_symmetric(columns: list[Any], right: Any, xp: Any) -> SymmetricSolutio
     right : array, shape (n, problems)
     xp : namespace of the arrays
     """
+    if len(columns) >= LARGE and right.shape[1] <= FEW and isinstance(right, np.ndarray):
+        return _one_by_one(columns, right, xp)
+    return _eliminated(columns, right, xp)
+
+
+def _one_by_one(columns: list[Any], right: Any, xp: Any) -> SymmetricSolution:
+    """By Cholesky factorization; systems that are not positive definite by elimination."""
+    solution, pivots = np.empty_like(right), np.empty_like(right)
+    matrix = np.zeros((right.shape[1], len(right), len(right)))
+    for j, column in enumerate(columns):
+        matrix[:, j:, j] = column.T
+    indefinite = []
+    for number, lower in enumerate(matrix):
+        try:
+            factor = np.linalg.cholesky(lower)
+        except np.linalg.LinAlgError:
+            indefinite.append(number)
+            continue
+        solution[:, number] = cho_solve((factor, True), right[:, number], check_finite=False)
+        pivots[:, number] = np.diagonal(factor) ** 2
+    if indefinite:
+        some = [column[:, indefinite] for column in columns]
+        solution[:, indefinite], pivots[:, indefinite] = _eliminated(some, right[:, indefinite], xp)
+    return SymmetricSolution(solution, pivots)
+
+
+def _eliminated(columns: list[Any], right: Any, xp: Any) -> SymmetricSolution:
     # The right side stands below each column as one more row of the matrix.
     columns = [xp.concat([column, right[j : j + 1, :]]) for j, column in enumerate(columns)]
     steps = _by_column(columns) if right.shape[1] > FEW else _at_once(columns, xp)

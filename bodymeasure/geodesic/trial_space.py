@@ -110,8 +110,7 @@ class TrialSpace:
     @cached_property
     def between_nodes(self) -> _Array:
         """Map to values at `times_between`, shape (k, n + 1)."""
-        values: _Array = self.matrices(self.times_between)[0]
-        return values
+        return self.functions.values(self.times_between)
 
     @property
     def times_between(self) -> _Array:

@@ -165,7 +165,7 @@ def test_statuses_are_sentences() -> None:
 def test_a_kernel_that_is_not_smooth_enough_is_no_trap() -> None:
     # (1 - r)_+ has no second derivative: the equations of collocation say nothing.
     hat = Kernel("hat", 1, (1,), 0)
-    solution = status_of(ENNEPER, (0, 0), (1, 0.5), kernel=hat, centers=(0.2, 0.5, 0.8))
+    solution = status_of(ENNEPER, (0.1, 0.3), (1, 0.5), kernel=hat, centers=(0.2, 0.5, 0.8))
     assert not solution.converged
     assert np.isnan(solution.length)
 
