@@ -17,7 +17,7 @@ from bodymeasure.geodesic.degrees import DEGREES, degrees_wanted
 from bodymeasure.geodesic.edge_arc import edge_arc
 from bodymeasure.geodesic.free_piece import solve_free_piece
 from bodymeasure.geodesic.joined_legs import ContactPath, SolvedLeg, join
-from bodymeasure.geodesic.legs import End, Leg, Pole, read_legs
+from bodymeasure.geodesic.legs import End, Leg, read_legs
 from bodymeasure.geodesic.length_error import is_good, measure_length
 from bodymeasure.geodesic.method import EdgeContact
 from bodymeasure.geodesic.polynomial_space import polynomial_space
@@ -80,9 +80,7 @@ def solve_contact_path(
     return None
 
 
-def _solve_free(
-    surface: Surface, points: _Array, leg: Leg, tolerance: float
-) -> _FreeLeg | None:
+def _solve_free(surface: Surface, points: _Array, leg: Leg, tolerance: float) -> _FreeLeg | None:
     if leg.contact is not None:
         return None
     polygon = points[leg.first : leg.last + 1]
@@ -148,7 +146,7 @@ def _read_anew(
 ) -> _Array:
     """A polygon along the legs, put into the box; without the arcs that run backwards."""
     parts: list[_Array] = []
-    for number, (leg, found) in enumerate(zip(legs, free, strict=True)):
+    for number, found in enumerate(free):
         if found is not None:
             # Also what is outside for the shortest while must be seen.
             path = found.solved.values @ found.solved.space.between_nodes.T
@@ -162,7 +160,8 @@ def _read_anew(
             parts.append(np.stack([begin, (begin + end) / 2.0, end]))
     result = np.concatenate(parts)
     result[0], result[-1] = points[0], points[-1]
-    return result[np.append(True, (np.diff(result, axis=0) != 0.0).any(axis=1))]
+    moves = (np.diff(result, axis=0) != 0.0).any(axis=1)
+    return np.asarray(result[np.append(True, moves)])
 
 
 def _put_together(

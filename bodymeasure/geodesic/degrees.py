@@ -14,9 +14,7 @@ DEGREES = (12, 20, 32, 48, 72, 108, 160)
 CAUTION = 0.75
 
 
-def degrees_wanted(
-    degree: int, measured: MeasuredLength, tolerance: float
-) -> NDArray[np.float64]:
+def degrees_wanted(degree: int, measured: MeasuredLength, tolerance: float) -> NDArray[np.float64]:
     """The degrees that paths seem to take, told from how good they are on one; shape (problems,).
 
     Parameters

@@ -102,7 +102,8 @@ class _Moving:
     @cached_property
     def slopes(self) -> _Array:
         """From nodal values to derivatives at both ends, shape (2, n + 1)."""
-        return self.space.matrices(np.array([0.0, 1.0]))[1]
+        slopes: _Array = self.space.matrices(np.array([0.0, 1.0]))[1]
+        return slopes
 
     def system(self, values: _Array) -> tuple[_Array, _Array]:
         """The equations' left sides, and their derivatives by the unknowns."""

@@ -77,7 +77,8 @@ def read_legs(points: _Array, poles: tuple[End, End] = (None, None)) -> list[Leg
         that meet at a corner of the patch are fixed there.
     """
     last = len(points) - 1
-    corners = set(np.flatnonzero(((points == 0.0) | (points == 1.0)).all(axis=1)[1:-1]) + 1)
+    at_corner = ((points == 0.0) | (points == 1.0)).all(axis=1)
+    corners = {number for number in range(1, last) if at_corner[number]}
     legs: list[Leg] = []
     place, held = 0, poles[0]
     for contact, first, final in _arcs(points, corners):

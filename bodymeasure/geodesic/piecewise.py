@@ -38,7 +38,7 @@ class PiecewisePolynomials:
         result = np.empty((3, len(t), functions))
         for number, here, x in self._by_piece(t.astype(np.longdouble)):
             vandermonde = chebyshev.chebvander(x, self.coefficients.shape[1] - 1)
-            # Sums over neighbors in memory: without them extended precision takes ten times as long.
+            # Sums over neighbors in memory: three times as fast as others in extended precision.
             for order, sums in enumerate(self.coefficients[..., number]):
                 result[order, here] = np.inner(vandermonde, np.ascontiguousarray(sums.T))
         return result

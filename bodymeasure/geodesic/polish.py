@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -17,7 +18,7 @@ from bodymeasure.geodesic.legs import End, Pole
 from bodymeasure.geodesic.length_error import is_good, measure_length
 from bodymeasure.geodesic.method import Piece
 from bodymeasure.geodesic.newton import newton
-from bodymeasure.geodesic.one_place import distances_in_one_place
+from bodymeasure.geodesic.one_place import TIMES
 from bodymeasure.geodesic.polygon_energy import polygon_lengths
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import Surface
@@ -32,6 +33,8 @@ MOST_STEPS = 8
 OUTSIDE = 1e-9
 # A path that is further than this from its polygon, in u or v, is another than was meant.
 ASTRAY = 0.1
+# An edge this long, on a patch of size 1, is a point but for rounding errors.
+COLLAPSED = 1e-14
 # Rounding errors of lengths, relative, generously.
 ROUNDING = 1e-9
 # Edges of the polygons whose pattern of contacts is read, in turn.
@@ -83,7 +86,7 @@ def polish(surface: Surface, polygons: _Array, tolerance: float) -> Polished:
             path = solve_contact_path(own, polygon, (poles[0][row], poles[1][row]), tolerance)
             # No path is shorter than the shortest polygon.
             if path is not None and path.measured.raw[0] >= least * (1.0 - ROUNDING):
-                pieces.append(_as_piece(row, path))
+                pieces.append(_as_piece(row, path, COLLAPSED * (not fixed[row])))
                 doubt[row] = np.inf
         left = _without(left, pieces)
     return Polished(tuple(pieces), doubt)
@@ -92,14 +95,13 @@ def polish(surface: Surface, polygons: _Array, tolerance: float) -> Polished:
 def _poles(surface: Surface, points: _Array) -> list[End]:
     """Of points, shape (polygons, 2), the collapsed edges that they lie on."""
     result: list[End] = [None] * len(points)
-    every = np.arange(len(points))
     for axis in (0, 1):
         for value in (0.0, 1.0):
             here = np.flatnonzero(points[:, axis] == value)
-            corners = np.full((2, len(here), 2), value)
-            corners[:, :, 1 - axis] = np.array([0.0, 1.0])[:, None]
-            width = distances_in_one_place(surface, every[here], *corners)
-            for row in here[np.isfinite(width)]:
+            edge = np.full((len(here), len(TIMES), 2), value)
+            edge[:, :, 1 - axis] = TIMES
+            speed = np.linalg.norm(surface.take(here).jet(edge, 1)[2 - axis], axis=0)
+            for row in here[speed.max(axis=1, initial=0.0) <= COLLAPSED]:
                 result[row] = Pole(axis, value)
     return result
 
@@ -153,12 +155,14 @@ def _refined(polygons: _Array, edges: int) -> _Array:
     return result
 
 
-def _as_piece(row: np.int64, found: ContactPath) -> Piece:
+def _as_piece(row: np.int64, found: ContactPath, doubt: float) -> Piece:
+    """The path of one polygon; `doubt` is added to its error."""
+    measured = replace(found.measured, error=found.measured.error + doubt)
     return Piece(
         problems=np.array([row]),
         space=found.space,
         values=found.values[None],
-        measured=found.measured,
+        measured=measured,
         converged=np.ones(1, bool),
         singular=np.zeros(1, bool),
         contacts=found.contacts,

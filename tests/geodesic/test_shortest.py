@@ -8,8 +8,10 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 import bodymeasure as bm
+from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.contact import solve_contact_path
-from bodymeasure.geodesic.legs import read_legs
+from bodymeasure.geodesic.edge_arc import edge_arc
+from bodymeasure.geodesic.legs import Contact, read_legs
 from bodymeasure.geodesic.surface import BezierSurfaces
 from bodymeasure.oracle import mesh_distances
 
@@ -215,3 +217,75 @@ def test_a_shorter_way_that_cannot_be_made_exact_is_not_kept_quiet(
     kept = bm.solve_geodesic(net, START, END, method=loose, search="thorough", on_failure="status")
     assert kept.raw_length > 1.02 * shorter
     assert not kept.converged
+
+
+LEVELS = {
+    "a long arc and a sharp bend": [[0, 2, 2, 2], [1, 5, 4, 0], [4, 5, 4, 0], [1, 0, 0, 5]],
+    "an arc into the far corner": [[0, 2, 5, 3], [5, 3, 3, 2], [5, 3, 0, 3], [1, 0, 0, 5]],
+    # Less than a thousandth of the edge: no polygon shows it, the free path leaves the patch.
+    "an arc too short for polygons": [[0, 2, 2, 5], [1, 0, 4, 5], [0, 2, 3, 2], [0, 5, 0, 5]],
+    "a short arc and a sharp bend": [[0, 4, 0, 0], [5, 0, 0, 1], [2, 1, 0, 4], [4, 0, 0, 5]],
+}
+
+
+@pytest.mark.parametrize("levels", LEVELS.values(), ids=LEVELS)
+def test_paths_along_edges_of_wild_patches(levels: list[list[int]]) -> None:
+    net = heights(np.array(levels) / 5.0, side=0.6)
+    solution = bm.solve_geodesic(net, START, END)
+    assert solution.status is bm.Status.ON_BOUNDARY
+    assert solution.error_estimate < 1e-9
+    back = bm.solve_geodesic(net, END, START)
+    assert back.length == pytest.approx(solution.length, rel=1e-9)
+    # A polygon on it is shorter by the square of its edges.
+    points = solution.path(np.linspace(0.0, 1.0, 129))
+    edges = np.linalg.norm(np.diff(evaluate(net, points), axis=0), axis=1).sum()
+    assert 0.0 < solution.length - edges < 3e-3
+
+
+@pytest.mark.parametrize("bulge", [2.4, -2.4])
+def test_an_edge_presses_where_it_is_in_the_way(bulge: float) -> None:
+    # x = bulge v (1 - v) on u = 0: an arc along it is shortest if the patch lies outside its bend.
+    net = bent_plane()
+    net[:, :, 0] += (bulge / 2.4 - 1.0) * (net[:, :, 0] - np.linspace(0, 1, 4)[:, None])
+    surface = BezierSurfaces(net[None])
+    arc = edge_arc(surface, Contact(0, 0.0), np.array([0.0, 0.2]), np.array([0.0, 0.9]))
+    assert arc.is_pressed == (bulge > 0.0)
+    t = np.linspace(0.2, 0.9, 20001)
+    along = np.hypot(np.diff(bulge * t * (1.0 - t)), np.diff(t)).sum()
+    assert arc.solved.measured.raw[0] == pytest.approx(along, rel=1e-8)
+
+
+def test_a_straight_edge_presses_nothing_and_is_not_refused(rng: np.random.Generator) -> None:
+    surface = BezierSurfaces(heights(np.zeros((4, 4)))[None])
+    for axis, value in ((0, 0.0), (0, 1.0), (1, 0.0), (1, 1.0)):
+        begin, end = rng.random((2, 2))
+        begin[axis] = end[axis] = value
+        arc = edge_arc(surface, Contact(axis, value), begin, end)
+        assert arc.is_pressed
+        assert arc.solved.measured.raw[0] == pytest.approx(np.abs(end - begin).sum(), rel=1e-14)
+
+
+def test_legs_that_meet_at_a_corner_are_fixed_there() -> None:
+    polygon = np.array([[0.5, 0.5], [0.2, 0.8], [0.0, 1.0], [0.3, 0.9], [0.6, 0.6]])
+    legs = read_legs(polygon)
+    assert [(leg.first, leg.last, leg.ends) for leg in legs if not leg.contact] == [
+        (0, 2, (None, None)),
+        (2, 4, (None, None)),
+    ]
+    round_it = np.array([[0.0, 0.5], [0.0, 0.8], [0.0, 1.0], [0.3, 1.0], [0.6, 0.6]])
+    names = [leg.contact.name if leg.contact else "free" for leg in read_legs(round_it)]
+    assert names == ["u = 0", "v = 1", "free"]
+
+
+def test_a_shallow_saddle_is_left() -> None:
+    # Symmetric about the diagonal, on which lies a geodesic with an eigenvalue of -6e-4. Beside it
+    # are two that are shorter by 6e-8.
+    levels = [[0, 5, 0, 4], [5, 4, 4, 4], [0, 4, 2, 1], [4, 4, 1, 5]]
+    net = heights(np.array(levels) / 5.0)
+    over = bm.solve_geodesic(net, START, END, search="straight", on_failure="status")
+    assert over.index == 1
+    beside = bm.solve_geodesic(net, START, END)
+    assert beside.local_minimum
+    assert 1e-8 < over.raw_length - beside.length < 1e-6
+    u, v = beside.path(0.5)
+    assert abs(u - v) > 1e-3
