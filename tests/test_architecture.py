@@ -33,7 +33,7 @@ LAYERS = (
     ("geodesic", "oracle"),
     ("measure",),
     ("scene",),
-    ("report", "viewer"),
+    ("bench", "report", "viewer"),
     ("cli",),
     ("__main__",),
 )
@@ -47,7 +47,10 @@ RESERVED = {
     "vtk": {"scene", "viewer"},
     "vtkmodules": {"scene", "viewer"},
     # pyvista takes its color maps from it.
-    "matplotlib": {"scene", "report", "viewer"},
+    "matplotlib": {"bench", "scene", "report", "viewer"},
+    "potpourri3d": {"bench"},
+    "pygeodesic": {"bench"},
+    "threadpoolctl": {"bench"},
     "jinja2": {"report"},
     "click": {"cli"},
     "rich": {"cli"},
