@@ -48,6 +48,8 @@ MESH_METHODS = {
     "potpourri3d edge flips": edge_flips,
     "libigl heat": igl_heat,
 }
+# By these a library says that it cannot measure a problem; that is counted.
+FAILURES = (ArithmeticError, RuntimeError, ValueError)
 
 
 @dataclass(frozen=True)
@@ -142,9 +144,16 @@ def _one_by_one(make: Callable[[_Array, _Array, _Array], Callable[[], float]]) -
 
     def prepare(problems: Problems) -> Solve:
         calls = [make(*one) for one in zip(*problems, strict=True)]
-        return lambda: np.array([call() for call in calls])
+        return lambda: np.array([_length_or_nan(call) for call in calls])
 
     return prepare
+
+
+def _length_or_nan(call: Callable[[], float]) -> float:
+    try:
+        return call()
+    except FAILURES:
+        return np.nan
 
 
 def _on_mesh(

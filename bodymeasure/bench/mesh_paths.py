@@ -10,7 +10,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.errors import InputError
 from bodymeasure.oracle.grid import PatchGrid
 from bodymeasure.oracle.libigl import exact_distance, heat_distances
 
@@ -45,10 +44,7 @@ class MeshedPatch:
 
 def igl_exact(mesh: MeshedPatch) -> float:
     """Libigl's exact distance over the polyhedron (Mitchell, Mount and Papadimitriou)."""
-    try:
-        return exact_distance(mesh.vertices, mesh.faces, mesh.source, mesh.target)
-    except InputError:  # what it returned is no distance
-        return np.nan
+    return exact_distance(mesh.vertices, mesh.faces, mesh.source, mesh.target)
 
 
 def igl_heat(mesh: MeshedPatch) -> float:

@@ -6,11 +6,13 @@ import numpy as np
 import pytest
 from surfaces import PLANE, SURFACES, plane_length
 
+from bodymeasure.bench import mesh_paths
 from bodymeasure.bench.boundary_value import BoundaryValueProblem
 from bodymeasure.bench.entrants import Entrant, entrants
 from bodymeasure.bench.figure import LOOKS
 from bodymeasure.bench.mesh_paths import MeshedPatch, igl_exact
 from bodymeasure.bench.problems import Problems
+from bodymeasure.errors import InputError
 
 ENTRANTS = {entrant.label: entrant for entrant in entrants()}
 MESH = ("libigl exact", "pygeodesic exact", "potpourri3d edge flips")
@@ -63,6 +65,20 @@ def test_a_plane_is_exact_on_any_mesh() -> None:
     assert igl_exact(mesh) == pytest.approx(plane_length((0.0, 0.25), (1.0, 0.5)), rel=1e-12)
 
 
+@pytest.mark.parametrize("error", [RuntimeError, ValueError, ZeroDivisionError])
+def test_a_library_that_raises_has_no_length(
+    monkeypatch: pytest.MonkeyPatch, error: type[Exception]
+) -> None:
+    def fail(*_arguments: object) -> float:
+        raise error("cannot")
+
+    surface = SURFACES[0]
+    one = Problems(surface.control_points[None], np.zeros((1, 2)), np.ones((1, 2)))
+    call = ENTRANTS["libigl exact, 17 points a side"].prepare(one)
+    monkeypatch.setattr(mesh_paths, "exact_distance", fail)
+    assert np.isnan(call()).all()
+
+
 def test_a_distance_that_is_none_is_a_failure() -> None:
     plane = MeshedPatch.of(PLANE, np.zeros(2), np.ones(2), 3)
     # Two triangles that do not touch: libigl says 0.
@@ -72,7 +88,8 @@ def test_a_distance_that_is_none_is_a_failure() -> None:
         0,
         3,
     )
-    assert np.isnan(igl_exact(apart))
+    with pytest.raises(InputError, match="libigl gives"):
+        igl_exact(apart)
 
 
 def test_a_solver_that_gives_up_has_no_length() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from command_line import Run, hide_here
+from command_line import Run, hide_here, run_apart
 from small_benchmark import SMALL, small_benchmark
 
 import bodymeasure.bench
@@ -70,6 +70,14 @@ def test_failures_and_problems_left_out_are_told(run: Run, monkeypatch: pytest.M
     assert "left out: 7 leave their patch, 8 without a true length" in ran.out
     (line,) = [line for line in ran.out.splitlines() if line.startswith("shooting")][:1]
     assert line.split()[1:3] == ["1", "1"]
+
+
+@pytest.mark.slow
+def test_the_real_thing(tmp_path: Path) -> None:
+    ran = run_apart("bench", "--quick", "-o", tmp_path / "out")
+    assert (ran.code, ran.err) == (0, "")
+    assert len(list((tmp_path / "out").iterdir())) == 3
+    assert "1,000" in ran.out
 
 
 def test_files_are_named_and_written(run: Run, tmp_path: Path) -> None:
