@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
 from bodymeasure.bench.entrants import DEFAULT
 from bodymeasure.bench.records import BenchDocument, Result, SetRecord
-from bodymeasure.errors import MissingExtraError
+from bodymeasure.scene.chart_style import TEXT_SIZE, chart_style, power_of_ten
 
-TEXT_SIZE = 9.0
-INK, CAPTION_INK, GRID = "#24292f", "#57606a", "#d8dee4"
+CAPTION_INK, GRID = "#57606a", "#d8dee4"
 # Errors are drawn no smaller than this: half the spacing of numbers near 1, below which a relative
 # error is none.
 LEAST_ERROR = 1.1e-16
@@ -36,19 +33,6 @@ METADATA: Any = {
     "Title": "Error of a geodesic's length against processor time",
     "Date": None,
     "Creator": None,
-}
-STYLE: Any = {
-    "svg.hashsalt": "bodymeasure",  # the same numbers give the same file
-    "svg.fonttype": "none",  # text stays text
-    "font.family": "sans-serif",
-    "font.sans-serif": ["Helvetica", "Arial", "DejaVu Sans"],
-    "font.size": TEXT_SIZE,
-    "axes.edgecolor": INK,
-    "axes.linewidth": 0.7,
-    "text.color": INK,
-    "axes.labelcolor": INK,
-    "xtick.color": INK,
-    "ytick.color": INK,
 }
 
 
@@ -118,7 +102,7 @@ def error_against_time(document: BenchDocument) -> bytes:
     MissingExtraError
         If matplotlib is not installed.
     """
-    with _style():
+    with chart_style("the figure", "bench"):
         figure = draw(document)
         file = io.BytesIO()
         figure.savefig(file, format="svg", metadata=METADATA)
@@ -162,7 +146,7 @@ def _scale(axes: Any, results: list[Result]) -> None:
     ticks = {time: text for time, text in TICKS.items() if low <= time <= high}
     axes.set_xticks([*ticks], [*ticks.values()])
     powers = [power for power in range(-16, 1, 2) if 10.0**power <= axes.get_ylim()[1]]
-    axes.set_yticks([10.0**power for power in powers], [_power(power) for power in powers])
+    axes.set_yticks([10.0**power for power in powers], [power_of_ten(power) for power in powers])
 
 
 def _legend(figure: Any, title: str, keys: dict[str, Any], left: float) -> None:
@@ -233,18 +217,3 @@ def _key(look: Look, *, joined: bool) -> Any:
         markeredgecolor="white",
         markeredgewidth=0.7,
     )
-
-
-def _power(power: int) -> str:
-    """A power of ten in plain letters, which need no fonts of matplotlib's own."""
-    return "10" + str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-
-
-@contextmanager
-def _style() -> Iterator[None]:
-    try:
-        from matplotlib import rc_context
-    except ImportError:
-        raise MissingExtraError("the figure", "matplotlib", "bench") from None
-    with rc_context(STYLE):
-        yield

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import io
 import re
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.errors import InputError, MissingExtraError
+from bodymeasure.errors import InputError
 from bodymeasure.scene.canvas import INK, figure_pixels
+from bodymeasure.scene.chart_style import TEXT_SIZE, chart_style, power_of_ten
 from bodymeasure.scene.colors import (
     NO_LENGTH,
     NOT_COMPARED,
@@ -25,19 +24,7 @@ from bodymeasure.scene.model import PathKind, Paths
 if TYPE_CHECKING:
     from bodymeasure.measure import Survey
 
-TEXT_SIZE = 9.0
 BINS_PER_DECADE = 4
-STYLE: Any = {
-    "svg.hashsalt": "bodymeasure",  # the same chart gives the same file
-    "svg.fonttype": "none",  # text stays text: it can be searched, and takes the page's size
-    "font.family": "sans-serif",
-    "font.size": TEXT_SIZE,
-    "axes.edgecolor": INK,
-    "text.color": INK,
-    "axes.labelcolor": INK,
-    "xtick.color": INK,
-    "ytick.color": INK,
-}
 
 
 def color_bar(paths: Paths) -> bytes:
@@ -48,13 +35,13 @@ def color_bar(paths: Paths) -> bytes:
     paths : Paths
         Of the whole body, as the pictures' scale.
     """
-    with _style():
+    with chart_style("a chart", "report"):
         return _svg(_draw_color_bar(paths), "color-bar")
 
 
 def color_bar_image(paths: Paths, dots_per_inch: int) -> NDArray[np.uint8]:
     """What the colors of paths mean, as pixels, shape (height, width, 3)."""
-    with _style():
+    with chart_style("a chart", "report"):
         figure = _draw_color_bar(paths)
         figure.set_dpi(dots_per_inch)
         return figure_pixels(figure)
@@ -106,7 +93,7 @@ def histogram(survey: Survey) -> bytes:
         raise InputError(
             "there are no differences to draw a histogram of; run the survey with its cross-check"
         )
-    with _style():
+    with chart_style("a chart", "report"):
         return _svg(_draw_histogram(value), "histogram")
 
 
@@ -146,33 +133,17 @@ def _draw_histogram(value: NDArray[np.float64]) -> Any:
     return figure
 
 
-@contextmanager
-def _style() -> Iterator[None]:
-    """Matplotlib's settings for charts, for as long as one is drawn."""
-    try:
-        from matplotlib import rc_context
-    except ImportError:
-        raise MissingExtraError("a chart", "matplotlib", "report") from None
-    with rc_context(STYLE):
-        yield
-
-
 def _decades(axes: Any, ends: NDArray[np.float64]) -> None:
     """Label the powers of ten along an axis of logarithms."""
     powers = np.arange(np.ceil(ends[0]), np.floor(ends[1]) + 1).astype(int)
-    axes.set_xticks(powers, [_power(power) for power in powers])
+    axes.set_xticks(powers, [power_of_ten(power) for power in powers])
     axes.tick_params(length=2.5, labelsize=TEXT_SIZE)
-
-
-def _power(power: int) -> str:
-    """A power of ten in plain letters, which need no fonts of matplotlib's own."""
-    return "10" + str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 
 def _number(value: float) -> str:
     """Two digits and a power of ten."""
     digits, power = f"{value:.1e}".split("e")
-    return f"{digits} \N{MULTIPLICATION SIGN} {_power(int(power))}"
+    return f"{digits} \N{MULTIPLICATION SIGN} {power_of_ten(int(power))}"
 
 
 def _svg(figure: Any, name: str) -> bytes:
