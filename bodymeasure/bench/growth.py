@@ -15,9 +15,9 @@ from bodymeasure.geodesic import RBFCollocation, solve_geodesic
 # Few patches are timed so often that there is something to time.
 PATCHES_TIMED = 20_000
 MOST_CALLS = 50
-# No spread without these; the largest batch, which takes longest, is timed once.
+# So that there is a spread; twice for batches that take half a minute.
 FEWEST_CALLS = 3
-ONCE_FROM = 1_000_000
+TWICE_FROM = 1_000_000
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ def measure_growth(patches: int) -> Growth:
     finally:
         tracemalloc.stop()
     calls = min(MOST_CALLS, max(FEWEST_CALLS, PATCHES_TIMED // patches))
-    if patches >= ONCE_FROM:
-        calls = 1
+    if patches >= TWICE_FROM:
+        calls = 2
     seconds = tuple(processor_seconds(solve) for _ in range(calls))
     return Growth(patches, seconds, failures, peak)

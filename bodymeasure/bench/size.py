@@ -32,7 +32,7 @@ class Size:
     largest_exponent: int
 
 
-# Some four minutes, half of them for libigl and pygeodesic.
+# Some five minutes, half of them for libigl and pygeodesic.
 FULL = Size(
     mild=2000,
     wild=500,
