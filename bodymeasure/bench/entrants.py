@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from importlib.util import find_spec
 from typing import Literal
 
 import numpy as np
@@ -93,7 +94,7 @@ def points_setting(points: int) -> str:
 
 
 def entrants() -> tuple[Entrant, ...]:
-    """All who take part, bodymeasure's default first."""
+    """All who take part, bodymeasure's default first; pygeodesic only where it is installed."""
     ours: tuple[tuple[str, Method, Pace], ...] = (
         (DEFAULT, RBFCollocation(), "batch"),
         ("RBF, full form", RBFCollocation(form="full"), "batch"),
@@ -112,6 +113,8 @@ def entrants() -> tuple[Entrant, ...]:
         prepare = _one_by_one(one)
         result.append(Entrant(BVP, tolerance_setting(tolerance), "scipy", "slow", prepare))
     for name, length in MESH_METHODS.items():
+        if length is pygeodesic_exact and find_spec("pygeodesic") is None:
+            continue
         for points in POINTS_A_SIDE:
             pace = "slow" if points < max(POINTS_A_SIDE) else "very slow"
             prepare = _one_by_one(_on_mesh(length, points))

@@ -10,7 +10,7 @@ import click
 from rich.table import Table
 from rich.text import Text
 
-from bodymeasure.cli.console import RESULTS, print_table, progress_bar
+from bodymeasure.cli.console import RESULTS, print_note, print_table, progress_bar
 from bodymeasure.cli.options import BENCHMARK, BENCHMARK_FIGURE, EXIT_CODES, require
 from bodymeasure.files import output_folder
 
@@ -46,6 +46,8 @@ def bench(output: Path | None, quick: bool) -> None:
             document = run_benchmark(size, progress=progress)
         files = write_benchmark(document, output) if output else ()
     _print(document)
+    if "pygeodesic" not in document.versions:
+        print_note("pygeodesic is not installed, and takes no part.")
     for path in files:
         style = "bold" if path.suffix == ".svg" else ""
         RESULTS.print(Text(str(path), style), soft_wrap=True)

@@ -30,7 +30,6 @@ PAGE = ("the HTML report", "jinja2", "jinja2", "report")
 BENCHMARK = (
     ("the benchmark", "igl", "libigl", "bench"),
     ("the benchmark", "potpourri3d", "potpourri3d", "bench"),
-    ("the benchmark", "pygeodesic", "pygeodesic", "bench"),
     ("the benchmark", "threadpoolctl", "threadpoolctl", "bench"),
 )
 BENCHMARK_FIGURE = ("the benchmark's figure", "matplotlib", "matplotlib", "bench")

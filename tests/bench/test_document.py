@@ -81,7 +81,7 @@ def test_growth_threads_and_figures_are_told() -> None:
     assert [record.patches for record in document.growth] == [10, 100, 1000]
     assert document.threads.limit == 1
     assert document.threads.others < 0.2
-    assert set(document.versions) >= {"Python", "numpy", "scipy", "libigl", "pygeodesic"}
+    assert set(document.versions) >= {"Python", "numpy", "scipy", "libigl", "potpourri3d"}
     for figure in document.figures:
         assert figure.value is not None, figure.name
         assert figure.value >= 0.0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from command_line import hide_here
 from surfaces import PLANE, SURFACES, plane_length
 
 from bodymeasure.bench import mesh_paths
@@ -15,7 +16,11 @@ from bodymeasure.bench.problems import Problems
 from bodymeasure.errors import InputError
 
 ENTRANTS = {entrant.label: entrant for entrant in entrants()}
-MESH = ("libigl exact", "pygeodesic exact", "potpourri3d edge flips")
+MESH = [
+    name
+    for name in ("libigl exact", "pygeodesic exact", "potpourri3d edge flips")
+    if any(entrant.method == name for entrant in ENTRANTS.values())
+]
 # Of the heat method: its few per cent.
 HEAT_ERROR = 0.05
 # Of a solver by its tolerance: the error of the length is about the square of the path's.
@@ -100,6 +105,12 @@ def test_a_solver_that_gives_up_has_no_length() -> None:
     assert np.isnan(problem())
 
 
+def test_pygeodesic_takes_part_where_it_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:
+    hide_here(monkeypatch, "pygeodesic")
+    methods = {entrant.method for entrant in entrants()}
+    assert methods == set(LOOKS) - {"pygeodesic exact"}
+
+
 def test_each_method_can_be_drawn() -> None:
-    assert {entrant.method for entrant in ENTRANTS.values()} == set(LOOKS)
+    assert {entrant.method for entrant in ENTRANTS.values()} | {"pygeodesic exact"} == set(LOOKS)
     assert len({(look.color, look.marker) for look in LOOKS.values()}) == len(LOOKS)
