@@ -113,7 +113,11 @@ def figures(
         ):
             other = by_method[method, setting]
             found.append(
-                Figure(name=f"{name}: {method}, {setting}", value=other.times_ours, unit="times")
+                Figure(
+                    name=f"{name}: {method}, {setting}",
+                    value=other.times_ours,
+                    unit="times as slow",
+                )
             )
     large = [record for record in growth if record.patches >= FLAT_FROM]
     times = [record.time_median for record in large]
