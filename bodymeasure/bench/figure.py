@@ -17,7 +17,7 @@ LEAST_ERROR = 1.1e-16
 # The errors' axis ends a little below that.
 FLOOR = 3e-17
 # What is left free beyond the outermost points, as a factor.
-MARGIN = 2.0
+MARGIN = 3.0
 # In microseconds.
 TICKS = {
     1e0: "1 µs",
