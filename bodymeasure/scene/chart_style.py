@@ -24,7 +24,7 @@ STYLE: Any = {
 
 
 @contextmanager
-def chart_style(what: str, extra: str) -> Iterator[None]:
+def chart_style(what: str = "a chart", extra: str = "report") -> Iterator[None]:
     """Matplotlib's settings for charts, for as long as one is drawn.
 
     Parameters

@@ -35,13 +35,13 @@ def color_bar(paths: Paths) -> bytes:
     paths : Paths
         Of the whole body, as the pictures' scale.
     """
-    with chart_style("a chart", "report"):
+    with chart_style():
         return _svg(_draw_color_bar(paths), "color-bar")
 
 
 def color_bar_image(paths: Paths, dots_per_inch: int) -> NDArray[np.uint8]:
     """What the colors of paths mean, as pixels, shape (height, width, 3)."""
-    with chart_style("a chart", "report"):
+    with chart_style():
         figure = _draw_color_bar(paths)
         figure.set_dpi(dots_per_inch)
         return figure_pixels(figure)
@@ -93,7 +93,7 @@ def histogram(survey: Survey) -> bytes:
         raise InputError(
             "there are no differences to draw a histogram of; run the survey with its cross-check"
         )
-    with chart_style("a chart", "report"):
+    with chart_style():
         return _svg(_draw_histogram(value), "histogram")
 
 
