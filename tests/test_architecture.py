@@ -26,7 +26,7 @@ FOLDERS = {
 LAYERS = (
     ("errors",),
     ("files",),
-    ("bezier",),
+    ("bezier", "subdivision"),
     ("atlas",),
     ("formats",),
     ("samples", "sample_patches"),
