@@ -33,7 +33,7 @@ LAYERS = (
     ("geodesic", "oracle"),
     ("measure",),
     ("scene",),
-    ("bench", "report", "viewer"),
+    ("bench", "paper", "report", "viewer"),
     ("cli",),
     ("__main__",),
 )

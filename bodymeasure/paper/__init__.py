@@ -1,0 +1,1 @@
+"""The paper, reproduced: Ng, Pong and Wong (2007)."""
