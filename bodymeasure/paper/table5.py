@@ -13,13 +13,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.atlas import EDGES, Atlas, Unit, convert_length, edge_table
-from bodymeasure.bezier import evaluate
+from bodymeasure.atlas import Atlas, Unit, convert_length
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import Method
-from bodymeasure.measure import boundary_lengths, diagonals
 from bodymeasure.oracle.libigl import require_libigl
 from bodymeasure.paper.comparison import Comparison, Distribution, Row, distribution
+from bodymeasure.paper.curves import AtlasCurves, boundary_curves, diagonal_curves
 from bodymeasure.paper.fine_surface import (
     LEVELS,
     QUICK_LEVELS,
@@ -27,16 +26,14 @@ from bodymeasure.paper.fine_surface import (
     closest_limit_points,
     fine_surface,
 )
-from bodymeasure.paper.laid import lay_curves
-from bodymeasure.paper.physical import physical_lengths
+from bodymeasure.paper.laid import LaidCurves, lay_curves
+from bodymeasure.paper.physical import PhysicalLengths, physical_lengths
 from bodymeasure.paper.source_mesh import load_source_mesh
 from bodymeasure.samples import load_sample
 from bodymeasure.subdivision import QuadMesh
 
 _Array = NDArray[np.float64]
 
-# Points of a curve at which it is laid on the surface: 1.4 mm apart on a mannequin's diagonals.
-POINTS = 65
 # An atlas is off its surface by a part in a hundred of its patches at worst. A tenth means that
 # they are in different units or places.
 FARTHEST = 0.1
@@ -164,87 +161,51 @@ def compare_with_surface(
     require_libigl()
     surface = fine_surface(mesh, LEVELS if rows is None else QUICK_LEVELS)
     generator = np.random.default_rng(seed)
-    boundary = _boundary(atlas, surface, rows, generator)
+    curves = _chosen(diagonal_curves(atlas, method), rows, generator)
+    sides = _chosen(boundary_curves(atlas), rows, generator)
+    ends, laid = _on_surface(surface, curves)
+    physical = physical_lengths(surface, laid.points, ends, processes=processes, progress=progress)
+    side_ends, laid_sides = _on_surface(surface, sides)
+    lengths = PhysicalLengths(laid_sides.length, laid_sides.uncertainty)
     return Table5(
-        _diagonals(atlas, surface, method, rows, generator, processes, progress), boundary
+        _comparison(atlas, curves, ends, laid, physical),
+        _comparison(atlas, sides, side_ends, laid_sides, lengths),
     )
 
 
-def _diagonals(
+def _on_surface(surface: FineSurface, curves: AtlasCurves) -> tuple[_Array, LaidCurves]:
+    """The points of the surface closest to curves' ends (k, 2, 3), and the curves laid on it."""
+    ends = _closest_ends(surface, curves.points)
+    return ends, lay_curves(surface, curves.points, ends, curves.length)
+
+
+def _comparison(
     atlas: Atlas,
-    surface: FineSurface,
-    method: Method | None,
-    rows: int | None,
-    generator: np.random.Generator,
-    processes: int,
-    progress: Callable[[int], None] | None,
+    curves: AtlasCurves,
+    ends: _Array,
+    laid: LaidCurves,
+    physical: PhysicalLengths,
 ) -> Comparison:
-    solution = diagonals(atlas, method=method)
-    chosen = _choice(2 * len(atlas), rows, generator)
-    patch, number = np.divmod(chosen, 2)
-    lengths = solution.length.ravel()[chosen]
-    t = np.linspace(0.0, 1.0, POINTS)
-    start, end = (each.reshape(-1, 1, 2)[chosen] for each in (solution.start, solution.end))
-    # Paths without a length may run anywhere; the straight line stands for them.
-    straight = start + (end - start) * t[:, None]
-    solved = solution.path(t).reshape(-1, POINTS, 2)[chosen]
-    parameters = np.where(np.isfinite(lengths)[:, None, None], solved, straight)
-    curves = evaluate(atlas.control_points[patch], parameters)
-    ends, end_distance = _closest_ends(surface, curves)
-    laid = lay_curves(surface, curves, ends, lengths)
-    physical = physical_lengths(surface, laid.points, ends, processes=processes, progress=progress)
     return Comparison(
         unit=atlas.unit,
-        patch=tuple(atlas.patch_names[i] for i in patch),
-        place=tuple(f"diagonal {i + 1}" for i in number),
-        calculated=lengths,
+        patch=curves.patch,
+        place=curves.place,
+        calculated=curves.length,
         physical=physical.length,
         uncertainty=physical.uncertainty,
         laid=laid.length,
         laid_uncertainty=laid.uncertainty,
         distance=laid.distance,
         offset=laid.offset,
-        end_distance=end_distance,
+        end_distance=np.linalg.norm(ends - curves.points[:, [0, -1]], axis=-1).max(axis=-1),
         bend=laid.bend,
         own_bend=laid.own_bend,
-        status=tuple(status.sentence for status in solution.status.ravel()[chosen]),
+        status=curves.status,
     )
 
 
-def _boundary(
-    atlas: Atlas, surface: FineSurface, rows: int | None, generator: np.random.Generator
-) -> Comparison:
-    _, first = np.unique(edge_table(atlas.index).edge.ravel(), return_index=True)
-    chosen = np.sort(first)[_choice(len(first), rows, generator)]
-    patch, side = np.divmod(chosen, 4)
-    lengths = boundary_lengths(atlas).length.ravel()[chosen]
-    parameters = np.empty((len(chosen), POINTS, 2))
-    for row, edge in enumerate(EDGES[i] for i in side):
-        parameters[row, :, edge.fixed_axis] = edge.fixed_value
-        parameters[row, :, 1 - edge.fixed_axis] = np.linspace(0.0, 1.0, POINTS)
-    curves = evaluate(atlas.control_points[patch], parameters)
-    ends, end_distance = _closest_ends(surface, curves)
-    laid = lay_curves(surface, curves, ends, lengths)
-    return Comparison(
-        unit=atlas.unit,
-        patch=tuple(atlas.patch_names[i] for i in patch),
-        place=tuple(f"side {EDGES[i].name}" for i in side),
-        calculated=lengths,
-        physical=laid.length,
-        uncertainty=laid.uncertainty,
-        laid=laid.length,
-        laid_uncertainty=laid.uncertainty,
-        distance=laid.distance,
-        offset=laid.offset,
-        end_distance=end_distance,
-        bend=laid.bend,
-        own_bend=laid.own_bend,
-        status=("A side's length is an integral, with no equation to solve.",) * len(chosen),
-    )
-
-
-def _closest_ends(surface: FineSurface, curves: _Array) -> tuple[_Array, _Array]:
-    """Points of the surface closest to curves' ends (k, 2, 3), and the farther end's distance.
+def _closest_ends(surface: FineSurface, curves: _Array) -> _Array:
+    """Points of the surface closest to curves' ends, shape (k, 2, 3).
 
     Raises
     ------
@@ -255,19 +216,19 @@ def _closest_ends(surface: FineSurface, curves: _Array) -> tuple[_Array, _Array]
     # Most corners belong to several curves.
     corners, place = np.unique(ends.reshape(-1, 3), axis=0, return_inverse=True)
     points = closest_limit_points(surface, corners)[place.reshape(-1)].reshape(ends.shape)
-    distance = np.linalg.norm(points - ends, axis=-1).max(axis=-1)
-    chords = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1)
-    if distance.max() > FARTHEST * chords.mean():
+    distance = np.linalg.norm(points - ends, axis=-1).max()
+    chord = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1).mean()
+    if distance > FARTHEST * chord:
         raise InputError(
-            f"the atlas lies up to {distance.max():.3g} off the mesh's limit surface, with curves "
-            f"of {chords.mean():.3g} on average; give the mesh that it was fitted to, in the same "
-            "unit and place"
+            f"the atlas lies up to {distance:.3g} off the mesh's limit surface, with curves of "
+            f"{chord:.3g} on average; give the mesh that it was fitted to, in the same unit and "
+            "place"
         )
-    return points, distance
+    return points
 
 
-def _choice(count: int, rows: int | None, generator: np.random.Generator) -> NDArray[np.int64]:
-    """All numbers below `count`, or so many chosen at random, in order."""
-    if rows is None or rows >= count:
-        return np.arange(count)
-    return np.sort(generator.choice(count, rows, replace=False))
+def _chosen(curves: AtlasCurves, rows: int | None, generator: np.random.Generator) -> AtlasCurves:
+    """All curves, or so many chosen at random, in order."""
+    if rows is None or rows >= len(curves):
+        return curves
+    return curves.take(np.sort(generator.choice(len(curves), rows, replace=False)))

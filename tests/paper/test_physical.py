@@ -195,7 +195,7 @@ def test_on_a_body_corridors_give_the_lengths_of_the_whole_mesh() -> None:
     mesh = surface.meshes[0]
     solution = diagonals(atlas)
     t = np.linspace(0.0, 1.0, 65)
-    chosen = np.random.default_rng(5).choice(len(atlas), 24, replace=False)
+    chosen = np.random.default_rng(5).choice(len(atlas), 8, replace=False)
     curves = evaluate(atlas.control_points[chosen], solution.path(t)[chosen, 0])
     ends = closest_limit_points(surface, curves[:, [0, -1]].reshape(-1, 3)).reshape(-1, 2, 3)
     corridors = Corridors(surface)
