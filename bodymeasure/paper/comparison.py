@@ -15,7 +15,7 @@ _Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Row:
-    """One length of `Comparison`; the fields are the columns' of the same names."""
+    """One row of `Comparison`, field by field as its columns and properties of the same names."""
 
     name: str
     patch: str

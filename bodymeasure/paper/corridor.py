@@ -45,18 +45,20 @@ class Corridors:
 
 
 def shortest_way_out(mesh: QuadMesh, start: _Array, end: _Array) -> float:
-    """A length that no path exceeds not which leaves a mesh: over its boundary and back.
+    """Lower bound of the lengths of all paths between two points that leave a part of a surface.
 
     Parameters
     ----------
     mesh : QuadMesh
+        The part.
     start, end : ndarray, shape (3,)
 
     Returns
     -------
     float
-        The least sum of distances from the ends to a vertex of the boundary, less the length of the
-        longest edge there: between vertices, the sum can be smaller by that.
+        Such a path crosses the part's boundary: the least sum of distances from the ends to a
+        vertex there, less the length of the longest edge, by which the sum can be smaller between
+        vertices.
     """
     ends = mesh.vertices[mesh.edges.ends[mesh.edges.boundary]]
     if not len(ends):

@@ -6,6 +6,7 @@ from quad_grids import arc_net, grid_mesh, hilly_net, spline_atlas
 
 from bodymeasure.atlas import Unit
 from bodymeasure.errors import InputError
+from bodymeasure.geodesic import WU_C2, RBFCollocation
 from bodymeasure.measure import boundary_lengths, diagonals
 from bodymeasure.paper.comparison import Comparison
 from bodymeasure.paper.table5 import PUBLISHED, Table5, compare_with_surface, table5
@@ -54,6 +55,18 @@ def test_an_atlas_outside_the_surface_is_longer_by_the_angle_times_the_distance(
         np.testing.assert_allclose(np.abs(comparison.offset), s, rtol=0.1)
         np.testing.assert_allclose(comparison.distance, s, rtol=0.1)
         np.testing.assert_allclose(comparison.end_distance, s, rtol=0.01)
+
+
+def test_diagonals_without_a_length_are_counted_and_still_measured_on_the_surface() -> None:
+    """Two functions are too few for the solver's standards, so that no diagonal has a length."""
+    table = compare_with_surface(ATLAS, MESH, method=RBFCollocation(WU_C2, 2), rows=6)
+    spread, boundary = table.distributions()
+    assert (spread.count, spread.without_length) == (6, 6)
+    assert spread.largest is None
+    assert np.isnan(table.diagonals.relative_error).all()
+    assert (table.diagonals.uncertainty < 1e-3 * table.diagonals.physical).all()
+    assert table.in_the_papers_form() == ()
+    assert boundary.without_length == 0
 
 
 def test_rows_are_chosen_by_the_seed() -> None:
