@@ -206,8 +206,11 @@ def explain(row: Row, unit: Unit) -> str:
         f"average, {millimetres(row.end_distance)} at the farther end), and laid on it is "
         f"{'longer' if row.of_fit < 0 else 'shorter'} by that. Where it bends most there, its "
         f"radius is {millimetres(row.bend, 1)} on the surface and "
-        f"{millimetres(row.own_bend, 1)} on the atlas. {row.of_path:+.3%} is the path: "
+        f"{millimetres(row.own_bend, 1)} on the atlas."
     )
+    if row.of_path == 0.0:  # a boundary curve, which is compared with nothing but itself
+        return words
+    words += f" {row.of_path:+.3%} is the path: "
     if row.shorter_path:
         return f"{words}the surface has a shorter one. On the atlas: {row.status}"
     return f"{words}the surface has none that is shorter, as far as the meshes can tell."

@@ -76,6 +76,11 @@ def test_an_error_is_explained_by_the_fit_and_by_the_path() -> None:
     assert "0.20 mm outside on average" in of_path
 
 
+def test_of_a_boundary_curve_there_is_no_path_to_explain() -> None:
+    sides = replace(FOUR, physical=FOUR.laid, uncertainty=FOUR.laid_uncertainty)
+    assert explain(sides.row(1), Unit.CM).endswith("and 12.5 mm on the atlas.")
+
+
 def test_a_shorter_path_counts_beyond_the_doubt_of_both_lengths() -> None:
     assert FOUR.shorter_path.tolist() == [True, False, False, False]
     doubtful = replace(FOUR, laid_uncertainty=np.full(4, 0.08))
