@@ -166,8 +166,8 @@ class _Modes:
         mass = self.values[:, rows] * self.values[:, columns]
         return np.ascontiguousarray(np.concatenate([stiffness, -mass]).T)
 
-    def system(self, densities: Any, xp: Any) -> list[Any]:
-        """The columns of the lower triangle of the Jacobi system.
+    def system(self, densities: Any, xp: Any) -> Any:
+        """The lower triangle of the Jacobi system, column by column.
 
         Parameters
         ----------
@@ -181,10 +181,9 @@ class _Modes:
                 signed.T, densities, xp
             )
             whole = weighted @ constant(factors, densities, xp)
-            return [xp.permute_dims(whole[:, j:, j], (1, 0)) for j in range(self.count)]
-        triangle = constant(self.products, densities, xp) @ densities
-        ends = np.cumsum(np.arange(self.count, 0, -1)).tolist()
-        return [triangle[end - self.count + j : end, :] for j, end in enumerate(ends)]
+            columns = (xp.permute_dims(whole[:, j:, j], (1, 0)) for j in range(self.count))
+            return xp.concat(list(columns))
+        return constant(self.products, densities, xp) @ densities
 
 
 @lru_cache(maxsize=32)
