@@ -1,15 +1,15 @@
 """Many geodesics by collocation with one unknown function each, where that serves.
 
-No step is damped and nothing is iterated until it converges: each trial space gets two Newton steps
-from the path before. What comes out is measured and judged as everywhere, and only what passes is
-taken. All else is left to the form with two unknown functions.
+Nothing is iterated until it converges: each trial space gets one or two Newton steps from the path
+before. What comes out is measured and judged as everywhere, and only what passes is taken. All else
+is left to the form with two unknown functions.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import fields, replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import pairwise
 from typing import Any
 
@@ -25,20 +25,33 @@ from bodymeasure.geodesic.method import MethodResult, Piece
 from bodymeasure.geodesic.offset_equation import linearize, offset_geometry
 from bodymeasure.geodesic.offset_maps import FIELDS, offset_map
 from bodymeasure.geodesic.offset_problems import OffsetProblems
+from bodymeasure.geodesic.path_geometry import PathGeometry
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import BezierSurfaces
 from bodymeasure.geodesic.trial_space import TrialSpace
 
 _Array = NDArray[np.float64]
+# Some of the points of a path, and the coefficients of polynomials in the offset there.
+_Part = tuple[slice, Any]
 
 # The first guess: Newton steps from the straight line on polynomials of this degree.
 GUESS_DEGREE = 5
 GUESS_STEPS = 2
-# Newton steps on each trial space. A last step below this is about the square root of what is left.
+# Newton steps on the first trial space, which serves most problems: a second would change the paths
+# of bodies by less than they are off for want of functions. The few that are left get more on the
+# next.
+FIRST_STEPS = 1
 STEPS = 2
-LAST_STEP = 1e-4
+# No step moves a node further: Newton's method from a straight line may go far astray.
+LONGEST_STEP = 0.15
+# A last step below this is about the square root of what is left, which the correction takes off.
+# It is also less than what `is_far_outside` asks for.
+LAST_STEP = 1e-2
 # Problems in one array operation: long enough to hide the calls, short enough for the cache.
-CHUNK = 1024
+CHUNK = 2048
+# Points of their paths, all together, at which surfaces are evaluated in one operation: each takes
+# some hundred numbers.
+POINTS = 6000
 # Problems whose failures are gathered for the next trial space; all at once elsewhere than on the
 # CPU. This bounds the memory.
 BLOCK = 16384
@@ -73,8 +86,7 @@ def solve_offsets(
     start, end = ends
     iterations = np.zeros(len(start), np.int64)
     pieces: dict[TrialSpace, list[Piece]] = {}
-    # Between points on one line of u or v there is nothing to run across.
-    across = np.flatnonzero((start != end).all(axis=1))
+    across = np.flatnonzero(runs_across(start, end))
     # A system without a solution ends in numbers that are not finite, and is left over.
     with np.errstate(all="ignore"):
         for rows in _slices(len(across), BLOCK):
@@ -88,6 +100,12 @@ def solve_offsets(
     return MethodResult(tuple(_joined(parts) for parts in pieces.values()), iterations)
 
 
+def runs_across(start: _Array, end: _Array) -> NDArray[np.bool_]:
+    """Which problems this form is for: on one line of u or v there is nothing to run across."""
+    result: NDArray[np.bool_] = (start != end).all(axis=1)
+    return result
+
+
 def _solve_block(
     spaces: Sequence[Callable[[], TrialSpace]], problems: OffsetProblems, tolerance: float
 ) -> MethodResult:
@@ -99,16 +117,17 @@ def _solve_block(
     before = polynomial_space(GUESS_DEGREE)
     guesses = [_guess(before, problems.take(rest[rows])) for rows in _slices(len(rest), chunk)]
     offset = xp.concat(guesses, axis=1)
+    steps = FIRST_STEPS if len(spaces) > 1 else STEPS
     for make_space in spaces:
         space = make_space()
         if space.size == 1:
             continue  # It has the straight line alone.
         offset = constant(_inner(before, space.nodes[1:-1])[0], offset, xp) @ offset
-        iterations[rest] += STEPS
+        iterations[rest] += steps
         moved, is_open = [], []
         for rows in _slices(len(rest), chunk):
             part = problems.take(rest[rows])
-            path, last_step = _newton(space, part, offset[:, rows], STEPS)
+            path, last_step = _newton(space, part, offset[:, rows], steps)
             piece = _measured(space, part, path, tolerance)
             solved = last_step < LAST_STEP
             done = solved & (piece.converged | is_far_outside(piece, solved))
@@ -120,7 +139,7 @@ def _solve_block(
         if len(keep) == 0:
             break
         offset = xp.take(xp.concat(moved, axis=1), constant(keep, offset, xp), axis=1)
-        rest, before = rest[keep], space
+        rest, before, steps = rest[keep], space, STEPS
     return MethodResult(tuple(pieces), iterations)
 
 
@@ -133,31 +152,34 @@ def _newton(
     space: TrialSpace, problems: OffsetProblems, offset: Any, steps: int
 ) -> tuple[Any, _Array]:
     """Offsets at the inner nodes, shape (n - 1, problems), and how large the last step was."""
-    coefficients = _coefficients(problems, space.nodes[1:-1])
+    xp = problems.xp
+    parts = list(_parts(problems, space.nodes[1:-1]))
     for _ in range(steps):
-        step = _step(space, coefficients, offset, problems.xp)
-        offset = offset + step
-    return offset, to_numpy(problems.xp.max(problems.xp.abs(step), axis=0))
+        step = _step(space, parts, offset, xp)
+        size = xp.max(xp.abs(step), axis=0)
+        offset = offset + step * xp.where(size > LONGEST_STEP, LONGEST_STEP / size, 1.0)
+    return offset, to_numpy(size)
 
 
-def _step(space: TrialSpace, coefficients: Any, offset: Any, xp: Any) -> Any:
+def _step(space: TrialSpace, parts: list[_Part], offset: Any, xp: Any) -> Any:
     """Newton's step from offsets at the inner nodes, shape (n - 1, problems)."""
     times = space.nodes[1:-1]
     _, first, second = (constant(rows, offset, xp) for rows in _inner(space, times))
-    left, by_offset, by_slope, by_bend = linearize(
-        coefficients, offset, first @ offset, second @ offset
-    )
-    matrix = by_slope[:, None, :] * first[:, :, None] + by_bend[:, None, :] * second[:, :, None]
+    path = offset, first @ offset, second @ offset
+    left, by_offset, by_slope, by_bend = _at_all_points(linearize, parts, path, xp)
+    matrix = by_slope[:, None, :] * first[:, :, None]
+    matrix += by_bend[:, None, :] * second[:, :, None]
     identity = constant(np.eye(len(times)), offset, xp)
-    matrix = matrix + identity[:, :, None] * by_offset[:, None, :]
+    matrix += identity[:, :, None] * by_offset[:, None, :]
     return solve_batch(matrix, -left, xp)
 
 
 def _measured(space: TrialSpace, problems: OffsetProblems, offset: Any, tolerance: float) -> Piece:
     xp, count = problems.xp, problems.count
     times = space.quadrature.points
-    path, slope, bend = (constant(rows, offset, xp) @ offset for rows in _inner(space, times))
-    geometry = offset_geometry(_coefficients(problems, times), path, slope, bend, xp)
+    path = tuple(constant(rows, offset, xp) @ offset for rows in _inner(space, times))
+    of_points = partial(offset_geometry, xp=xp)
+    geometry = PathGeometry(*_at_all_points(of_points, _parts(problems, times), path, xp))
     measured = MeasuredLength(*(to_numpy(each) for each in judge(space, geometry, xp)))
     measured = replace(measured, error=measured.error + problems.rounding)
     values = np.empty((count, 2, space.size + 1))
@@ -175,6 +197,21 @@ def _measured(space: TrialSpace, problems: OffsetProblems, offset: Any, toleranc
         np.zeros(count, bool),
         speed=to_numpy(geometry.speed).T,
     )
+
+
+def _parts(problems: OffsetProblems, times: _Array) -> Iterator[_Part]:
+    """The times in parts, with the coefficients at each; made when asked for, as they are large."""
+    points = POINTS if is_on_cpu(problems.columns) else problems.count * len(times)
+    for some in _slices(len(times), max(1, points // max(1, problems.count))):
+        yield some, _coefficients(problems, times[some])
+
+
+def _at_all_points(
+    function: Callable[..., Iterable[Any]], parts: Iterable[_Part], path: tuple[Any, ...], xp: Any
+) -> list[Any]:
+    """What a function of coefficients, q, q' and q'' gives at some points, of all points."""
+    found = [function(part, *(values[some, :] for values in path)) for some, part in parts]
+    return [xp.concat(values) for values in zip(*found, strict=True)]
 
 
 def _coefficients(problems: OffsetProblems, times: _Array) -> Any:
