@@ -52,7 +52,10 @@ def derivatives_by_offset(coefficients: Any, offset: Any, order: int) -> list[An
 
 def dot(a: Any, b: Any) -> Any:
     """Scalar product of vectors whose components run along axis 1."""
-    return a[:, 0, :] * b[:, 0, :] + a[:, 1, :] * b[:, 1, :] + a[:, 2, :] * b[:, 2, :]
+    result = a[:, 0, :] * b[:, 0, :]
+    result += a[:, 1, :] * b[:, 1, :]
+    result += a[:, 2, :] * b[:, 2, :]
+    return result
 
 
 def linearize(coefficients: Any, offset: Any, slope: Any, bend: Any) -> tuple[Any, Any, Any, Any]:
@@ -76,21 +79,21 @@ def linearize(coefficients: Any, offset: Any, slope: Any, bend: Any) -> tuple[An
     t_tt, t_ttq = (x[0, ...] for x in derivatives_by_offset(coefficients[:-1, 2:, ...], offset, 1))
     p = slope[:, None, :]
     e, f, g = dot(t_t, t_t), dot(t_t, t_q), dot(t_q, t_q)
-    e_q, f_q = 2.0 * dot(t_tq, t_t), dot(t_tq, t_q) + dot(t_t, t_qq)
-    g_q = 2.0 * dot(t_qq, t_q)
-    # x' . T_t and x' . T_q, and h with its derivatives by q and q'.
+    tq_q, tq_t, qq_q, qq_t = dot(t_tq, t_q), dot(t_tq, t_t), dot(t_qq, t_q), dot(t_qq, t_t)
+    e_q, f_q, g_q = 2.0 * tq_t, tq_q + qq_t, 2.0 * qq_q
+    # x' . T_t and x' . T_q, and h with its derivative by q.
     along, across = e + f * slope, f + g * slope
     h = t_tt + (2.0 * t_tq + t_qq * p) * p
     h_q = t_ttq + (2.0 * t_tqq + t_qqq * p) * p
-    h_p = 2.0 * (t_tq + t_qq * p)
     by_q, by_t = dot(h, t_q), dot(h, t_t)
     area = e * g - f * f
     left = area * bend + along * by_q - across * by_t
     left_q = (e_q * g + e * g_q - 2.0 * f * f_q) * bend
-    left_q = left_q + (e_q + f_q * slope) * by_q - (f_q + g_q * slope) * by_t
-    left_q = left_q + along * (dot(h_q, t_q) + dot(h, t_qq))
-    left_q = left_q - across * (dot(h_q, t_t) + dot(h, t_tq))
-    left_p = f * by_q - g * by_t + along * dot(h_p, t_q) - across * dot(h_p, t_t)
+    left_q += (e_q + f_q * slope) * by_q - (f_q + g_q * slope) * by_t
+    left_q += along * (dot(h_q, t_q) + dot(h, t_qq)) - across * (dot(h_q, t_t) + dot(h, t_tq))
+    # The derivative of h by q' is 2 T_tq + 2 T_qq q'.
+    left_p = f * by_q - g * by_t
+    left_p += 2.0 * (along * (tq_q + qq_q * slope) - across * (tq_t + qq_t * slope))
     return left, left_q, left_p, area
 
 

@@ -7,9 +7,9 @@ is left to the form with two unknown functions.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import fields, replace
-from functools import lru_cache, partial
+from functools import lru_cache
 from itertools import pairwise
 from typing import Any
 
@@ -25,14 +25,11 @@ from bodymeasure.geodesic.method import MethodResult, Piece
 from bodymeasure.geodesic.offset_equation import linearize, offset_geometry
 from bodymeasure.geodesic.offset_maps import FIELDS, offset_map
 from bodymeasure.geodesic.offset_problems import OffsetProblems
-from bodymeasure.geodesic.path_geometry import PathGeometry
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import BezierSurfaces
 from bodymeasure.geodesic.trial_space import TrialSpace
 
 _Array = NDArray[np.float64]
-# Some of the points of a path, and the coefficients of polynomials in the offset there.
-_Part = tuple[slice, Any]
 
 # The first guess: Newton steps from the straight line on polynomials of this degree.
 GUESS_DEGREE = 5
@@ -48,10 +45,7 @@ LONGEST_STEP = 0.15
 # It is also less than what `is_far_outside` asks for.
 LAST_STEP = 1e-2
 # Problems in one array operation: long enough to hide the calls, short enough for the cache.
-CHUNK = 2048
-# Points of their paths, all together, at which surfaces are evaluated in one operation: each takes
-# some hundred numbers.
-POINTS = 6000
+CHUNK = 1024
 # Problems whose failures are gathered for the next trial space; all at once elsewhere than on the
 # CPU. This bounds the memory.
 BLOCK = 16384
@@ -110,13 +104,12 @@ def _solve_block(
     spaces: Sequence[Callable[[], TrialSpace]], problems: OffsetProblems, tolerance: float
 ) -> MethodResult:
     xp = problems.xp
-    chunk = CHUNK if is_on_cpu(problems.columns) else BLOCK
     rest = np.arange(problems.count)
     iterations = np.full(problems.count, GUESS_STEPS)
     pieces: list[Piece] = []
     before = polynomial_space(GUESS_DEGREE)
-    guesses = [_guess(before, problems.take(rest[rows])) for rows in _slices(len(rest), chunk)]
-    offset = xp.concat(guesses, axis=1)
+    chunks = _chunks(problems, rest)
+    offset = xp.concat([_guess(before, part) for _, part in chunks], axis=1)
     steps = FIRST_STEPS if len(spaces) > 1 else STEPS
     for make_space in spaces:
         space = make_space()
@@ -125,8 +118,7 @@ def _solve_block(
         offset = constant(_inner(before, space.nodes[1:-1])[0], offset, xp) @ offset
         iterations[rest] += steps
         moved, is_open = [], []
-        for rows in _slices(len(rest), chunk):
-            part = problems.take(rest[rows])
+        for rows, part in chunks:
             path, last_step = _newton(space, part, offset[:, rows], steps)
             piece = _measured(space, part, path, tolerance)
             solved = last_step < LAST_STEP
@@ -140,7 +132,18 @@ def _solve_block(
             break
         offset = xp.take(xp.concat(moved, axis=1), constant(keep, offset, xp), axis=1)
         rest, before, steps = rest[keep], space, STEPS
+        chunks = _chunks(problems, rest)
     return MethodResult(tuple(pieces), iterations)
+
+
+def _chunks(
+    problems: OffsetProblems, rest: NDArray[np.int64]
+) -> list[tuple[slice, OffsetProblems]]:
+    """Those that are left in parts, with where in `rest` they stand."""
+    size = CHUNK if is_on_cpu(problems.columns) else BLOCK
+    if len(rest) == problems.count <= size:
+        return [(slice(None), problems)]
+    return [(rows, problems.take(rest[rows])) for rows in _slices(len(rest), size)]
 
 
 def _guess(space: TrialSpace, problems: OffsetProblems) -> Any:
@@ -153,20 +156,21 @@ def _newton(
 ) -> tuple[Any, _Array]:
     """Offsets at the inner nodes, shape (n - 1, problems), and how large the last step was."""
     xp = problems.xp
-    parts = list(_parts(problems, space.nodes[1:-1]))
+    coefficients = _coefficients(problems, space.nodes[1:-1])
     for _ in range(steps):
-        step = _step(space, parts, offset, xp)
+        step = _step(space, coefficients, offset, xp)
         size = xp.max(xp.abs(step), axis=0)
         offset = offset + step * xp.where(size > LONGEST_STEP, LONGEST_STEP / size, 1.0)
     return offset, to_numpy(size)
 
 
-def _step(space: TrialSpace, parts: list[_Part], offset: Any, xp: Any) -> Any:
+def _step(space: TrialSpace, coefficients: Any, offset: Any, xp: Any) -> Any:
     """Newton's step from offsets at the inner nodes, shape (n - 1, problems)."""
     times = space.nodes[1:-1]
     _, first, second = (constant(rows, offset, xp) for rows in _inner(space, times))
-    path = offset, first @ offset, second @ offset
-    left, by_offset, by_slope, by_bend = _at_all_points(linearize, parts, path, xp)
+    left, by_offset, by_slope, by_bend = linearize(
+        coefficients, offset, first @ offset, second @ offset
+    )
     matrix = by_slope[:, None, :] * first[:, :, None]
     matrix += by_bend[:, None, :] * second[:, :, None]
     identity = constant(np.eye(len(times)), offset, xp)
@@ -177,9 +181,8 @@ def _step(space: TrialSpace, parts: list[_Part], offset: Any, xp: Any) -> Any:
 def _measured(space: TrialSpace, problems: OffsetProblems, offset: Any, tolerance: float) -> Piece:
     xp, count = problems.xp, problems.count
     times = space.quadrature.points
-    path = tuple(constant(rows, offset, xp) @ offset for rows in _inner(space, times))
-    of_points = partial(offset_geometry, xp=xp)
-    geometry = PathGeometry(*_at_all_points(of_points, _parts(problems, times), path, xp))
+    path, slope, bend = (constant(rows, offset, xp) @ offset for rows in _inner(space, times))
+    geometry = offset_geometry(_coefficients(problems, times), path, slope, bend, xp)
     measured = MeasuredLength(*(to_numpy(each) for each in judge(space, geometry, xp)))
     measured = replace(measured, error=measured.error + problems.rounding)
     values = np.empty((count, 2, space.size + 1))
@@ -197,21 +200,6 @@ def _measured(space: TrialSpace, problems: OffsetProblems, offset: Any, toleranc
         np.zeros(count, bool),
         speed=to_numpy(geometry.speed).T,
     )
-
-
-def _parts(problems: OffsetProblems, times: _Array) -> Iterator[_Part]:
-    """The times in parts, with the coefficients at each; made when asked for, as they are large."""
-    points = POINTS if is_on_cpu(problems.columns) else problems.count * len(times)
-    for some in _slices(len(times), max(1, points // max(1, problems.count))):
-        yield some, _coefficients(problems, times[some])
-
-
-def _at_all_points(
-    function: Callable[..., Iterable[Any]], parts: Iterable[_Part], path: tuple[Any, ...], xp: Any
-) -> list[Any]:
-    """What a function of coefficients, q, q' and q'' gives at some points, of all points."""
-    found = [function(part, *(values[some, :] for values in path)) for some, part in parts]
-    return [xp.concat(values) for values in zip(*found, strict=True)]
 
 
 def _coefficients(problems: OffsetProblems, times: _Array) -> Any:

@@ -19,7 +19,7 @@ _ALONG_TWICE = ((2, 0, 1.0), (1, 1, 2.0), (0, 2, 1.0))
 FIELDS = (_ACROSS, _ALONG, _ALONG_TWICE)
 
 
-@lru_cache(maxsize=256)
+@lru_cache(maxsize=64)
 def offset_map(degrees: tuple[int, int], times: tuple[float, ...]) -> _Array:
     """From control points to polynomials in the offset q, at each t.
 
