@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.ladder import solve_on_spaces
 from bodymeasure.geodesic.method import MethodResult
-from bodymeasure.geodesic.offset_form import runs_across, solve_offsets
+from bodymeasure.geodesic.offset_form import solve_offsets
 from bodymeasure.geodesic.surface import BezierSurfaces, Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
 
@@ -57,18 +57,11 @@ def collocate(
     is_open = np.ones(len(ends[0]), bool)
     for piece in found.pieces:
         is_open[piece.problems] = False
-    across = runs_across(*ends)
-    iterations, pieces = found.iterations.copy(), list(found.pieces)
-    # What one unknown did not bring about on any space, two may on the last.
-    for rest, left in (
-        (np.flatnonzero(is_open & ~across), spaces),
-        (np.flatnonzero(is_open & across), spaces[-1:]),
-    ):
-        if len(rest) == 0:
-            continue
-        others = solve_on_spaces(
-            left, surface.take(rest), (ends[0][rest], ends[1][rest]), tolerance=tolerance
-        )
-        iterations[rest] += others.iterations
-        pieces += [piece.renumbered(rest[piece.problems]) for piece in others.pieces]
-    return MethodResult(tuple(pieces), iterations)
+    rest = np.flatnonzero(is_open)
+    others = solve_on_spaces(
+        spaces, surface.take(rest), (ends[0][rest], ends[1][rest]), tolerance=tolerance
+    )
+    iterations = found.iterations.copy()
+    iterations[rest] += others.iterations
+    pieces = [piece.renumbered(rest[piece.problems]) for piece in others.pieces]
+    return MethodResult((*found.pieces, *pieces), iterations)

@@ -34,16 +34,14 @@ _Array = NDArray[np.float64]
 # The first guess: Newton steps from the straight line on polynomials of this degree.
 GUESS_DEGREE = 5
 GUESS_STEPS = 2
-# Newton steps on the first trial space, which serves most problems: a second would change the paths
-# of bodies by less than they are off for want of functions. The few that are left get more on the
-# next.
-FIRST_STEPS = 1
-STEPS = 2
+# Newton steps on the first of several trial spaces, which serves most problems, and how large the
+# last may be: a second would change the paths of bodies by less than they are off for want of
+# functions, and what is left of a step is about its square, which the correction takes off.
+FIRST = (1, 1e-2)
+# The same on the spaces after it, or on a single one.
+LATER = (2, 1e-4)
 # No step moves a node further: Newton's method from a straight line may go far astray.
 LONGEST_STEP = 0.15
-# A last step below this is about the square root of what is left, which the correction takes off.
-# It is also less than what `is_far_outside` asks for.
-LAST_STEP = 1e-2
 # Problems in one array operation: long enough to hide the calls, short enough for the cache.
 CHUNK = 1024
 # Problems whose failures are gathered for the next trial space; all at once elsewhere than on the
@@ -80,7 +78,8 @@ def solve_offsets(
     start, end = ends
     iterations = np.zeros(len(start), np.int64)
     pieces: dict[TrialSpace, list[Piece]] = {}
-    across = np.flatnonzero(runs_across(start, end))
+    # Between points on one line of u or v there is nothing to run across.
+    across = np.flatnonzero((start != end).all(axis=1))
     # A system without a solution ends in numbers that are not finite, and is left over.
     with np.errstate(all="ignore"):
         for rows in _slices(len(across), BLOCK):
@@ -94,12 +93,6 @@ def solve_offsets(
     return MethodResult(tuple(_joined(parts) for parts in pieces.values()), iterations)
 
 
-def runs_across(start: _Array, end: _Array) -> NDArray[np.bool_]:
-    """Which problems this form is for: on one line of u or v there is nothing to run across."""
-    result: NDArray[np.bool_] = (start != end).all(axis=1)
-    return result
-
-
 def _solve_block(
     spaces: Sequence[Callable[[], TrialSpace]], problems: OffsetProblems, tolerance: float
 ) -> MethodResult:
@@ -110,7 +103,7 @@ def _solve_block(
     before = polynomial_space(GUESS_DEGREE)
     chunks = _chunks(problems, rest)
     offset = xp.concat([_guess(before, part) for _, part in chunks], axis=1)
-    steps = FIRST_STEPS if len(spaces) > 1 else STEPS
+    steps, small = FIRST if len(spaces) > 1 else LATER
     for make_space in spaces:
         space = make_space()
         if space.size == 1:
@@ -121,7 +114,7 @@ def _solve_block(
         for rows, part in chunks:
             path, last_step = _newton(space, part, offset[:, rows], steps)
             piece = _measured(space, part, path, tolerance)
-            solved = last_step < LAST_STEP
+            solved = last_step < small
             done = solved & (piece.converged | is_far_outside(piece, solved))
             if done.any():
                 pieces.append(piece.take(np.flatnonzero(done)).renumbered(rest[rows][done]))
@@ -131,7 +124,7 @@ def _solve_block(
         if len(keep) == 0:
             break
         offset = xp.take(xp.concat(moved, axis=1), constant(keep, offset, xp), axis=1)
-        rest, before, steps = rest[keep], space, STEPS
+        rest, before, (steps, small) = rest[keep], space, LATER
         chunks = _chunks(problems, rest)
     return MethodResult(tuple(pieces), iterations)
 
