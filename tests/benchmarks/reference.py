@@ -5,6 +5,8 @@ The reference itself is `bodymeasure.bench.reference`, which `bodymeasure bench`
 
 from __future__ import annotations
 
+import numpy as np
+
 from bodymeasure.bench.problems import (
     Problems,
     both_diagonals,
@@ -38,6 +40,7 @@ __all__ = [
     "first_diagonals",
     "geodesics",
     "mild_patches",
+    "symmetric",
     "wild_patches",
 ]
 
@@ -47,3 +50,11 @@ BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "m
 def body_diagonals(name: str) -> Problems:
     """Both diagonals of every patch of a sample, the order of ``bm.diagonals(...)`` flattened."""
     return both_diagonals(load_sample(name))
+
+
+def symmetric(nets: Array) -> Array:
+    """Patches whose heights are mirrored in the diagonal."""
+    mirrored = nets.copy()
+    lower = np.tril(nets[..., 2])
+    mirrored[..., 2] = lower + np.swapaxes(np.tril(nets[..., 2], -1), 1, 2)
+    return mirrored
