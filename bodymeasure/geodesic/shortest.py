@@ -30,6 +30,9 @@ SAME = 0.02
 NEAR = 0.05
 # A path must be shorter than one that is known by this part to be taken instead.
 SHORTER = 1e-8
+# After so many polygons shorter than the best path that could not be made exact, a problem stays in
+# doubt: then hardly ever another one can, and each takes as long as a hundred that can.
+MOST_FAILURES = 2
 
 
 class Known(NamedTuple):
@@ -148,14 +151,17 @@ def _compete(
 ) -> None:
     """Make contenders exact, the shortest of each problem first, while they may still win."""
     best, doubt, winner, pieces = standing
+    failures = np.zeros(len(best), np.int64)
     while True:
-        contenders = _others(contenders, latest, np.minimum(best, doubt))
+        given_up = np.where(failures < MOST_FAILURES, np.inf, -np.inf)
+        contenders = _others(contenders, latest, np.minimum(np.minimum(best, doubt), given_up))
         if len(contenders.problems) == 0:
             break
         problems, first = np.unique(contenders.problems, return_index=True)
         latest[problems] = contenders.points[first]
         polished, in_doubt = polish(surface.take(problems), latest[problems], tolerance)
         doubt[problems] = np.minimum(doubt[problems], in_doubt)
+        failures[problems] += in_doubt < best[problems]
         for piece in polished:
             owners, length = problems[piece.problems], piece.measured.corrected
             shorter = length < best[owners]
