@@ -28,7 +28,16 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure import WU_C2, GeodesicSolution, RBFCollocation, Status, solve_geodesic
+from bodymeasure import (
+    WU_C2,
+    GeodesicSolution,
+    PolynomialCollocation,
+    RBFCollocation,
+    Ritz,
+    Status,
+    solve_geodesic,
+)
+from bodymeasure.geodesic import Method
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from benchmarks import reference
@@ -44,9 +53,11 @@ FAR_OFF = 1e-8
 LISTED = 4
 # A tolerance that every length meets whose correction is trusted.
 ANY = 1.0
-METHODS: dict[str, RBFCollocation | None] = {"search": None, "default": RBFCollocation()}
+METHODS: dict[str, Method | None] = {"search": None, "default": RBFCollocation()}
 METHODS |= {f"C10 {n:2d}": RBFCollocation(functions=n, tolerance=ANY) for n in (6, 8, 12, 16)}
 METHODS["C2   8"] = RBFCollocation(kernel=WU_C2, functions=8, tolerance=ANY)
+METHODS["poly  8"] = PolynomialCollocation(8, tolerance=ANY)
+METHODS["Ritz  8"] = Ritz(8, tolerance=ANY)
 
 
 def problem_sets(quick: bool) -> dict[str, Problems]:
