@@ -176,11 +176,11 @@ def _seeds(surface: Surface, ends: _Array, known: Known) -> tuple[_Numbers, _Arr
     """Polygons to slide down from, and whose they are."""
     times = np.linspace(0.0, 1.0, EDGES + 1)[:, None]
     straight = ends[0, :, None] * (1.0 - times) + ends[1, :, None] * times
-    every = np.arange(len(straight))
+    # Where the path that is known is a good one, the straight line led there.
     unsure = np.flatnonzero(~np.isfinite(known.length))
     rough = rough_paths(surface, ends, EDGES)
-    problems = np.concatenate([every, unsure, rough.problems])
-    points = np.concatenate([straight, known.points[unsure], rough.points])
+    problems = np.concatenate([unsure, unsure, rough.problems])
+    points = np.concatenate([straight[unsure], known.points[unsure], rough.points])
     points = np.clip(points, 0.0, 1.0)
     points[:, 0], points[:, -1] = ends[:, problems]
     energy = polygon_energy(surface.take(problems), points).energy

@@ -289,3 +289,22 @@ def test_a_shallow_saddle_is_left() -> None:
     assert 1e-8 < over.raw_length - beside.length < 1e-6
     u, v = beside.path(0.5)
     assert abs(u - v) > 1e-3
+
+
+@pytest.mark.parametrize(
+    "z",
+    [
+        "-2.84 -.12 2.51 1.95  1.67 .85 -1.38 .34  -1.46 3.57 .64 1.55  -2.77 2.31 -.91 .56",
+        "-.92 -.23 -.07 .41  .56 .2 -.08 -1.37  -.97 .42 -1.21 -.58  -.54 -.87 .28 .32",
+    ],
+)
+def test_a_quick_search_doubts_paths_long_beside_their_chords(z: str) -> None:
+    # A proven local minimum inside the patch, and a shorter way along its edge.
+    net = heights(np.array(z.split(), dtype=np.float64).reshape(4, 4))
+    straight = bm.solve_geodesic(net, START, END, search="straight")
+    assert straight.local_minimum
+    quick = bm.solve_geodesic(net, START, END)
+    assert quick.length < 0.998 * straight.length
+    assert quick.status is bm.Status.ON_BOUNDARY
+    thorough = bm.solve_geodesic(net, START, END, search="thorough")
+    assert quick.length == pytest.approx(thorough.length, rel=1e-12)
