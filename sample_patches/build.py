@@ -2,7 +2,8 @@
 
 SOURCE holds the mannequins as they were fitted: ``atlas_376.npz`` (control points of all bodies on
 one layout), ``mesh_<body>.obj`` (each body's Catmull-Clark control mesh) and ``landmarks.json``
-(vertex numbers of landmarks on those meshes). Single patches of known geometry are made as well.
+(vertex numbers of landmarks on those meshes). Single patches of known geometry are made as well,
+and the file of the quad meshes.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from bodymeasure.formats import write_atlas
 
 from .control_mesh import ControlMesh, limit_positions, read_landmarks, read_mesh
 from .naming import name_patches
+from .quad_meshes import write_quad_meshes
 from .surfaces import known_surfaces
 
 TITLES = {
@@ -53,11 +55,13 @@ def main() -> None:
     """Read the command line and make all samples."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
     parser.add_argument("source", type=Path, help="folder with the fitted mannequins")
-    parser.add_argument("output", type=Path, help="folder for the .atlas files")
+    parser.add_argument("output", type=Path, help="folder for the samples")
     arguments = parser.parse_args()
     atlases = mannequins(arguments.source) | dict(known_surfaces())
     for name, atlas in atlases.items():
         write_atlas(atlas, arguments.output / f"{name}.atlas")
+    meshes = {body: read_mesh(arguments.source / f"mesh_{body}.obj") for body in TITLES}
+    write_quad_meshes(meshes, COVERED, arguments.output)
 
 
 def mannequins(source: Path) -> dict[str, Atlas]:

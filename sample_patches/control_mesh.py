@@ -10,6 +10,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure.subdivision import QuadMesh
+from bodymeasure.subdivision import limit_positions as limits
+
 
 @dataclass(frozen=True)
 class ControlMesh:
@@ -55,19 +58,5 @@ def limit_positions(mesh: ControlMesh, numbers: Sequence[int]) -> NDArray[np.flo
     Returns
     -------
     ndarray, shape (k, 3)
-
-    Notes
-    -----
-    For a vertex V of valence n, with E the sum of its n neighbors along edges and F that of the n
-    opposite corners of its quads, the limit is ``(n^2 V + 4 E + F) / (n (n + 5))``: M. Halstead,
-    M. Kass, T. DeRose, *Efficient, fair interpolation using Catmull-Clark surfaces*, SIGGRAPH 1993,
-    section 4.1.
     """
-    vertices, quads = mesh.vertices, mesh.quads
-    valence = np.bincount(quads.ravel(), minlength=len(vertices))[:, None]
-    total = valence**2 * vertices
-    for corner in range(4):
-        # In a closed mesh each neighbor along an edge is the next corner of exactly one quad.
-        np.add.at(total, quads[:, corner], 4.0 * vertices[quads[:, (corner + 1) % 4]])
-        np.add.at(total, quads[:, corner], vertices[quads[:, (corner + 2) % 4]])
-    return np.asarray((total / (valence * (valence + 5)))[list(numbers)])
+    return limits(QuadMesh(mesh.vertices, mesh.quads))[list(numbers)]

@@ -2,6 +2,9 @@ from __future__ import annotations
 
 import os
 
+# Before numpy loads its linear algebra: the tests run in as many processes as there are cores, and
+# on small systems more threads only get in each other's way, by a factor of five.
+os.environ["OMP_NUM_THREADS"] = os.environ.get("OMP_NUM_THREADS", "1")
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, settings

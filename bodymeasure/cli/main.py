@@ -14,6 +14,7 @@ from typing import Any
 
 import click
 
+from bodymeasure.cli.bench import bench
 from bodymeasure.cli.check import check
 from bodymeasure.cli.console import print_error, print_note
 from bodymeasure.cli.diagonals import diagonals
@@ -118,7 +119,7 @@ def app(ctx: click.Context) -> int | None:
     return EXIT_BAD_INPUT
 
 
-for command in (report, diagonals, check, view, samples, paper):
+for command in (report, diagonals, check, view, samples, bench, paper):
     app.add_command(command)
 
 

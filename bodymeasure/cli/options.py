@@ -27,6 +27,12 @@ EXIT_CODES = (
 COMPARISON = ("the comparison (--no-cross-check leaves it out)", "igl", "libigl", "oracle")
 PICTURES = ("drawing (--no-pictures leaves it out)", "matplotlib", "matplotlib", "report")
 PAGE = ("the HTML report", "jinja2", "jinja2", "report")
+BENCHMARK = (
+    ("the benchmark", "igl", "libigl", "bench"),
+    ("the benchmark", "potpourri3d", "potpourri3d", "bench"),
+    ("the benchmark", "threadpoolctl", "threadpoolctl", "bench"),
+)
+BENCHMARK_FIGURE = ("the benchmark's figure", "matplotlib", "matplotlib", "bench")
 VIEWER = ("the viewer", "pyvista", "pyvista", "viewer")
 VIEWER_COLORS = ("the viewer", "matplotlib", "matplotlib", "viewer")
 

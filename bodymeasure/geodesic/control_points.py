@@ -51,7 +51,7 @@ def checked_control_points(value: Any) -> Any:
             f"patch {huge[0]} has coordinates of {largest[huge[0]]:.3g}; expected at most "
             f"{LARGEST:g}: choose a larger unit"
         )
-    collapsed = collapsed_patches(nets)
+    collapsed = _collapsed(low, high)
     if len(collapsed):
         raise InputError(
             f"patch {collapsed[0]} is degenerate: all its control points are equal; remove it"
@@ -85,7 +85,10 @@ def _as_doubles(value: Any) -> Any:
 
 def collapsed_patches(control_points: Any) -> NDArray[np.int64]:
     """Numbers of the patches, shape (..., m + 1, n + 1, 3), whose points are all equal."""
-    low, high = extremes(control_points)
+    return _collapsed(*extremes(control_points))
+
+
+def _collapsed(low: _Array, high: _Array) -> NDArray[np.int64]:
     return np.flatnonzero((low == high).all(axis=1))
 
 

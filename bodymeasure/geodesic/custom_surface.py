@@ -44,6 +44,10 @@ class CustomSurface:
         values = values[:, :, : JET_SIZE[order]] / self._size
         return np.ascontiguousarray(values.transpose(2, 3, 0, 1))
 
+    def positions(self, parameters: _Array) -> _Array:
+        """Points, shape (problems, k, 3)."""
+        return np.asarray(self.jet(parameters, 0)[0].transpose(1, 2, 0))
+
     def magnitude(self, parameters: _Array) -> _Array:
         """Size of what S_u and S_v are calculated from, as far as their values tell."""
         _, s_u, s_v, s_uu, s_uv, s_vv = np.linalg.norm(self.jet(parameters, 2), axis=1)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -27,6 +27,8 @@ ROUNDING = 2e-16
 # If the length times the integral of the positive part of K is below this, no conjugate point can
 # lie on the path: Lyapunov's inequality (P. Hartman, Ordinary Differential Equations, XI.5.1).
 LYAPUNOV_BOUND = 4.0
+# Of more modes than this the products of all pairs take too much memory, and problems are few.
+MOST_IN_ONE_PRODUCT = 48
 # The index of paths of which it is not known.
 UNKNOWN = -1
 # An eigenvalue of the second variation that is this small, beside its others of about 1, is made of
@@ -65,14 +67,9 @@ def judge(space: TrialSpace, along: PathGeometry, xp: Any) -> Judgement:
     # The Galerkin system of the Jacobi equation, with d/ds = (1 / speed) d/dt and ds = speed dt.
     weighted = weights[:, None] * speed
     densities = xp.concat([weights[:, None] / speed, weighted * curvature])
-    stiffness = constant(modes.products, speed, xp) @ densities
     values = constant(modes.values, speed, xp)
     load = xp.matrix_transpose(values) @ (weighted * kappa)
-    columns, first = [], 0
-    for j in range(modes.count):
-        columns.append(stiffness[first : first + modes.count - j, :])
-        first += modes.count - j
-    solution, pivots = solve_symmetric(columns, load, xp)
+    solution, pivots = solve_symmetric(modes.system(densities, xp), load, xp)
     by_mode = 0.5 * load * solution
     shift = values @ solution
     slope = (constant(modes.slopes, speed, xp) @ solution) / speed
@@ -149,18 +146,44 @@ class _Modes:
     Parameters
     ----------
     values, slopes : ndarray, shape (points, count)
-    products : ndarray, shape (count * (count + 1) / 2, 2 * points)
-        From the densities of stiffness and mass to the lower triangle of the Jacobi system, column
-        by column.
     """
 
     values: _Array
     slopes: _Array
-    products: _Array
 
     @property
     def count(self) -> int:
         return int(self.values.shape[1])
+
+    @cached_property
+    def products(self) -> _Array:
+        """From the densities to the lower triangle of the Jacobi system, column by column.
+
+        Shape (count * (count + 1) / 2, 2 * points).
+        """
+        columns, rows = np.triu_indices(self.count)
+        stiffness = self.slopes[:, rows] * self.slopes[:, columns]
+        mass = self.values[:, rows] * self.values[:, columns]
+        return np.ascontiguousarray(np.concatenate([stiffness, -mass]).T)
+
+    def system(self, densities: Any, xp: Any) -> Any:
+        """The lower triangle of the Jacobi system, column by column.
+
+        Parameters
+        ----------
+        densities : array, shape (2 * points, problems)
+            Of stiffness and of mass.
+        """
+        if self.count > MOST_IN_ONE_PRODUCT:
+            factors = np.concatenate([self.slopes, self.values])
+            signed = np.concatenate([self.slopes, -self.values])
+            weighted = xp.permute_dims(densities, (1, 0))[:, None, :] * constant(
+                signed.T, densities, xp
+            )
+            whole = weighted @ constant(factors, densities, xp)
+            columns = (xp.permute_dims(whole[:, j:, j], (1, 0)) for j in range(self.count))
+            return xp.concat(list(columns))
+        return constant(self.products, densities, xp) @ densities
 
 
 @lru_cache(maxsize=32)
@@ -170,11 +193,7 @@ def _modes_on(points: tuple[float, ...], count: int) -> _Modes:
     k = np.arange(1, count + 1)
     values = (basis[:, 2:] - basis[:, :-2]) / (2.0 * np.sqrt(2.0 * k + 1.0))
     slopes = np.sqrt(2.0 * k + 1.0) * basis[:, 1:-1]
-    columns, rows = np.triu_indices(count)
-    products = np.concatenate(
-        [slopes[:, rows] * slopes[:, columns], -values[:, rows] * values[:, columns]]
-    )
-    return _Modes(values, slopes, np.ascontiguousarray(products.T))
+    return _Modes(values, slopes)
 
 
 def _modes(quadrature: Quadrature, size: int) -> _Modes:

@@ -66,6 +66,10 @@ class MagnifiedSurface:
         jet *= np.ldexp(1.0, np.clip(powers, -MOST, MOST))[:, None, :, None]
         return jet
 
+    def positions(self, parameters: _Array) -> _Array:
+        """Points, shape (problems, k, 3), in the surface's own unit."""
+        return self._surface.positions(self.parameters(parameters))
+
     def magnitude(self, parameters: _Array) -> _Array:
         """Size of what S_u and S_v are calculated from, shape (2, problems, k)."""
         magnitude = self._surface.magnitude(self.parameters(parameters))

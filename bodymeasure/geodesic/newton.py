@@ -18,7 +18,7 @@ LAST_STEP = 1e-4
 # A step is accepted if it lowers the norm of the residual by this part of what was foretold.
 SUFFICIENT_DECREASE = 1e-3
 # A step this many times halved leads nowhere.
-SMALLEST_STEP = 2.0**-12
+SMALLEST_STEP = 2.0**-8
 # No step moves a node further than this in a parameter: the equations say nothing out there.
 LONGEST_STEP = 0.5
 MAX_ITERATIONS = 25

@@ -36,25 +36,26 @@ def derivatives_by_offset(coefficients: Any, offset: Any, order: int) -> list[An
     list of array, shape (fields, points, 3, problems)
     """
     q = offset[:, None, :]
-    powers = coefficients.shape[0]
-    sums = [coefficients[powers - 1, ...]]
-    for power in range(powers - 2, -1, -1):
-        if len(sums) <= order:
-            sums.append(sums[-1])
-            changed = range(len(sums) - 2, 0, -1)
-        else:
-            changed = range(len(sums) - 1, 0, -1)
-        for k in changed:
-            sums[k] = sums[k] * q + sums[k - 1]
-        sums[0] = sums[0] * q + coefficients[power, ...]
+    highest = coefficients.shape[0] - 1
     # Patches of low degree have fewer derivatives than asked for.
-    sums += [0.0 * sums[0]] * (order + 1 - len(sums))
-    return [2.0 * value if k == 2 else value for k, value in enumerate(sums)]
+    sums = [(1.0 if k <= highest else 0.0) * coefficients[highest, ...] for k in range(order + 1)]
+    for power in range(highest - 1, -1, -1):
+        for k in range(min(order, highest - 1 - power), 0, -1):
+            sums[k] *= q
+            sums[k] += sums[k - 1]
+        sums[0] *= q
+        sums[0] += coefficients[power, ...]
+    if order == 2:
+        sums[2] *= 2.0
+    return sums
 
 
 def dot(a: Any, b: Any) -> Any:
     """Scalar product of vectors whose components run along axis 1."""
-    return a[:, 0, :] * b[:, 0, :] + a[:, 1, :] * b[:, 1, :] + a[:, 2, :] * b[:, 2, :]
+    result = a[:, 0, :] * b[:, 0, :]
+    result += a[:, 1, :] * b[:, 1, :]
+    result += a[:, 2, :] * b[:, 2, :]
+    return result
 
 
 def linearize(coefficients: Any, offset: Any, slope: Any, bend: Any) -> tuple[Any, Any, Any, Any]:
@@ -71,35 +72,36 @@ def linearize(coefficients: Any, offset: Any, slope: Any, bend: Any) -> tuple[An
     -------
     tuple of four arrays, shape (points, problems)
     """
-    place, first, second = derivatives_by_offset(coefficients, offset, 2)
-    t_q, t_t, t_tt = place[0, ...], place[1, ...], place[2, ...]
-    t_qq, t_tq, t_ttq = first[0, ...], first[1, ...], first[2, ...]
-    t_qqq, t_tqq = second[0, ...], second[1, ...]
+    place, first, second = derivatives_by_offset(coefficients[:, :2, ...], offset, 2)
+    t_q, t_t, t_qq, t_tq, t_qqq, t_tqq = (
+        derivative[field, ...] for derivative in (place, first, second) for field in (0, 1)
+    )
+    t_tt, t_ttq = (x[0, ...] for x in derivatives_by_offset(coefficients[:-1, 2:, ...], offset, 1))
     p = slope[:, None, :]
     e, f, g = dot(t_t, t_t), dot(t_t, t_q), dot(t_q, t_q)
-    e_q, f_q = 2.0 * dot(t_tq, t_t), dot(t_tq, t_q) + dot(t_t, t_qq)
-    g_q = 2.0 * dot(t_qq, t_q)
-    # x' . T_t and x' . T_q, and h with its derivatives by q and q'.
+    tq_q, tq_t, qq_q, qq_t = dot(t_tq, t_q), dot(t_tq, t_t), dot(t_qq, t_q), dot(t_qq, t_t)
+    e_q, f_q, g_q = 2.0 * tq_t, tq_q + qq_t, 2.0 * qq_q
+    # x' . T_t and x' . T_q, and h with its derivative by q.
     along, across = e + f * slope, f + g * slope
     h = t_tt + (2.0 * t_tq + t_qq * p) * p
     h_q = t_ttq + (2.0 * t_tqq + t_qqq * p) * p
-    h_p = 2.0 * (t_tq + t_qq * p)
     by_q, by_t = dot(h, t_q), dot(h, t_t)
     area = e * g - f * f
     left = area * bend + along * by_q - across * by_t
     left_q = (e_q * g + e * g_q - 2.0 * f * f_q) * bend
-    left_q = left_q + (e_q + f_q * slope) * by_q - (f_q + g_q * slope) * by_t
-    left_q = left_q + along * (dot(h_q, t_q) + dot(h, t_qq))
-    left_q = left_q - across * (dot(h_q, t_t) + dot(h, t_tq))
-    left_p = f * by_q - g * by_t + along * dot(h_p, t_q) - across * dot(h_p, t_t)
+    left_q += (e_q + f_q * slope) * by_q - (f_q + g_q * slope) * by_t
+    left_q += along * (dot(h_q, t_q) + dot(h, t_qq)) - across * (dot(h_q, t_t) + dot(h, t_tq))
+    # The derivative of h by q' is 2 T_tq + 2 T_qq q'.
+    left_p = f * by_q - g * by_t
+    left_p += 2.0 * (along * (tq_q + qq_q * slope) - across * (tq_t + qq_t * slope))
     return left, left_q, left_p, area
 
 
 def offset_geometry(coefficients: Any, offset: Any, slope: Any, bend: Any, xp: Any) -> PathGeometry:
     """Speed, geodesic and Gaussian curvature; arguments as in `linearize`."""
-    place, first = derivatives_by_offset(coefficients, offset, 1)
-    t_q, t_t, t_tt = place[0, ...], place[1, ...], place[2, ...]
-    t_qq, t_tq = first[0, ...], first[1, ...]
+    place, first = derivatives_by_offset(coefficients[:, :2, ...], offset, 1)
+    t_q, t_t, t_qq, t_tq = (x[field, ...] for x in (place, first) for field in (0, 1))
+    (t_tt,) = (x[0, ...] for x in derivatives_by_offset(coefficients[:, 2:, ...], offset, 0))
     p = slope[:, None, :]
     velocity = t_t + t_q * p
     acceleration = t_tt + (2.0 * t_tq + t_qq * p) * p + t_q * bend[:, None, :]

@@ -1,8 +1,8 @@
 """Many geodesics by collocation with one unknown function each, where that serves.
 
-No step is damped and nothing is iterated until it converges: each trial space gets two Newton steps
-from the path before. What comes out is measured and judged as everywhere, and only what passes is
-taken. All else is left to the form with two unknown functions.
+Nothing is iterated until it converges: each trial space gets one or two Newton steps from the path
+before. What comes out is measured and judged as everywhere, and only what passes is taken. All else
+is left to the form with two unknown functions.
 """
 
 from __future__ import annotations
@@ -34,9 +34,14 @@ _Array = NDArray[np.float64]
 # The first guess: Newton steps from the straight line on polynomials of this degree.
 GUESS_DEGREE = 5
 GUESS_STEPS = 2
-# Newton steps on each trial space. A last step below this is about the square root of what is left.
-STEPS = 2
-LAST_STEP = 1e-4
+# Newton steps on the first of several trial spaces, which serves most problems, and how large the
+# last may be: a second would change the paths of bodies by less than they are off for want of
+# functions, and what is left of a step is about its square, which the correction takes off.
+FIRST = (1, 1e-2)
+# The same on the spaces after it, or on a single one.
+LATER = (2, 1e-4)
+# No step moves a node further: Newton's method from a straight line may go far astray.
+LONGEST_STEP = 0.15
 # Problems in one array operation: long enough to hide the calls, short enough for the cache.
 CHUNK = 1024
 # Problems whose failures are gathered for the next trial space; all at once elsewhere than on the
@@ -92,25 +97,24 @@ def _solve_block(
     spaces: Sequence[Callable[[], TrialSpace]], problems: OffsetProblems, tolerance: float
 ) -> MethodResult:
     xp = problems.xp
-    chunk = CHUNK if is_on_cpu(problems.columns) else BLOCK
     rest = np.arange(problems.count)
     iterations = np.full(problems.count, GUESS_STEPS)
     pieces: list[Piece] = []
     before = polynomial_space(GUESS_DEGREE)
-    guesses = [_guess(before, problems.take(rest[rows])) for rows in _slices(len(rest), chunk)]
-    offset = xp.concat(guesses, axis=1)
+    chunks = _chunks(problems, rest)
+    offset = xp.concat([_guess(before, part) for _, part in chunks], axis=1)
+    steps, small = FIRST if len(spaces) > 1 else LATER
     for make_space in spaces:
         space = make_space()
         if space.size == 1:
             continue  # It has the straight line alone.
         offset = constant(_inner(before, space.nodes[1:-1])[0], offset, xp) @ offset
-        iterations[rest] += STEPS
+        iterations[rest] += steps
         moved, is_open = [], []
-        for rows in _slices(len(rest), chunk):
-            part = problems.take(rest[rows])
-            path, last_step = _newton(space, part, offset[:, rows], STEPS)
+        for rows, part in chunks:
+            path, last_step = _newton(space, part, offset[:, rows], steps)
             piece = _measured(space, part, path, tolerance)
-            solved = last_step < LAST_STEP
+            solved = last_step < small
             done = solved & (piece.converged | is_far_outside(piece, solved))
             if done.any():
                 pieces.append(piece.take(np.flatnonzero(done)).renumbered(rest[rows][done]))
@@ -120,8 +124,19 @@ def _solve_block(
         if len(keep) == 0:
             break
         offset = xp.take(xp.concat(moved, axis=1), constant(keep, offset, xp), axis=1)
-        rest, before = rest[keep], space
+        rest, before, (steps, small) = rest[keep], space, LATER
+        chunks = _chunks(problems, rest)
     return MethodResult(tuple(pieces), iterations)
+
+
+def _chunks(
+    problems: OffsetProblems, rest: NDArray[np.int64]
+) -> list[tuple[slice, OffsetProblems]]:
+    """Those that are left in parts, with where in `rest` they stand."""
+    size = CHUNK if is_on_cpu(problems.columns) else BLOCK
+    if len(rest) == problems.count <= size:
+        return [(slice(None), problems)]
+    return [(rows, problems.take(rest[rows])) for rows in _slices(len(rest), size)]
 
 
 def _guess(space: TrialSpace, problems: OffsetProblems) -> Any:
@@ -133,11 +148,13 @@ def _newton(
     space: TrialSpace, problems: OffsetProblems, offset: Any, steps: int
 ) -> tuple[Any, _Array]:
     """Offsets at the inner nodes, shape (n - 1, problems), and how large the last step was."""
+    xp = problems.xp
     coefficients = _coefficients(problems, space.nodes[1:-1])
     for _ in range(steps):
-        step = _step(space, coefficients, offset, problems.xp)
-        offset = offset + step
-    return offset, to_numpy(problems.xp.max(problems.xp.abs(step), axis=0))
+        step = _step(space, coefficients, offset, xp)
+        size = xp.max(xp.abs(step), axis=0)
+        offset = offset + step * xp.where(size > LONGEST_STEP, LONGEST_STEP / size, 1.0)
+    return offset, to_numpy(size)
 
 
 def _step(space: TrialSpace, coefficients: Any, offset: Any, xp: Any) -> Any:
@@ -147,9 +164,10 @@ def _step(space: TrialSpace, coefficients: Any, offset: Any, xp: Any) -> Any:
     left, by_offset, by_slope, by_bend = linearize(
         coefficients, offset, first @ offset, second @ offset
     )
-    matrix = by_slope[:, None, :] * first[:, :, None] + by_bend[:, None, :] * second[:, :, None]
+    matrix = by_slope[:, None, :] * first[:, :, None]
+    matrix += by_bend[:, None, :] * second[:, :, None]
     identity = constant(np.eye(len(times)), offset, xp)
-    matrix = matrix + identity[:, :, None] * by_offset[:, None, :]
+    matrix += identity[:, :, None] * by_offset[:, None, :]
     return solve_batch(matrix, -left, xp)
 
 
@@ -168,7 +186,7 @@ def _measured(space: TrialSpace, problems: OffsetProblems, offset: Any, toleranc
     good = is_good(measured, tolerance) & ~is_steep(measured.raw, values)
     return Piece(
         np.arange(count),
-        space,
+        space.with_lines,
         values,
         measured,
         good,

@@ -47,12 +47,16 @@ class OffsetProblems:
         nets = nets - 0.5 * (nets[:, :1, :1, :] + nets[:, -1:, -1:, :])
         if _are_corners(start, end):
             for axis in (0, 1):
-                turned = constant(start[:, axis] == 1.0, nets, xp)[:, None, None, None]
-                nets = xp.where(turned, xp.flip(nets, axis=axis + 1), nets)
+                turned = start[:, axis] == 1.0
+                if turned.any():
+                    turned = constant(turned, nets, xp)[:, None, None, None]
+                    nets = xp.where(turned, xp.flip(nets, axis=axis + 1), nets)
         else:
             nets = constant(restrict(to_numpy(nets), start, end), nets, xp)
-        flat = xp.reshape(nets, (nets.shape[0], -1, 3))
-        return cls(xp.permute_dims(flat, (1, 2, 0)), start, end, surface.degrees)
+        flat = xp.permute_dims(xp.reshape(nets, (nets.shape[0], -1, 3)), (1, 2, 0))
+        # Joining two axes moves the numbers to where each operation wants them.
+        columns = xp.reshape(xp.reshape(flat, (flat.shape[0], -1)), flat.shape)
+        return cls(columns, start, end, surface.degrees)
 
     @property
     def count(self) -> int:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -32,13 +34,30 @@ class PiecewisePolynomials:
 
     def __call__(self, t: _Array) -> _Array:
         """Values, first and second derivatives at t of shape (k,); shape (3, k, functions)."""
+        functions = self.coefficients.shape[2]
+        result = np.empty((3, len(t), functions))
+        for number, here, x in self._by_piece(t.astype(np.longdouble)):
+            vandermonde = chebyshev.chebvander(x, self.coefficients.shape[1] - 1)
+            # Sums over neighbors in memory: three times as fast as others in extended precision.
+            for order, sums in enumerate(self.coefficients[..., number]):
+                result[order, here] = np.inner(vandermonde, np.ascontiguousarray(sums.T))
+        return result
+
+    def values(self, t: _Array) -> _Array:
+        """Values alone, in double precision throughout; shape (k, functions)."""
+        result = np.empty((len(t), self.coefficients.shape[2]))
+        for number, here, x in self._by_piece(t):
+            vandermonde = chebyshev.chebvander(x, self.coefficients.shape[1] - 1)
+            result[here] = vandermonde @ self.coefficients[0, :, :, number].astype(np.float64)
+        return result
+
+    def _by_piece(self, t: NDArray[Any]) -> Iterator[tuple[int, NDArray[np.int64], NDArray[Any]]]:
+        """The number of each piece, which of the t lie on it, and these from -1 to 1."""
         piece = np.clip(np.searchsorted(self.edges, t, side="right") - 1, 0, len(self.edges) - 2)
-        left, right = self.edges[piece], self.edges[piece + 1]
-        place = t.astype(np.longdouble)
-        x = ((place - left) - (right - place)) / (right - left)
-        vandermonde = chebyshev.chebvander(x, self.coefficients.shape[1] - 1)
-        values = np.einsum("tk,dkft->dtf", vandermonde, self.coefficients[..., piece])
-        return np.asarray(values, dtype=np.float64)
+        for number in np.unique(piece):
+            here = np.flatnonzero(piece == number)
+            left, right = self.edges[number : number + 2]
+            yield int(number), here, ((t[here] - left) - (right - t[here])) / (right - left)
 
     def combined(self, values: _Array, t: _Array) -> _Array:
         """Sums of the functions, each at its own places.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -9,11 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from bodymeasure.geodesic.contact import ContactPath, read_legs, solve_legs
+from bodymeasure.geodesic.contact import solve_contact_path
+from bodymeasure.geodesic.degrees import DEGREES, degrees_wanted
 from bodymeasure.geodesic.descent import descend
+from bodymeasure.geodesic.joined_legs import ContactPath
+from bodymeasure.geodesic.legs import End, Pole
 from bodymeasure.geodesic.length_error import is_good, measure_length
 from bodymeasure.geodesic.method import Piece
 from bodymeasure.geodesic.newton import newton
+from bodymeasure.geodesic.one_place import TIMES
 from bodymeasure.geodesic.polygon_energy import polygon_lengths
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import Surface
@@ -21,8 +26,6 @@ from bodymeasure.geodesic.surface import Surface
 _Array = NDArray[np.float64]
 _Numbers = NDArray[np.int64]
 
-# Degrees of the trial spaces, tried in turn. Strongly bent paths take the highest.
-DEGREES = (12, 20, 32, 48, 72)
 # Newton steps on each: polygons are near enough that those that converge do so in fewer.
 MOST_STEPS = 8
 # A path may leave its patch by this much, in u or v: more than rounding errors of a path along the
@@ -30,6 +33,10 @@ MOST_STEPS = 8
 OUTSIDE = 1e-9
 # A path that is further than this from its polygon, in u or v, is another than was meant.
 ASTRAY = 0.1
+# An edge this long, on a patch of size 1, is a point but for rounding errors.
+COLLAPSED = 1e-14
+# Rounding errors of lengths, relative, generously.
+ROUNDING = 1e-9
 # Edges of the polygons whose pattern of contacts is read, in turn.
 FINE_EDGES = (64, 256)
 
@@ -63,24 +70,40 @@ def polish(surface: Surface, polygons: _Array, tolerance: float) -> Polished:
     tolerance : float
         Relative error asked for.
     """
-    free = np.flatnonzero(((polygons > 0.0) & (polygons < 1.0))[:, 1:-1].all(axis=(1, 2)))
-    pieces = _collocated(surface, polygons, free, tolerance)
-    spaces = [polynomial_space(degree) for degree in DEGREES]
+    poles = [_poles(surface, polygons[:, place]) for place in (0, -1)]
+    touches = ((polygons <= 0.0) | (polygons >= 1.0))[:, 1:-1].any(axis=(1, 2))
+    fixed = np.array([pole is None and other is None for pole, other in zip(*poles, strict=True)])
+    pieces = _collocated(surface, polygons, np.flatnonzero(~touches & fixed), tolerance)
     left = _without(np.arange(len(polygons)), pieces)
     doubt = np.full(len(polygons), np.inf)
     for edges in FINE_EDGES:
         part = surface.take(left)
         fine = descend(part, _refined(polygons[left], edges))
-        doubt[left] = polygon_lengths(part, fine)
-        for row, polygon in zip(left, fine, strict=True):
-            path = solve_legs(
-                surface.take(np.array([row])), polygon, read_legs(polygon), spaces, tolerance
-            )
-            if path is not None:
-                pieces.append(_as_piece(row, path))
+        length = polygon_lengths(part, fine)
+        doubt[left] = length
+        for row, polygon, least in zip(left, fine, length, strict=True):
+            own = surface.take(np.array([row]))
+            path = solve_contact_path(own, polygon, (poles[0][row], poles[1][row]), tolerance)
+            # No path is shorter than the shortest polygon.
+            if path is not None and path.measured.raw[0] >= least * (1.0 - ROUNDING):
+                pieces.append(_as_piece(row, path, COLLAPSED * (not fixed[row])))
                 doubt[row] = np.inf
         left = _without(left, pieces)
     return Polished(tuple(pieces), doubt)
+
+
+def _poles(surface: Surface, points: _Array) -> list[End]:
+    """Of points, shape (polygons, 2), the collapsed edges that they lie on."""
+    result: list[End] = [None] * len(points)
+    for axis in (0, 1):
+        for value in (0.0, 1.0):
+            here = np.flatnonzero(points[:, axis] == value)
+            edge = np.full((len(here), len(TIMES), 2), value)
+            edge[:, :, 1 - axis] = TIMES
+            speed = np.linalg.norm(surface.take(here).jet(edge, 1)[2 - axis], axis=0)
+            for row in here[speed.max(axis=1, initial=0.0) <= COLLAPSED]:
+                result[row] = Pole(axis, value)
+    return result
 
 
 def _collocated(
@@ -89,9 +112,12 @@ def _collocated(
     """Paths of some of the polygons that have no contact, each on the first space that serves."""
     times = np.linspace(0.0, 1.0, polygons.shape[1])
     pieces: list[Piece] = []
+    every, wanted = rows, np.zeros(len(polygons))
     for degree in DEGREES:
+        rows = _without(every, pieces)
+        rows = rows[wanted[rows] <= degree]
         if len(rows) == 0:
-            break
+            continue
         space = polynomial_space(degree)
         start = (_spline(degree, polygons.shape[1]) @ polygons[rows]).swapaxes(1, 2)
         part = surface.take(rows)
@@ -103,7 +129,9 @@ def _collocated(
         good &= np.abs(path - polygons[rows]).max(axis=(1, 2)) <= ASTRAY
         piece = Piece(rows, space, found.values, measured, good, found.singular)
         pieces.append(piece.take(np.flatnonzero(good)))
-        rows = rows[~good]
+        wanted[rows] = np.where(
+            found.converged, degrees_wanted(degree, measured, tolerance), degree + 1
+        )
     return pieces
 
 
@@ -127,12 +155,14 @@ def _refined(polygons: _Array, edges: int) -> _Array:
     return result
 
 
-def _as_piece(row: np.int64, found: ContactPath) -> Piece:
+def _as_piece(row: np.int64, found: ContactPath, doubt: float) -> Piece:
+    """The path of one polygon; `doubt` is added to its error."""
+    measured = replace(found.measured, error=found.measured.error + doubt)
     return Piece(
         problems=np.array([row]),
         space=found.space,
         values=found.values[None],
-        measured=found.measured,
+        measured=measured,
         converged=np.ones(1, bool),
         singular=np.zeros(1, bool),
         contacts=found.contacts,

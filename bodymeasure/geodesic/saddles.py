@@ -11,8 +11,10 @@ from bodymeasure.geodesic.surface import Surface
 
 _Array = NDArray[np.float64]
 
-# A curvature below this, relative to the metric, is a saddle's.
-SADDLE = -1e-6
+# An eigenvalue below minus this part of the lowest of a flat patch's is a saddle's: more than the
+# rounding errors of a path at rest, and little enough that beyond it lie shorter paths by a part of
+# about 1e-9.
+SADDLE = 1e-5
 # Factor between shifts that are tried until one is below all eigenvalues, and at most how many.
 SHIFT_FACTOR = 2.0
 MOST_SHIFTS = 24
@@ -39,7 +41,8 @@ def ways_off(surface: Surface, points: _Array) -> tuple[NDArray[np.int64], _Arra
     """
     energy = polygon_energy(surface, points)
     finite = np.isfinite(energy.energy)
-    saddles = np.flatnonzero((factorize(*energy.restricted_hessian(-SADDLE)).negative > 0) & finite)
+    least = SADDLE * _lowest_of_a_flat_patch(points.shape[1] - 1)
+    saddles = np.flatnonzero((factorize(*energy.restricted_hessian(least)).negative > 0) & finite)
     direction = np.zeros((len(saddles), *points.shape[1:]))
     if len(saddles):
         lowest = _lowest_modes(energy.take(saddles))
@@ -47,11 +50,15 @@ def ways_off(surface: Surface, points: _Array) -> tuple[NDArray[np.int64], _Arra
     return saddles, direction
 
 
+def _lowest_of_a_flat_patch(edges: int) -> float:
+    """Size of the lowest eigenvalue of a flat patch's energy, relative to the metric."""
+    return float(0.5 * (np.pi / edges) ** 2)
+
+
 def _lowest_modes(energy: PolygonEnergy) -> _Array:
     """Inverse iteration with a shift that is below all eigenvalues, but not far."""
     _, count, polygons = energy.gradient.shape
-    # Size of the lowest eigenvalue of a flat patch's, relative to the metric.
-    shift = np.full(polygons, 0.5 * (np.pi / (count + 1)) ** 2)
+    shift = np.full(polygons, _lowest_of_a_flat_patch(count + 1))
     for _ in range(MOST_SHIFTS):
         factors = factorize(*energy.restricted_hessian(shift))
         indefinite = factors.negative > 0

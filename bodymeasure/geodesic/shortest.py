@@ -20,6 +20,8 @@ _Numbers = NDArray[np.int64]
 
 # Edges of the polygons that compete.
 EDGES = 32
+# And of those that are looked at once more for being saddles.
+FINE_EDGES = 128
 # How far, in u or v, a path steps off a saddle.
 STEP_OFF = 0.05
 # Polygons nearer to one another than this everywhere, in (u, v), lead to the same path.
@@ -28,6 +30,9 @@ SAME = 0.02
 NEAR = 0.05
 # A path must be shorter than one that is known by this part to be taken instead.
 SHORTER = 1e-8
+# After so many polygons shorter than the best path that could not be made exact, a problem stays in
+# doubt: then hardly ever another one can, and each takes as long as a hundred that can.
+MOST_FAILURES = 2
 
 
 class Known(NamedTuple):
@@ -87,42 +92,95 @@ def shortest_paths(surface: Surface, ends: _Array, known: Known, tolerance: floa
     tolerance : float
         Relative error asked for.
     """
+    count = len(known.length)
+    standing = _Standing(
+        best=known.length * (1.0 - SHORTER),
+        doubt=np.full(count, np.inf),
+        winner=np.full(count, -1),
+        pieces=[],
+    )
+    latest = np.where(np.isfinite(known.length)[:, None, None], known.points, np.nan)
     contenders = _at_rest(surface, *_seeds(surface, ends, known))
-    best = known.length * (1.0 - SHORTER)
-    doubt = np.full(len(best), np.inf)
-    latest = np.where(np.isfinite(best)[:, None, None], known.points, np.nan)
-    pieces: list[Piece] = []
-    winner = np.full(len(best), -1)
+    _compete(surface, contenders, latest, standing, tolerance)
+    # A path at rest on a polygon of few edges may be on a saddle that only finer ones can tell.
+    saddles = [piece for piece in standing.winners() if not piece.measured.minimal.all()]
+    if saddles:
+        problems = np.concatenate([piece.problems for piece in saddles])
+        times = np.linspace(0.0, 1.0, FINE_EDGES + 1)
+        paths = np.concatenate([piece.points(times) for piece in saddles])
+        beyond = _at_rest(surface, problems, np.clip(paths, 0.0, 1.0))
+        # What lies beyond may be near, so that none is taken for the same.
+        _compete(surface, beyond, np.full((count, *paths.shape[1:]), np.nan), standing, tolerance)
+    return Found(standing.winners(), standing.doubt < standing.best)
+
+
+class _Standing(NamedTuple):
+    """How the competition stands; the arrays, one entry a problem, and the list change.
+
+    Parameters
+    ----------
+    best : ndarray
+        What a path must be shorter than.
+    doubt : ndarray
+        The least length of a path that could not be made exact.
+    winner : ndarray of int
+        The number of the piece that holds the shortest path; -1 if that is the one known before.
+    pieces : list of Piece
+    """
+
+    best: _Array
+    doubt: _Array
+    winner: _Numbers
+    pieces: list[Piece]
+
+    def winners(self) -> tuple[Piece, ...]:
+        """The shortest paths, by piece."""
+        chosen = (
+            piece.take(np.flatnonzero(self.winner[piece.problems] == number))
+            for number, piece in enumerate(self.pieces)
+        )
+        return tuple(piece for piece in chosen if len(piece.problems))
+
+
+def _compete(
+    surface: Surface,
+    contenders: _Contenders,
+    latest: _Array,
+    standing: _Standing,
+    tolerance: float,
+) -> None:
+    """Make contenders exact, the shortest of each problem first, while they may still win."""
+    best, doubt, winner, pieces = standing
+    failures = np.zeros(len(best), np.int64)
     while True:
-        contenders = _others(contenders, latest, np.minimum(best, doubt))
+        given_up = np.where(failures < MOST_FAILURES, np.inf, -np.inf)
+        contenders = _others(contenders, latest, np.minimum(np.minimum(best, doubt), given_up))
         if len(contenders.problems) == 0:
             break
         problems, first = np.unique(contenders.problems, return_index=True)
         latest[problems] = contenders.points[first]
         polished, in_doubt = polish(surface.take(problems), latest[problems], tolerance)
         doubt[problems] = np.minimum(doubt[problems], in_doubt)
+        failures[problems] += in_doubt < best[problems]
         for piece in polished:
             owners, length = problems[piece.problems], piece.measured.corrected
             shorter = length < best[owners]
             winner[owners[shorter]] = len(pieces)
-            best[owners[shorter]] = length[shorter]
+            # One that is no minimum gives way to its equals.
+            bar = np.where(piece.measured.minimal, length, length * (1.0 + SHORTER))
+            best[owners[shorter]] = bar[shorter]
             pieces.append(piece.renumbered(owners))
-    winners = (
-        piece.take(np.flatnonzero(winner[piece.problems] == number))
-        for number, piece in enumerate(pieces)
-    )
-    return Found(tuple(piece for piece in winners if len(piece.problems)), doubt < best)
 
 
 def _seeds(surface: Surface, ends: _Array, known: Known) -> tuple[_Numbers, _Array]:
     """Polygons to slide down from, and whose they are."""
     times = np.linspace(0.0, 1.0, EDGES + 1)[:, None]
     straight = ends[0, :, None] * (1.0 - times) + ends[1, :, None] * times
-    every = np.arange(len(straight))
+    # Where the path that is known is a good one, the straight line led there.
     unsure = np.flatnonzero(~np.isfinite(known.length))
     rough = rough_paths(surface, ends, EDGES)
-    problems = np.concatenate([every, unsure, rough.problems])
-    points = np.concatenate([straight, known.points[unsure], rough.points])
+    problems = np.concatenate([unsure, unsure, rough.problems])
+    points = np.concatenate([straight[unsure], known.points[unsure], rough.points])
     points = np.clip(points, 0.0, 1.0)
     points[:, 0], points[:, -1] = ends[:, problems]
     energy = polygon_energy(surface.take(problems), points).energy

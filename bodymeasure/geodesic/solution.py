@@ -118,7 +118,8 @@ class GeodesicSolution:
         Returns
         -------
         ndarray, shape (*batch, *t.shape, 2)
-            (u, v). With the status ``LEAVES_PATCH`` they go outside [0, 1].
+            (u, v). With the status ``LEAVES_PATCH`` they go outside [0, 1]. On a collapsed edge,
+            where all parameters along it are one place, an end may have others than were given.
 
         Raises
         ------

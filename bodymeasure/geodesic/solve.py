@@ -153,7 +153,9 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
     # Between points in one place the length is zero, and nothing needs solving.
     error = distances_in_one_place(surfaces, surface_of, starts, ends) * scale
     apart = np.flatnonzero(~np.isfinite(error))
-    part = surfaces.take(surface_of[apart])
+    # A million patches with a problem each are not copied once more.
+    each_once = np.array_equal(surface_of[apart], np.arange(count))
+    part = surfaces if each_once else surfaces.take(surface_of[apart])
     result = solve_near_and_far(method, part, starts[apart], ends[apart])
     result = search_further(part, (starts[apart], ends[apart]), result, search, method.tolerance)
     result = _renumbered(result, apart)

@@ -9,7 +9,7 @@ import array_api_compat
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.bezier import bernstein_values, elevate
+from bodymeasure.bezier import bernstein_values, elevate, evaluate
 from bodymeasure.geodesic.arrays import constant, to_numpy
 
 _Array = NDArray[np.float64]
@@ -36,6 +36,9 @@ class Surface(Protocol):
         ndarray, shape (derivatives, 3, problems, k)
             In the order of `JET`. The origin of the positions is any.
         """
+
+    def positions(self, parameters: _Array) -> _Array:
+        """Points, shape (problems, k, 3). The origin is any."""
 
     def magnitude(self, parameters: _Array) -> _Array:
         """The size of what S_u and S_v are calculated from: what rounding errors are relative to.
@@ -96,6 +99,10 @@ class BezierSurfaces:
     def jet(self, parameters: _Array, order: int) -> _Array:
         """Derivatives in the order of `JET`, shape (derivatives, 3, problems, k)."""
         return self._evaluated(self._nets[:, :, : 3 * JET_SIZE[order]], parameters)
+
+    def positions(self, parameters: _Array) -> _Array:
+        """Points, shape (problems, k, 3), without the control points of any derivatives."""
+        return evaluate(to_numpy(self.control_points), parameters)
 
     def magnitude(self, parameters: _Array) -> _Array:
         """Size of what S_u and S_v are calculated from, shape (2, problems, k)."""

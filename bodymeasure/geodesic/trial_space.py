@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -73,6 +73,23 @@ class TrialSpace:
         """The maps of `matrices` at the quadrature points."""
         return self.matrices(self.quadrature.points)
 
+    @cached_property
+    def with_lines(self) -> TrialSpace:
+        """The space of straight lines plus this one's functions that vanish at the ends.
+
+        On the same nodes. The paths of the form with one unknown function are of this space. One
+        that holds all straight lines anyway, as polynomials do, stays what it is.
+        """
+        edges, coefficients = self.functions.edges, self.functions.coefficients.copy()
+        middle, half = (edges[1:] + edges[:-1]) / 2.0, np.diff(edges) / 2.0
+        lines = np.zeros((3, coefficients.shape[1], 2, len(half)), dtype=np.longdouble)
+        lines[0, 0], lines[0, 1] = (1.0 - middle, middle), (-half, half)
+        lines[1, 0] = np.array([-1.0, 1.0])[:, None]
+        inner = np.stack([1.0 - self.nodes[1:-1], self.nodes[1:-1]])
+        # Zero at the inner nodes, as cardinal functions are.
+        coefficients[:, :, [0, -1]] = lines - inner @ coefficients[:, :, 1:-1]
+        return replace(self, functions=PiecewisePolynomials(edges, coefficients))
+
     def leaves_patch(self, values: _Array, margin: float) -> NDArray[np.bool_]:
         """Which paths go further than a margin outside [0, 1], in u or v.
 
@@ -93,8 +110,7 @@ class TrialSpace:
     @cached_property
     def between_nodes(self) -> _Array:
         """Map to values at `times_between`, shape (k, n + 1)."""
-        values: _Array = self.matrices(self.times_between)[0]
-        return values
+        return self.functions.values(self.times_between)
 
     @property
     def times_between(self) -> _Array:

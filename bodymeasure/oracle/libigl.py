@@ -99,6 +99,32 @@ def heat_distances(
     return np.array([igl.heat_geodesics_solve(data, np.array([source])) for source in sources])
 
 
+def closest_on_mesh(
+    vertices: NDArray[np.float64], faces: NDArray[np.int64], positions: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """Points of a triangle mesh that are closest to given positions.
+
+    Parameters
+    ----------
+    vertices : ndarray, shape (n, 3)
+    faces : ndarray of int, shape (f, 3)
+    positions : ndarray, shape (k, 3)
+
+    Returns
+    -------
+    points : ndarray, shape (k, 3)
+    face : ndarray of int, shape (k,)
+        A face that each lies on.
+
+    Raises
+    ------
+    MissingExtraError
+        If libigl is not installed.
+    """
+    _, face, points = _import_igl().point_mesh_squared_distance(positions, vertices, faces)
+    return points, face
+
+
 def require_libigl() -> None:
     """Raise `MissingExtraError` if libigl is not installed, before any work is shared out."""
     if find_spec("igl") is None:

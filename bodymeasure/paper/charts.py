@@ -8,7 +8,8 @@ from typing import Any
 
 from bodymeasure.paper.spreads import LEVELS
 from bodymeasure.paper.table import Table
-from bodymeasure.scene.charts import chart_style, figure_svg, power_of_ten
+from bodymeasure.scene.chart_style import chart_style, power_of_ten
+from bodymeasure.scene.charts import figure_svg
 
 COLORS = ("#1f5f8b", "#c2571a", "#2e7d4f", "#7b4ea3", "#8a6d1f", "#b3202c", "#3b82b5", "#555555")
 MARKERS = "osD^vPX*"

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import io
 import re
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.errors import InputError, MissingExtraError
+from bodymeasure.errors import InputError
 from bodymeasure.scene.canvas import INK, figure_pixels
+from bodymeasure.scene.chart_style import TEXT_SIZE, chart_style, power_of_ten
 from bodymeasure.scene.colors import (
     NO_LENGTH,
     NOT_COMPARED,
@@ -25,19 +24,7 @@ from bodymeasure.scene.model import PathKind, Paths
 if TYPE_CHECKING:
     from bodymeasure.measure import Survey
 
-TEXT_SIZE = 9.0
 BINS_PER_DECADE = 4
-STYLE: Any = {
-    "svg.hashsalt": "bodymeasure",  # the same chart gives the same file
-    "svg.fonttype": "none",  # text stays text: it can be searched, and takes the page's size
-    "font.family": "sans-serif",
-    "font.size": TEXT_SIZE,
-    "axes.edgecolor": INK,
-    "text.color": INK,
-    "axes.labelcolor": INK,
-    "xtick.color": INK,
-    "ytick.color": INK,
-}
 
 
 def color_bar(paths: Paths) -> bytes:
@@ -146,27 +133,11 @@ def _draw_histogram(value: NDArray[np.float64]) -> Any:
     return figure
 
 
-@contextmanager
-def chart_style() -> Iterator[None]:
-    """Matplotlib's settings for charts, for as long as one is drawn."""
-    try:
-        from matplotlib import rc_context
-    except ImportError:
-        raise MissingExtraError("a chart", "matplotlib", "report") from None
-    with rc_context(STYLE):
-        yield
-
-
 def _decades(axes: Any, ends: NDArray[np.float64]) -> None:
     """Label the powers of ten along an axis of logarithms."""
     powers = np.arange(np.ceil(ends[0]), np.floor(ends[1]) + 1).astype(int)
     axes.set_xticks(powers, [power_of_ten(power) for power in powers])
     axes.tick_params(length=2.5, labelsize=TEXT_SIZE)
-
-
-def power_of_ten(power: int) -> str:
-    """A power of ten in plain letters, which need no fonts of matplotlib's own."""
-    return "10" + str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 
 def _number(value: float) -> str:

@@ -1,16 +1,19 @@
 """How often the error estimate covers the true error of a length, and how sharp it is.
 
-On the diagonals of all five bodies and on mild and wild random patches, for the default method and
-for fixed numbers of functions with every length accepted whose correction is small enough to be
-trusted. The references are independent (`reference.py`). Run it by hand:
-``python tests/benchmarks/error_estimate.py [--quick]``; it takes five minutes, more if
-the machine is busy.
+On the diagonals of all five bodies and on mild and wild random patches: for the default settings,
+with their search where the straight start fails; for the default method without it; and for fixed
+numbers of functions with every length accepted whose correction is small enough to be trusted. The
+references are independent (`reference.py`). Run it by hand:
+``python tests/benchmarks/error_estimate.py [--quick]``; it takes ten minutes, more if the machine
+is busy.
 
 The columns: problems converged, leaving their patch and failed otherwise, in %; converged ones for
-which no reference was found, and those whose path is another geodesic than the one first found from
-a straight line; of all that have a reference: the true errors that the estimate covers, in %; the
-median of estimate / true error, where that error is above rounding; relative errors of the lengths
-as computed and with the correction.
+which no reference was found (all that run along an edge are among them), and those whose path is
+another geodesic than the one first found from a straight line; of all that have a reference: the
+true errors that the estimate covers, in %; the medians of estimate / true error of the corrected
+and of the raw length, where that error is above rounding; relative errors of the lengths as
+computed and with the correction; how many corrected lengths are more than 1e-8 off. Below each line
+stand the worst lengths that are so far off, or whose error is more than the estimate.
 """
 
 from __future__ import annotations
@@ -25,7 +28,16 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure import WU_C2, GeodesicSolution, RBFCollocation, Status, solve_geodesic
+from bodymeasure import (
+    WU_C2,
+    GeodesicSolution,
+    PolynomialCollocation,
+    RBFCollocation,
+    Ritz,
+    Status,
+    solve_geodesic,
+)
+from bodymeasure.geodesic import Method
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from benchmarks import reference
@@ -35,11 +47,17 @@ from benchmarks.reference import Array, Problems, Reference
 ROUNDING = 1e-15
 # A path this close to the reference's, in u and v, is meant to be the same geodesic.
 SAME_PATH = 0.05
+# Lengths further off than this, relative, should be rare, and have a status.
+FAR_OFF = 1e-8
+# How many of the lengths that break a promise are listed.
+LISTED = 4
 # A tolerance that every length meets whose correction is trusted.
 ANY = 1.0
-METHODS = {"default": RBFCollocation()}
+METHODS: dict[str, Method | None] = {"search": None, "default": RBFCollocation()}
 METHODS |= {f"C10 {n:2d}": RBFCollocation(functions=n, tolerance=ANY) for n in (6, 8, 12, 16)}
 METHODS["C2   8"] = RBFCollocation(kernel=WU_C2, functions=8, tolerance=ANY)
+METHODS["poly  8"] = PolynomialCollocation(8, tolerance=ANY)
+METHODS["Ritz  8"] = Ritz(8, tolerance=ANY)
 
 
 def problem_sets(quick: bool) -> dict[str, Problems]:
@@ -86,35 +104,47 @@ def _is_near(paths: Array, others: Array) -> NDArray[np.bool_]:
 
 
 def row(solution: GeodesicSolution, true: Array, other: NDArray[np.bool_]) -> str:
-    """One line of the table."""
-    compared = solution.converged & np.isfinite(true)
-    if not compared.any():
+    """One line of the table, and one for each of the worst broken promises."""
+    compared = np.flatnonzero(solution.converged & np.isfinite(true))
+    if len(compared) == 0:
         return "nothing to compare"
     length = true[compared]
-    error = np.abs(solution.length[compared] - length)
+    error = np.abs(solution.length[compared] / length - 1.0)
     raw = np.abs(solution.raw_length[compared] / length - 1.0)
-    estimate = solution.error_estimate[compared]
-    clear = error > ROUNDING * length
+    estimate = solution.error_estimate[compared] / length
     share = 100.0 / len(true)
     converged, leaves = solution.converged.sum(), (solution.status == Status.LEAVES_PATCH).sum()
-    ratio = np.median(estimate[clear] / error[clear]) if clear.any() else np.nan
-    numbers = [*np.quantile(raw, [0.5, 0.99, 1.0]), *np.quantile(error / length, [0.5, 0.99, 1.0])]
-    return (
+    numbers = [*np.quantile(raw, [0.5, 0.99, 1.0]), *np.quantile(error, [0.5, 0.99, 1.0])]
+    line = (
         f"{converged * share:6.1f} {leaves * share:6.1f}"
-        f" {(len(true) - converged - leaves) * share:6.1f} {converged - compared.sum():6d} "
-        f"{(other & compared).sum():5d} {100 * np.mean(error <= estimate):8.2f} {ratio:8.1f}   "
+        f" {(len(true) - converged - leaves) * share:6.1f} {converged - len(compared):6d} "
+        f"{other[compared].sum():5d} {100 * np.mean(error <= estimate):8.2f} "
+        f"{_median_ratio(estimate, error):9.1f} {_median_ratio(estimate, raw):9.2g}   "
         + " ".join(f"{number:7.0e}" for number in numbers)
+        + f" {(error > FAR_OFF).sum():6d}"
     )
+    broken = np.flatnonzero((error > FAR_OFF) | (error > estimate))
+    broken = broken[np.argsort(-error[broken])][:LISTED]
+    return line + "".join(
+        f"\n    problem {compared[i]}: error {error[i]:.1e}, estimate {estimate[i]:.1e}"
+        for i in broken
+    )
+
+
+def _median_ratio(estimate: Array, error: Array) -> float:
+    clear = error > ROUNDING
+    return float(np.median(estimate[clear] / error[clear])) if clear.any() else np.nan
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="few problems of each kind")
     options = parser.parse_args()
-    print(f"{'':68s}raw length              corrected length")
+    print(f"{'':79s}raw length              corrected length")
     print(
-        f"{'':18s}  conv. leaves failed no ref other covers % est/true    "
+        f"{'':18s}  conv. leaves failed no ref other covers %  est/true   est/raw   "
         + 2 * " median    99 %   worst"
+        + "  >1e-8"
     )
     for kind, problems in problem_sets(options.quick).items():
         known = reference.geodesics(problems)

@@ -1,245 +1,60 @@
-"""What the benchmarks compare with: Chebyshev collocation in plain NumPy, and random patches.
+"""What the scripts share: the package's independent reference, and where it is asked for.
 
-Of bodymeasure's solver it uses nothing: nodes, equations, Newton's method, quadrature and the
-judgement of the result are its own. A length counts only where two resolutions agree on it.
+The reference itself is `bodymeasure.bench.reference`, which `bodymeasure bench` uses too.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import lru_cache
-from typing import NamedTuple
-
 import numpy as np
-from numpy.polynomial import chebyshev
-from numpy.typing import NDArray
 
-from bodymeasure.bezier import derivatives
+from bodymeasure.bench.problems import (
+    Problems,
+    both_diagonals,
+    first_diagonals,
+    mild_patches,
+    wild_patches,
+)
+from bodymeasure.bench.reference import (
+    DEGREES,
+    FINEST,
+    GAUSS,
+    GUESS_TIMES,
+    WEIGHTS,
+    Array,
+    Reference,
+    geodesics,
+)
 from bodymeasure.samples import load_sample
 
-Array = NDArray[np.float64]
-Long = NDArray[np.longdouble]
+__all__ = [
+    "BODIES",
+    "DEGREES",
+    "FINEST",
+    "GAUSS",
+    "GUESS_TIMES",
+    "WEIGHTS",
+    "Array",
+    "Problems",
+    "Reference",
+    "body_diagonals",
+    "first_diagonals",
+    "geodesics",
+    "mild_patches",
+    "symmetric",
+    "wild_patches",
+]
 
-PI = 4.0 * np.arctan(np.longdouble(1.0))
-
-STARTS = np.array([(0.0, 0.0), (1.0, 0.0)])
-ENDS = np.array([(1.0, 1.0), (0.0, 1.0)])
 BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
-# Pairs of degrees that are tried; each only where those before it fail.
-DEGREES = ((32, 44), (72, 96))
-# The same for few problems, or for paths that are nearly known: a last pair is slow.
-FINEST = (*DEGREES, (128, 160))
-AGREEMENT = 1e-13
-# Tangential acceleration between the nodes, relative; the length's error is about its square.
-LARGEST_RESIDUAL = 1e-5
-OUTSIDE = 1e-9
-CHUNK = 200
-GAUSS, WEIGHTS = np.polynomial.legendre.leggauss(160)
-GAUSS, WEIGHTS = 0.5 * (GAUSS + 1.0), 0.5 * WEIGHTS
-
-
-class Problems(NamedTuple):
-    """Patches (p, 4, 4, 3) and points (p, 2) to be joined."""
-
-    nets: Array
-    start: Array
-    end: Array
-
-    def take(self, rows: NDArray[np.int64]) -> Problems:
-        return Problems(self.nets[rows], self.start[rows], self.end[rows])
-
-
-@dataclass(frozen=True)
-class Reference:
-    """Lengths of geodesics, NaN where unknown, and which paths leave their patch for certain.
-
-    ``paths`` are (u, v) at `GAUSS`, shape (problems, points, 2).
-    """
-
-    length: Array
-    leaves: NDArray[np.bool_]
-    paths: Array
-
-
-def nodes(degree: int) -> Long:
-    """Chebyshev-Lobatto points of [0, 1]."""
-    return np.asarray(0.5 - 0.5 * np.cos(PI * np.arange(degree + 1) / degree))
-
-
-GUESS_DEGREE = 32
-GUESS_TIMES = nodes(GUESS_DEGREE).astype(np.float64)
-
-
-@lru_cache
-def matrices(degree: int, at: int | None = None) -> Long:
-    """From values at the nodes to values and two derivatives, shape (3, k, degree + 1).
-
-    They are taken at the nodes of another degree, or at `GAUSS`. In extended
-    precision: with matrices made in double, two digits of the lengths are lost.
-    """
-    t = GAUSS.astype(np.longdouble) if at is None else nodes(at)
-    k = np.arange(degree + 1)
-    halved = np.where((k == 0) | (k == degree), 0.5, 1.0)
-    to_coefficients = np.cos(PI * (np.outer(k, degree - k) % (2 * degree)) / degree)
-    to_coefficients *= 2.0 / degree * np.outer(halved, halved)
-    result = [
-        chebyshev.chebval(2.0 * t - 1.0, chebyshev.chebder(to_coefficients, m, scl=2)).T
-        for m in range(3)
-    ]
-    return np.stack(result)
-
-
-def _tangential(jet: Array, velocity: Array, bend: Array) -> tuple[Array, ...]:
-    """Tangents (..., 2, 3), second derivatives (..., 2, 2, 3), acceleration (..., 3)."""
-    tangents = np.stack([jet[..., 1, 0, :], jet[..., 0, 1, :]], axis=-2)
-    mixed = jet[..., 1, 1, :]
-    second = np.stack([jet[..., 2, 0, :], mixed, mixed, jet[..., 0, 2, :]], axis=-2)
-    second = second.reshape(*mixed.shape[:-1], 2, 2, 3)
-    acceleration = np.einsum("...ijx,...i,...j->...x", second, velocity, velocity)
-    acceleration += np.einsum("...ix,...i->...x", tangents, bend)
-    return tangents, second, acceleration
-
-
-def _system(nets: Array, paths: Array, operators: Array) -> tuple[Array, Array]:
-    """Residual (p, m, 2) of the geodesic equations and its derivative by the inner nodes."""
-    velocity, bend = (operators[k] @ paths for k in (1, 2))
-    jet = derivatives(nets, paths[:, 1:-1], order=3)
-    tangents, second, acceleration = _tangential(jet, velocity, bend)
-    third = np.stack([jet[..., 3, 0, :], jet[..., 2, 1, :], jet[..., 1, 2, :], jet[..., 0, 3, :]])
-    i, j, k = np.indices((2, 2, 2))
-    third = np.moveaxis(third[i + j + k], (0, 1, 2), (-4, -3, -2))
-
-    by_place = np.einsum("...ijkx,...i,...j->...kx", third, velocity, velocity)
-    by_place += np.einsum("...ikx,...i->...kx", second, bend)
-    by_velocity = 2.0 * np.einsum("...kjx,...j->...kx", second, velocity)
-    local = np.einsum("...akx,...x->...ak", second, acceleration)
-    local += np.einsum("...ax,...kx->...ak", tangents, by_place)
-    first = np.einsum("...ax,...kx->...ak", tangents, by_velocity)
-    metric = np.einsum("...ax,...kx->...ak", tangents, tangents)
-    jacobian = np.einsum("pmak,mn->pmank", first, operators[1, :, 1:-1])
-    jacobian += np.einsum("pmak,mn->pmank", metric, operators[2, :, 1:-1])
-    m = np.arange(paths.shape[1] - 2)
-    jacobian[:, m, :, m, :] += local.swapaxes(0, 1)
-    return np.einsum("...ax,...x->...a", tangents, acceleration), jacobian
-
-
-def _newton(nets: Array, start: Array, degree: int) -> Array:
-    """Paths (p, degree + 1, 2) that meet the equations at the nodes; NaN where none was found."""
-    operators = matrices(degree, degree)[:, 1:-1].astype(np.float64)
-    size = 2 * (degree - 1)
-    result, found, active = start.copy(), np.zeros(len(start), bool), np.arange(len(start))
-    best, step = np.full(len(start), np.inf), np.zeros(len(start))
-    direction = np.zeros((len(start), degree - 1, 2))
-    for _ in range(60):
-        trial = result[active]
-        trial[:, 1:-1] += step[active, None, None] * direction[active]
-        residual, jacobian = _system(nets[active], trial, operators)
-        norm = np.linalg.norm(residual.reshape(-1, size), axis=1)
-        better = norm < best[active]
-        step[active[~better]] *= 0.5
-        rows = active[better]
-        result[rows], best[rows] = trial[better], norm[better]
-        system, right = jacobian[better].reshape(-1, size, size), -residual[better]
-        # A trace of regularization keeps one singular system from stopping the whole batch.
-        system += 1e-15 * np.abs(system).max(axis=(1, 2), initial=0.0)[:, None, None] * np.eye(size)
-        direction[rows] = np.linalg.solve(system, right.reshape(-1, size, 1)).reshape(right.shape)
-        longest = np.abs(direction[active]).max(axis=(1, 2))
-        step[rows] = np.minimum(1.0, 0.3 / np.maximum(longest[better], 1e-300))
-        found[active] = longest < 1e-9
-        active = active[~found[active] & (step[active] > 1e-5)]
-        if len(active) == 0:
-            break
-    result[:, 1:-1] += np.where(found[:, None, None], direction, np.nan)
-    return result
-
-
-def _measure(nets: Array, paths: Array, degree: int) -> tuple[Array, Array, Array]:
-    """Lengths, relative residuals between the nodes, and the paths at `GAUSS`."""
-    places, velocity, bend = (matrices(degree)[:, None] @ paths).astype(np.float64)
-    jet = derivatives(nets, np.nan_to_num(places), order=2)
-    tangents, _, acceleration = _tangential(jet, velocity, bend)
-    speed = np.linalg.norm(np.einsum("pmax,pma->pmx", tangents, velocity), axis=-1)
-    length = speed @ WEIGHTS
-    along = np.einsum("pmax,pmx->pma", tangents, acceleration)
-    along /= np.linalg.norm(tangents, axis=-1) * length[:, None, None]
-    return length, np.abs(along).max(axis=(1, 2)), places
-
-
-def geodesics(
-    problems: Problems,
-    *,
-    guess: Array | None = None,
-    pairs: tuple[tuple[int, int], ...] = DEGREES,
-) -> Reference:
-    """Reference lengths of geodesics.
-
-    They are sought from straight lines, or from paths given at `GUESS_TIMES`, (p, k, 2); each pair
-    of degrees is tried where those before it failed.
-    """
-    nets, start, end = problems
-    if guess is None:
-        guess = start[:, None] + (end - start)[:, None] * GUESS_TIMES[:, None]
-    guess[:, 0], guess[:, -1] = start, end
-    count = len(nets)
-    paths = np.full((count, len(GAUSS), 2), np.nan)
-    result = Reference(np.full(count, np.nan), np.zeros(count, bool), paths)
-    for degrees in pairs:
-        rest = np.flatnonzero(np.isnan(result.paths[:, 0, 0]))
-        for rows in np.split(rest, range(CHUNK, len(rest), CHUNK)):
-            _fill(result, nets[rows], guess[rows], degrees, rows)
-    return result
-
-
-def _fill(
-    result: Reference, nets: Array, values: Array, degrees: tuple[int, int], rows: NDArray[np.int64]
-) -> None:
-    """Solve some problems in both degrees, and enter what they agree on."""
-    before, lengths, residuals = GUESS_DEGREE, [], []
-    for degree in degrees:
-        ends = values[:, [0, -1]]
-        values = matrices(before, degree)[0].astype(np.float64) @ np.nan_to_num(values)
-        values[:, [0, -1]] = ends
-        values = _newton(nets, values, degree)
-        length, residual, places = _measure(nets, values, degree)
-        lengths.append(length)
-        residuals.append(residual)
-        before = degree
-    with np.errstate(invalid="ignore"):
-        good = np.abs(lengths[0] / lengths[1] - 1.0) < AGREEMENT
-        good &= np.max(residuals, axis=0) < LARGEST_RESIDUAL
-        outside = (np.abs(places - 0.5) > 0.5 + OUTSIDE).any(axis=(1, 2))
-    result.length[rows[good & ~outside]] = length[good & ~outside]
-    result.leaves[rows[good & outside]] = True
-    result.paths[rows[good]] = places[good]
 
 
 def body_diagonals(name: str) -> Problems:
     """Both diagonals of every patch of a sample, the order of ``bm.diagonals(...)`` flattened."""
-    nets = load_sample(name).control_points
-    start, end = (np.tile(points, (len(nets), 1)) for points in (STARTS, ENDS))
-    return Problems(nets.repeat(2, axis=0), start, end)
+    return both_diagonals(load_sample(name))
 
 
-def first_diagonals(nets: Array) -> Problems:
-    """From (0, 0) to (1, 1) on every patch."""
-    return Problems(nets, np.zeros((len(nets), 2)), np.ones((len(nets), 2)))
-
-
-def mild_patches(rng: np.random.Generator, count: int, height: float) -> Array:
-    """Control points on a regular grid in the unit square, heights random in [0, height]."""
-    nets = _flat(count, 1.0)
-    nets[..., 2] = height * rng.random((count, 4, 4))
-    return nets
-
-
-def wild_patches(rng: np.random.Generator, count: int, side: float) -> Array:
-    """As the paper's: heights on six levels k / 5, the first corner at 0, the last at 1."""
-    nets = _flat(count, side)
-    nets[..., 2] = rng.integers(0, 6, (count, 4, 4)) / 5.0
-    nets[:, 0, 0, 2], nets[:, 3, 3, 2] = 0.0, 1.0
-    return nets
-
-
-def _flat(count: int, side: float) -> Array:
-    x, y = np.meshgrid(*2 * [np.linspace(0.0, side, 4)], indexing="ij")
-    return np.broadcast_to(np.stack([x, y, 0.0 * x], axis=-1), (count, 4, 4, 3)).copy()
+def symmetric(nets: Array) -> Array:
+    """Patches whose heights are mirrored in the diagonal."""
+    mirrored = nets.copy()
+    lower = np.tril(nets[..., 2])
+    mirrored[..., 2] = lower + np.swapaxes(np.tril(nets[..., 2], -1), 1, 2)
+    return mirrored

@@ -23,19 +23,11 @@ import bodymeasure as bm
 from bodymeasure.oracle import mesh_distances
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
-from benchmarks.reference import Array, wild_patches
+from benchmarks.reference import Array, symmetric, wild_patches
 from surfaces import SURFACES
 
 # As in the cross-check: the meshes' uncertainty, and what they can tell at all.
 DOUBT, RESOLUTION = 3.0, 1e-6
-
-
-def symmetric(nets: Array) -> Array:
-    """Patches whose heights are mirrored in the diagonal."""
-    mirrored = nets.copy()
-    lower = np.tril(nets[..., 2])
-    mirrored[..., 2] = lower + np.swapaxes(np.tril(nets[..., 2], -1), 1, 2)
-    return mirrored
 
 
 def compare(kind: str, nets: Array) -> None:

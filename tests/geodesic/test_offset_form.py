@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import array_api_compat
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 from surfaces import ENNEPER, PH_CYLINDER, SURFACES
 
 import bodymeasure as bm
-from bodymeasure.bezier import derivatives
+from bodymeasure.bezier import derivatives, evaluate
 from bodymeasure.geodesic.method import MethodResult
 from bodymeasure.geodesic.offset_equation import linearize, offset_geometry
 from bodymeasure.geodesic.offset_form import solve_offsets
@@ -154,6 +155,26 @@ def test_paths_run_at_constant_speed() -> None:
     np.testing.assert_allclose(3.0 * path[:, 0] + path[:, 0] ** 3, 4.0 * t, atol=1e-5)
     np.testing.assert_allclose(path[:, 1], t, atol=1e-5)
     np.testing.assert_array_equal(path[[0, -1]], [[0.0, 0.0], [1.0, 1.0]])
+
+
+@pytest.mark.parametrize("kernel", [bm.WU_C2, bm.WU_C10], ids=["C2", "C10"])
+def test_the_path_that_is_told_is_the_one_that_was_measured(
+    kernel: bm.Kernel, rng: np.random.Generator
+) -> None:
+    method = bm.RBFCollocation(kernel, 6, tolerance=1.0)
+    nets = reference.mild_patches(rng, 20, 0.3)
+    solution = bm.solve_geodesic(nets, (0.05, 0.1), (0.9, 1.0), method=method)
+    assert all(piece.speed is not None for piece in solution.pieces)
+    # Enough is left to correct that another path would have another length.
+    assert np.median(solution.raw_length / solution.length - 1.0) > 1e-10
+    places = evaluate(nets, solution.path(np.linspace(0.0, 1.0, 1025)))
+    polygons = [
+        np.linalg.norm(np.diff(places[:, ::step], axis=1), axis=2).sum(axis=1) for step in (4, 2, 1)
+    ]
+    # Errors of the polygons run in even powers of their edges (Romberg).
+    once = [fine + (fine - coarse) / 3.0 for coarse, fine in pairwise(polygons)]
+    twice = once[1] + (once[1] - once[0]) / 15.0
+    np.testing.assert_allclose(twice, solution.raw_length, rtol=1e-13)
 
 
 def test_a_space_without_inner_nodes_has_the_straight_line_alone() -> None:

@@ -8,8 +8,10 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 import bodymeasure as bm
-from bodymeasure.geodesic.contact import read_legs, solve_legs
-from bodymeasure.geodesic.polynomial_space import polynomial_space
+from bodymeasure.bezier import evaluate
+from bodymeasure.geodesic.contact import solve_contact_path
+from bodymeasure.geodesic.edge_arc import edge_arc
+from bodymeasure.geodesic.legs import Contact, read_legs
 from bodymeasure.geodesic.surface import BezierSurfaces
 from bodymeasure.oracle import mesh_distances
 
@@ -132,7 +134,7 @@ def test_the_pattern_of_a_polygon() -> None:
     ]
     assert [(leg.first, leg.last) for leg in legs] == [(0, 2), (2, 4), (4, 5), (5, 7)]
     # A free leg slides where it meets an arc, and is fixed at the ends of the path.
-    slides = [tuple(s.name if s else None for s in leg.slides) for leg in legs if not leg.contact]
+    slides = [tuple(s.name if s else None for s in leg.ends) for leg in legs if not leg.contact]
     assert slides == [("u = 0", "v = 1"), ("v = 1", None)]
 
 
@@ -191,11 +193,13 @@ def test_an_arc_of_one_point_does_not_run_backwards(x: float, clear: bool) -> No
     polygon[32, 0] = 0.0
     legs = read_legs(polygon)
     assert [(leg.first, leg.last) for leg in legs] == [(0, 32), (32, 32), (32, 64)]
-    path = solve_legs(BezierSurfaces(net[None]), polygon, legs, [polynomial_space(20)], 1e-9)
+    path = solve_contact_path(BezierSurfaces(net[None]), polygon, (None, None), 1e-9)
+    assert path is not None
     if clear:
-        assert path is None
+        # The pattern was read anew, and the chord found.
+        assert path.contacts == ()
+        assert path.measured.corrected[0] == pytest.approx(0.4, rel=1e-9)
     else:
-        assert path is not None
         assert path.contacts[0].start < path.contacts[0].end
 
 
@@ -208,7 +212,99 @@ def test_a_shorter_way_that_cannot_be_made_exact_is_not_kept_quiet(
     net = heights(z)
     loose = bm.RBFCollocation(tolerance=1e-3)
     shorter = bm.solve_geodesic(net, START, END, search="thorough").length
-    monkeypatch.setattr("bodymeasure.geodesic.polish.DEGREES", (2,))
+    for module in ("polish", "contact"):
+        monkeypatch.setattr(f"bodymeasure.geodesic.{module}.DEGREES", (2,))
     kept = bm.solve_geodesic(net, START, END, method=loose, search="thorough", on_failure="status")
     assert kept.raw_length > 1.02 * shorter
     assert not kept.converged
+
+
+LEVELS = {
+    "a long arc and a sharp bend": [[0, 2, 2, 2], [1, 5, 4, 0], [4, 5, 4, 0], [1, 0, 0, 5]],
+    "an arc into the far corner": [[0, 2, 5, 3], [5, 3, 3, 2], [5, 3, 0, 3], [1, 0, 0, 5]],
+    # Less than a thousandth of the edge: no polygon shows it, the free path leaves the patch.
+    "an arc too short for polygons": [[0, 2, 2, 5], [1, 0, 4, 5], [0, 2, 3, 2], [0, 5, 0, 5]],
+    "a short arc and a sharp bend": [[0, 4, 0, 0], [5, 0, 0, 1], [2, 1, 0, 4], [4, 0, 0, 5]],
+}
+
+
+@pytest.mark.parametrize("levels", LEVELS.values(), ids=LEVELS)
+def test_paths_along_edges_of_wild_patches(levels: list[list[int]]) -> None:
+    net = heights(np.array(levels) / 5.0, side=0.6)
+    solution = bm.solve_geodesic(net, START, END)
+    assert solution.status is bm.Status.ON_BOUNDARY
+    assert solution.error_estimate < 1e-9
+    back = bm.solve_geodesic(net, END, START)
+    assert back.length == pytest.approx(solution.length, rel=1e-9)
+    # A polygon on it is shorter by the square of its edges.
+    points = solution.path(np.linspace(0.0, 1.0, 129))
+    edges = np.linalg.norm(np.diff(evaluate(net, points), axis=0), axis=1).sum()
+    assert 0.0 < solution.length - edges < 3e-3
+
+
+@pytest.mark.parametrize("bulge", [2.4, -2.4])
+def test_an_edge_presses_where_it_is_in_the_way(bulge: float) -> None:
+    # x = bulge v (1 - v) on u = 0: an arc along it is shortest if the patch lies outside its bend.
+    net = bent_plane()
+    net[:, :, 0] += (bulge / 2.4 - 1.0) * (net[:, :, 0] - np.linspace(0, 1, 4)[:, None])
+    surface = BezierSurfaces(net[None])
+    arc = edge_arc(surface, Contact(0, 0.0), np.array([0.0, 0.2]), np.array([0.0, 0.9]))
+    assert arc.is_pressed == (bulge > 0.0)
+    t = np.linspace(0.2, 0.9, 20001)
+    along = np.hypot(np.diff(bulge * t * (1.0 - t)), np.diff(t)).sum()
+    assert arc.solved.measured.raw[0] == pytest.approx(along, rel=1e-8)
+
+
+def test_a_straight_edge_presses_nothing_and_is_not_refused(rng: np.random.Generator) -> None:
+    surface = BezierSurfaces(heights(np.zeros((4, 4)))[None])
+    for axis, value in ((0, 0.0), (0, 1.0), (1, 0.0), (1, 1.0)):
+        begin, end = rng.random((2, 2))
+        begin[axis] = end[axis] = value
+        arc = edge_arc(surface, Contact(axis, value), begin, end)
+        assert arc.is_pressed
+        assert arc.solved.measured.raw[0] == pytest.approx(np.abs(end - begin).sum(), rel=1e-14)
+
+
+def test_legs_that_meet_at_a_corner_are_fixed_there() -> None:
+    polygon = np.array([[0.5, 0.5], [0.2, 0.8], [0.0, 1.0], [0.3, 0.9], [0.6, 0.6]])
+    legs = read_legs(polygon)
+    assert [(leg.first, leg.last, leg.ends) for leg in legs if not leg.contact] == [
+        (0, 2, (None, None)),
+        (2, 4, (None, None)),
+    ]
+    round_it = np.array([[0.0, 0.5], [0.0, 0.8], [0.0, 1.0], [0.3, 1.0], [0.6, 0.6]])
+    names = [leg.contact.name if leg.contact else "free" for leg in read_legs(round_it)]
+    assert names == ["u = 0", "v = 1", "free"]
+
+
+def test_a_shallow_saddle_is_left() -> None:
+    # Symmetric about the diagonal, on which lies a geodesic with an eigenvalue of -6e-4. Beside it
+    # are two that are shorter by 6e-8.
+    levels = [[0, 5, 0, 4], [5, 4, 4, 4], [0, 4, 2, 1], [4, 4, 1, 5]]
+    net = heights(np.array(levels) / 5.0)
+    over = bm.solve_geodesic(net, START, END, search="straight", on_failure="status")
+    assert over.index == 1
+    beside = bm.solve_geodesic(net, START, END)
+    assert beside.local_minimum
+    assert 1e-8 < over.raw_length - beside.length < 1e-6
+    u, v = beside.path(0.5)
+    assert abs(u - v) > 1e-3
+
+
+@pytest.mark.parametrize(
+    "z",
+    [
+        "-2.84 -.12 2.51 1.95  1.67 .85 -1.38 .34  -1.46 3.57 .64 1.55  -2.77 2.31 -.91 .56",
+        "-.92 -.23 -.07 .41  .56 .2 -.08 -1.37  -.97 .42 -1.21 -.58  -.54 -.87 .28 .32",
+    ],
+)
+def test_a_quick_search_doubts_paths_long_beside_their_chords(z: str) -> None:
+    # A proven local minimum inside the patch, and a shorter way along its edge.
+    net = heights(np.array(z.split(), dtype=np.float64).reshape(4, 4))
+    straight = bm.solve_geodesic(net, START, END, search="straight")
+    assert straight.local_minimum
+    quick = bm.solve_geodesic(net, START, END)
+    assert quick.length < 0.998 * straight.length
+    assert quick.status is bm.Status.ON_BOUNDARY
+    thorough = bm.solve_geodesic(net, START, END, search="thorough")
+    assert quick.length == pytest.approx(thorough.length, rel=1e-12)

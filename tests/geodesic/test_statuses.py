@@ -11,12 +11,14 @@ from straight_line import from_straight_line
 from surfaces import ENNEPER, PARABOLOID, bicubic
 
 from bodymeasure import ConvergenceError
+from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic import (
     WU_C2,
     GeodesicSolution,
     Kernel,
     RBFCollocation,
     Status,
+    solve_geodesic,
 )
 
 Array = NDArray[np.float64]
@@ -165,7 +167,7 @@ def test_statuses_are_sentences() -> None:
 def test_a_kernel_that_is_not_smooth_enough_is_no_trap() -> None:
     # (1 - r)_+ has no second derivative: the equations of collocation say nothing.
     hat = Kernel("hat", 1, (1,), 0)
-    solution = status_of(ENNEPER, (0, 0), (1, 0.5), kernel=hat, centers=(0.2, 0.5, 0.8))
+    solution = status_of(ENNEPER, (0.1, 0.3), (1, 0.5), kernel=hat, centers=(0.2, 0.5, 0.8))
     assert not solution.converged
     assert np.isnan(solution.length)
 
@@ -180,3 +182,20 @@ def test_very_few_functions_are_honest(functions: int) -> None:
         assert solution.raw_length >= exact * (1 - 1e-12)
         if solution.converged:
             assert abs(solution.length - exact) <= solution.error_estimate
+
+
+def test_a_path_that_turns_sharply_between_its_nodes_is_not_trusted() -> None:
+    # A plane patch, nearly with a cusp, and folded. With 12 functions all formulas agreed on a
+    # length below the distance of the ends; the path turned by 5 on a way as long as itself.
+    net = np.zeros((4, 4, 3))
+    net[..., 0] = np.array([0.0, 0.1, 2.0, 3.0])[:, None]
+    net[..., 1] = [0.0, 1.0, 0.0, 3.0]
+    net[:, 2] = (3.0, 0.0, 0.0)
+    ends = np.array([(0.0, 0.89571258), (0.78298271, 1.0)])
+    chord = np.linalg.norm(np.subtract(*evaluate(net, ends)))
+    few = solve_geodesic(net, *ends, method=RBFCollocation(functions=12), on_failure="status")
+    assert few.residual > 4.0
+    assert not few.converged
+    solution = solve_geodesic(net, *ends)
+    assert solution.residual < 1.0
+    assert abs(solution.length - chord) <= solution.error_estimate

@@ -1,0 +1,219 @@
+"""Error against time of all methods, as an SVG file."""
+
+from __future__ import annotations
+
+import io
+from dataclasses import dataclass
+from typing import Any
+
+from bodymeasure.bench.entrants import DEFAULT
+from bodymeasure.bench.records import BenchDocument, Result, SetRecord
+from bodymeasure.scene.chart_style import TEXT_SIZE, chart_style, power_of_ten
+
+CAPTION_INK, GRID = "#57606a", "#d8dee4"
+# Errors are drawn no smaller than this: half the spacing of numbers near 1, below which a relative
+# error is none.
+LEAST_ERROR = 1.1e-16
+# The errors' axis ends a little below that.
+FLOOR = 3e-17
+# What is left free beyond the outermost points, as a factor.
+MARGIN = 3.0
+# In microseconds.
+TICKS = {
+    1e0: "1 µs",
+    1e1: "10 µs",
+    1e2: "100 µs",
+    1e3: "1 ms",
+    1e4: "10 ms",
+    1e5: "100 ms",
+    1e6: "1 s",
+}
+KEYS_A_COLUMN = 3
+METADATA: Any = {
+    "Title": "Error of a geodesic's length against processor time",
+    "Date": None,
+    "Creator": None,
+}
+
+
+@dataclass(frozen=True)
+class Look:
+    """How a method is drawn.
+
+    Parameters
+    ----------
+    color, marker : str
+    size, width : float
+        Of the marker and the line.
+    layer : int
+        What is drawn over what.
+    """
+
+    color: str
+    marker: str
+    size: float = 6.0
+    width: float = 1.3
+    layer: int = 3
+
+
+# After M. Okabe and K. Ito, "Color universal design" (2008), darkened where they'd be faint on
+# white. bodymeasure's methods share a color; markers tell all apart without any. pygeodesic lies
+# under libigl, with which it agrees.
+_OURS, _OTHERS = "#0072B2", "#3a9bd1"
+LOOKS = {
+    DEFAULT: Look(_OURS, "*", size=13.0, layer=5),
+    "RBF, full form": Look(_OTHERS, "o"),
+    "RBF, 8 of Wu's C2": Look(_OTHERS, "s", size=5.5),
+    "polynomial collocation": Look(_OTHERS, "D", size=5.0),
+    "Ritz": Look(_OTHERS, "^"),
+    "relaxation": Look(_OTHERS, "v"),
+    "shooting": Look(_OTHERS, "P", size=6.5),
+    "solve_bvp": Look("#D55E00", "o"),
+    "libigl exact": Look("#000000", "s", size=4.5, layer=4),
+    "pygeodesic exact": Look("#CC79A7", "D", size=9.0, width=4.0),
+    "potpourri3d edge flips": Look("#009E73", "^", layer=4),
+    "libigl heat": Look("#B8860B", "v"),
+}
+# From this part of failures on, a method is drawn hollow.
+MANY_FAILURES = 0.1
+CAPTION = (
+    "Bars: the middle 80 % of the diagonals. Hollow: no length for more than a tenth of the "
+    "diagonals.\nLines: tolerances 1e-3, 1e-6 and 1e-8; meshes of 17, 33 and 65 points a side. "
+    "Errors under 1e-16 are drawn there."
+)
+
+
+def error_against_time(document: BenchDocument) -> bytes:
+    """Median relative error against median processor time of a diagonal, a panel for each set.
+
+    Bars span the errors of the middle 80 % of diagonals. The background is white, so that the
+    picture stands on dark pages too.
+
+    Parameters
+    ----------
+    document : BenchDocument
+
+    Returns
+    -------
+    bytes
+
+    Raises
+    ------
+    MissingExtraError
+        If matplotlib is not installed.
+    """
+    with chart_style("the figure", "bench"):
+        figure = draw(document)
+        file = io.BytesIO()
+        figure.savefig(file, format="svg", metadata=METADATA)
+    return file.getvalue()
+
+
+def draw(document: BenchDocument) -> Any:
+    """The picture as a figure of matplotlib's."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(10.4, 5.3), facecolor="white")
+    panels = figure.subplots(1, len(document.sets), sharex=True, sharey=True, squeeze=False)[0]
+    _scale(panels[0], document.results)
+    keys: dict[bool, dict[str, Any]] = {True: {}, False: {}}
+    for axes, record in zip(panels, document.sets, strict=True):
+        _dress(axes, record)
+        chosen = [result for result in document.results if result.set == record.name]
+        for method in dict.fromkeys(result.method for result in chosen):
+            points = [result for result in chosen if result.method == method]
+            key = _plot(axes, LOOKS[method], points)
+            keys[points[0].family == "bodymeasure"].setdefault(method, key)
+    panels[0].set_ylabel("relative error of the length")
+    panels[len(panels) // 2].set_xlabel("processor time a diagonal, one thread")
+    _legend(figure, "bodymeasure", keys[True], 0.065)
+    _legend(figure, "others", keys[False], 0.6)
+    figure.text(0.065, 0.02, CAPTION, size=TEXT_SIZE - 1.0, color=CAPTION_INK)
+    figure.subplots_adjust(left=0.065, right=0.985, top=0.94, bottom=0.35, wspace=0.06)
+    return figure
+
+
+def _scale(axes: Any, results: list[Result]) -> None:
+    """Limits and ticks, which all panels share."""
+    times = [result.time_median for result in results]
+    errors = [result.error_ninetieth for result in results if result.error_ninetieth is not None]
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xlim(min(times) / MARGIN, MARGIN * max(times))
+    axes.set_ylim(FLOOR, MARGIN * max(errors, default=1.0))
+    # Only those within the limits: others would widen them.
+    low, high = axes.get_xlim()
+    ticks = {time: text for time, text in TICKS.items() if low <= time <= high}
+    axes.set_xticks([*ticks], [*ticks.values()])
+    powers = [power for power in range(-16, 1, 2) if 10.0**power <= axes.get_ylim()[1]]
+    axes.set_yticks([10.0**power for power in powers], [power_of_ten(power) for power in powers])
+
+
+def _legend(figure: Any, title: str, keys: dict[str, Any], left: float) -> None:
+    legend = figure.legend(
+        keys.values(),
+        keys,
+        title=title,
+        loc="lower left",
+        bbox_to_anchor=(left, 0.08),
+        ncols=-(-len(keys) // KEYS_A_COLUMN),
+        frameon=False,
+        borderpad=0.0,
+        handlelength=2.2,
+        columnspacing=1.6,
+        alignment="left",
+    )
+    legend.get_title().set_fontweight("bold")
+
+
+def _dress(axes: Any, record: SetRecord) -> None:
+    axes.minorticks_off()
+    axes.tick_params(length=0)
+    axes.grid(color=GRID, linewidth=0.6)
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.set_title(record.title, size=TEXT_SIZE + 1.0, loc="left", weight="bold")
+
+
+def _plot(axes: Any, look: Look, points: list[Result]) -> Any:
+    """One method's points, joined in the order of its settings; returns its key."""
+    known = [point for point in points if point.error_median is not None]
+    time = [point.time_median for point in known]
+    median, low, high = (
+        [max(getattr(point, name), LEAST_ERROR) for point in known]
+        for name in ("error_median", "error_tenth", "error_ninetieth")
+    )
+    axes.vlines(time, low, high, color=look.color, linewidth=1.6, alpha=0.35, zorder=2)
+    failed = sum(point.failures for point in points)
+    hollow = failed > MANY_FAILURES * sum(point.diagonals for point in points)
+    axes.plot(
+        time,
+        median,
+        color=look.color,
+        linewidth=look.width,
+        linestyle="-" if len(points) > 1 else "none",
+        marker=look.marker,
+        markersize=look.size,
+        markeredgecolor=look.color if hollow else "white",
+        markerfacecolor="white" if hollow else look.color,
+        markeredgewidth=1.2 if hollow else 0.7,
+        zorder=look.layer,
+    )
+    return _key(look, joined=len(points) > 1)
+
+
+def _key(look: Look, *, joined: bool) -> Any:
+    """What stands for a method in the legend."""
+    from matplotlib.lines import Line2D
+
+    return Line2D(
+        [],
+        [],
+        color=look.color,
+        linewidth=look.width,
+        linestyle="-" if joined else "none",
+        marker=look.marker,
+        markersize=look.size,
+        markeredgecolor="white",
+        markeredgewidth=0.7,
+    )

@@ -1,0 +1,122 @@
+"""What ``bench.json`` and ``bench.csv`` hold.
+
+Null stands where there is no such value; every number is finite.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from typing import Final
+
+import msgspec
+from msgspec import Struct
+
+FORMAT: Final = "bodymeasure benchmark"
+VERSION: Final = 1
+
+
+class Machine(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What it was measured on."""
+
+    system: str
+    architecture: str
+    cores: int
+
+
+class ThreadsRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """How many threads the numerical libraries were held to, and whether that held.
+
+    `others` is the part of the processor time that threads other than the main one took.
+    """
+
+    limit: int
+    pools: list[str]
+    others: float
+
+
+class SetRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A set of problems: how many were drawn, and how many of them were compared on."""
+
+    name: str
+    title: str
+    drawn: int
+    compared: int
+    leaving_patch: int
+    unresolved_truth: int
+
+
+class Result(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What a method did on a set; times are microseconds a diagonal, errors are relative.
+
+    Quartiles are over repeats; errors are over the diagonals that have a length.
+    """
+
+    set: str
+    method: str
+    setting: str
+    family: str
+    diagonals: int
+    failures: int
+    repeats: int
+    time_median: float
+    time_lower_quartile: float
+    time_upper_quartile: float
+    times_ours: float
+    error_median: float | None
+    error_tenth: float | None
+    error_ninetieth: float | None
+    error_worst: float | None
+
+
+class GrowthRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What a batch takes; times are microseconds a diagonal."""
+
+    patches: int
+    failures: int
+    repeats: int
+    time_median: float
+    time_lower_quartile: float
+    time_upper_quartile: float
+    peak_bytes: int
+
+
+class Figure(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A number by itself."""
+
+    name: str
+    value: float | None
+    unit: str
+
+
+class BenchDocument(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """All that a run of the benchmark found."""
+
+    format: str
+    version: int
+    created: str
+    quick: bool
+    machine: Machine
+    versions: dict[str, str]
+    threads: ThreadsRecord
+    processor_seconds: float
+    sets: list[SetRecord]
+    results: list[Result]
+    growth: list[GrowthRecord]
+    stages: dict[str, dict[str, float]]
+    figures: list[Figure]
+
+
+def to_json(document: BenchDocument) -> bytes:
+    """A document as JSON, indented; every float round-trips."""
+    return msgspec.json.format(msgspec.json.encode(document), indent=1) + b"\n"
+
+
+def to_csv(document: BenchDocument) -> bytes:
+    """The results as CSV (RFC 4180, UTF-8) with a header row; null is an empty field."""
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\r\n")
+    writer.writerow(Result.__struct_fields__)
+    for result in document.results:
+        writer.writerow(getattr(result, field) for field in result.__struct_fields__)
+    return text.getvalue().encode()

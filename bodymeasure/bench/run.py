@@ -1,0 +1,118 @@
+"""The whole benchmark in one run."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import os
+import platform
+from collections.abc import Callable
+from datetime import UTC, datetime
+
+from bodymeasure.bench.entrants import entrants
+from bodymeasure.bench.growth import measure_growth
+from bodymeasure.bench.problem_sets import ProblemSet, body_set, mild_set, wild_set
+from bodymeasure.bench.records import (
+    FORMAT,
+    VERSION,
+    BenchDocument,
+    Machine,
+    Result,
+    ThreadsRecord,
+)
+from bodymeasure.bench.size import FULL, Size
+from bodymeasure.bench.stages import stage_shares
+from bodymeasure.bench.summary import figures, growth_record, results, set_record
+from bodymeasure.bench.threads import Threads, one_thread
+from bodymeasure.bench.timing import take_turns
+from bodymeasure.bench.whole_body import whole_body
+
+PACKAGES = ("bodymeasure", "numpy", "scipy", "libigl", "potpourri3d", "pygeodesic")
+SETS = 3
+
+
+def benchmark_steps(size: Size = FULL) -> int:
+    """In how many steps `run_benchmark` counts its progress."""
+    return SETS * (size.rounds + 2) + size.largest_exponent
+
+
+def run_benchmark(
+    size: Size = FULL, *, progress: Callable[[int], object] | None = None
+) -> BenchDocument:
+    """Compare methods side by side in processor time, on one thread.
+
+    Parameters
+    ----------
+    size : Size
+        `FULL`, or `QUICK` for few problems and repeats.
+    progress : callable, optional
+        Called with how many of the `benchmark_steps` are done.
+
+    Returns
+    -------
+    BenchDocument
+
+    Raises
+    ------
+    MissingExtraError
+        If libigl is not installed.
+    ImportError
+        If another package of the extra ``bench`` is not installed.
+    """
+    exponents = range(1, size.largest_exponent + 1)
+    done = 0
+
+    def advance() -> None:
+        nonlocal done
+        done += 1
+        if progress is not None:
+            progress(done)
+
+    sets: list[ProblemSet] = []
+    compared: list[Result] = []
+    with one_thread() as threads:
+        for make, count in ((mild_set, size.mild), (wild_set, size.wild), (body_set, size.body)):
+            problem_set = make(count)
+            advance()
+            sets.append(problem_set)
+            compared += results(problem_set, take_turns(entrants(), problem_set, size, advance))
+        stages = {each.name: stage_shares(each) for each in sets}
+        body = whole_body(size.rounds)
+        growth = []
+        for exponent in exponents:
+            growth.append(growth_record(measure_growth(10**exponent)))
+            advance()
+    return BenchDocument(
+        format=FORMAT,
+        version=VERSION,
+        created=datetime.now(UTC).isoformat(timespec="seconds"),
+        quick=size is not FULL,
+        machine=_machine(),
+        versions=_versions(),
+        threads=_threads(threads),
+        processor_seconds=threads.processor_seconds,
+        sets=[set_record(each) for each in sets],
+        results=compared,
+        growth=growth,
+        stages=stages,
+        figures=figures(compared, growth, body),
+    )
+
+
+def _machine() -> Machine:
+    return Machine(
+        system=platform.system(), architecture=platform.machine(), cores=os.cpu_count() or 1
+    )
+
+
+def _threads(found: Threads) -> ThreadsRecord:
+    return ThreadsRecord(limit=found.limit, pools=list(found.pools), others=found.other_threads)
+
+
+def _versions() -> dict[str, str]:
+    versions = {"Python": platform.python_version()}
+    for package in PACKAGES:
+        try:
+            versions[package] = importlib.metadata.version(package)
+        except importlib.metadata.PackageNotFoundError:  # a bare checkout of bodymeasure
+            continue
+    return versions

@@ -1,0 +1,52 @@
+"""How much is measured: in full, or quickly."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from bodymeasure.bench.entrants import Pace
+
+
+@dataclass(frozen=True)
+class Size:
+    """Numbers of problems and of repeats.
+
+    Parameters
+    ----------
+    mild, wild, body : int
+        Problems drawn for each set.
+    limits : mapping of pace to int
+        How many of these a method is given at most; those of pace "batch" get all.
+    rounds : int
+        How often each method is timed; those of pace "very slow" in every second round alone.
+    largest_exponent : int
+        Growth is measured from 10 to this power of ten of patches.
+    """
+
+    mild: int
+    wild: int
+    body: int
+    limits: Mapping[Pace, int]
+    rounds: int
+    largest_exponent: int
+
+
+# Some five minutes, half of them for libigl and pygeodesic.
+FULL = Size(
+    mild=2000,
+    wild=500,
+    body=752,
+    limits={"fast": 200, "slow": 20, "very slow": 20},
+    rounds=6,
+    largest_exponent=6,
+)
+# Some twenty seconds: enough to see that all works, not for figures to be told.
+QUICK = Size(
+    mild=200,
+    wild=40,
+    body=120,
+    limits={"fast": 20, "slow": 4, "very slow": 1},
+    rounds=2,
+    largest_exponent=4,
+)

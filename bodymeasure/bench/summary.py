@@ -1,0 +1,138 @@
+"""From times and lengths to the numbers that are told."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from bodymeasure.bench.entrants import (
+    BVP,
+    DEFAULT,
+    IGL_EXACT,
+    POINTS_A_SIDE,
+    TOLERANCES,
+    points_setting,
+    tolerance_setting,
+)
+from bodymeasure.bench.growth import Growth
+from bodymeasure.bench.problem_sets import ProblemSet
+from bodymeasure.bench.records import Figure, GrowthRecord, Result, SetRecord
+from bodymeasure.bench.timing import Trial
+
+MICRO = 1e6
+# Batches from here on are to take the same time a diagonal.
+FLAT_FROM = 1000
+
+
+def set_record(problem_set: ProblemSet) -> SetRecord:
+    """A set of problems in numbers."""
+    return SetRecord(
+        name=problem_set.name,
+        title=problem_set.title,
+        drawn=problem_set.drawn,
+        compared=len(problem_set),
+        leaving_patch=problem_set.leaving,
+        unresolved_truth=problem_set.unresolved,
+    )
+
+
+def results(problem_set: ProblemSet, trials: Sequence[Trial]) -> list[Result]:
+    """Times and errors of all methods on a set; the first is that of bodymeasure's default."""
+    ours = _quartiles(trials[0].seconds, trials[0].count)[1]
+    return [_result(problem_set, trial, ours) for trial in trials]
+
+
+def _result(problem_set: ProblemSet, trial: Trial, ours: float) -> Result:
+    lower, median, upper = _quartiles(trial.seconds, trial.count)
+    error = np.abs(trial.length / problem_set.truth[: trial.count] - 1.0)
+    # Infinite distances are as little a length as NaN.
+    known = error[np.isfinite(error)]
+    parts: list[float] | list[None] = [None] * 4
+    if len(known):
+        parts = np.quantile(known, [0.1, 0.5, 0.9, 1.0]).tolist()
+    return Result(
+        set=problem_set.name,
+        method=trial.entrant.method,
+        setting=trial.entrant.setting,
+        family=trial.entrant.family,
+        diagonals=trial.count,
+        failures=trial.count - len(known),
+        repeats=len(trial.seconds),
+        time_median=median,
+        time_lower_quartile=lower,
+        time_upper_quartile=upper,
+        times_ours=median / ours,
+        error_tenth=parts[0],
+        error_median=parts[1],
+        error_ninetieth=parts[2],
+        error_worst=parts[3],
+    )
+
+
+def growth_record(growth: Growth) -> GrowthRecord:
+    """Times and memory of a batch."""
+    lower, median, upper = _quartiles(growth.seconds, growth.patches)
+    return GrowthRecord(
+        patches=growth.patches,
+        failures=growth.failures,
+        repeats=len(growth.seconds),
+        time_median=median,
+        time_lower_quartile=lower,
+        time_upper_quartile=upper,
+        peak_bytes=growth.peak_bytes,
+    )
+
+
+def _quartiles(seconds: Sequence[float], count: int) -> tuple[float, float, float]:
+    """Lower quartile, median and upper quartile in microseconds a diagonal."""
+    lower, median, upper = MICRO / count * np.quantile(seconds, [0.25, 0.5, 0.75])
+    return float(lower), float(median), float(upper)
+
+
+def figures(
+    compared: Sequence[Result], growth: Sequence[GrowthRecord], whole_body: Sequence[Figure]
+) -> list[Figure]:
+    """What is told first."""
+    found = []
+    names = [result.set for result in compared if result.method == DEFAULT]
+    for name in names:
+        by_method = {(r.method, r.setting): r for r in compared if r.set == name}
+        ours = by_method[DEFAULT, ""]
+        found += [
+            Figure(
+                name=f"{name}: a diagonal, error estimate included",
+                value=ours.time_median,
+                unit="microseconds",
+            ),
+            Figure(name=f"{name}: worst relative error", value=ours.error_worst, unit=""),
+        ]
+        for method, setting in (
+            (BVP, tolerance_setting(min(TOLERANCES))),
+            (IGL_EXACT, points_setting(max(POINTS_A_SIDE))),
+        ):
+            other = by_method[method, setting]
+            found.append(
+                Figure(
+                    name=f"{name}: {method}, {setting}",
+                    value=other.times_ours,
+                    unit="times as slow",
+                )
+            )
+    large = [record for record in growth if record.patches >= FLAT_FROM]
+    times = [record.time_median for record in large]
+    found += [
+        Figure(
+            name=f"slowest over fastest batch of {large[0].patches:,} to "
+            f"{large[-1].patches:,} patches",
+            value=max(times) / min(times),
+            unit="",
+        ),
+        Figure(
+            name=f"peak memory for {large[-1].patches:,} patches",
+            value=large[-1].peak_bytes / 2**20,
+            unit="MiB",
+        ),
+        *whole_body,
+    ]
+    return found

@@ -1,0 +1,56 @@
+"""One thread, and whether it was one."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+
+@dataclass
+class Threads:
+    """What was found about threads; complete at the end of `one_thread`.
+
+    Parameters
+    ----------
+    limit : int
+        The largest number of threads that any pool of a numerical library may use.
+    pools : tuple of str
+        Those libraries, BLAS and OpenMP.
+    processor_seconds : float
+        Processor time of the whole process.
+    other_threads : float
+        The part of that which threads other than the calling one took.
+    """
+
+    limit: int = 0
+    pools: tuple[str, ...] = ()
+    processor_seconds: float = 0.0
+    other_threads: float = 0.0
+
+
+@contextmanager
+def one_thread() -> Iterator[Threads]:
+    """Hold BLAS and OpenMP to one thread.
+
+    Numbers of threads set by the environment count only if that is done before NumPy is loaded, so
+    the libraries are told themselves. Threads of libraries that don't listen, or are loaded later,
+    show in what is yielded; their time is in all processor times in any case.
+    """
+    # Loaded first, so that their pools are there to be told.
+    import scipy.linalg  # noqa: F401
+    from threadpoolctl import threadpool_info, threadpool_limits
+
+    found = Threads()
+    with threadpool_limits(limits=1):
+        process, thread = time.process_time(), time.thread_time()
+        try:
+            yield found
+        finally:
+            process, thread = time.process_time() - process, time.thread_time() - thread
+            pools = threadpool_info()
+            found.limit = max((pool["num_threads"] for pool in pools), default=1)
+            found.pools = tuple(sorted({pool["internal_api"] for pool in pools}))
+            found.processor_seconds = process
+            found.other_threads = max(0.0, process - thread) / process if process else 0.0

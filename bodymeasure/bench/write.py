@@ -1,0 +1,40 @@
+"""Writing a benchmark's files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from bodymeasure.bench.figure import error_against_time
+from bodymeasure.bench.records import BenchDocument, to_csv, to_json
+from bodymeasure.files import make_folder, write_all
+
+
+def write_benchmark(document: BenchDocument, folder: Path) -> tuple[Path, ...]:
+    """Write ``error_against_time.svg``, ``bench.json`` and ``bench.csv``, all or none.
+
+    Parameters
+    ----------
+    document : BenchDocument
+    folder : Path
+        Made if it is not there; files of these names in it are replaced.
+
+    Returns
+    -------
+    tuple of Path
+        The files, the picture first.
+
+    Raises
+    ------
+    MissingExtraError
+        If matplotlib is not installed.
+    InputError
+        If the folder cannot be made or written to, or the disk is full.
+    """
+    contents = {
+        folder / "error_against_time.svg": error_against_time(document),
+        folder / "bench.json": to_json(document),
+        folder / "bench.csv": to_csv(document),
+    }
+    make_folder(folder)
+    write_all(contents)
+    return tuple(contents)

@@ -1,0 +1,33 @@
+"""Degrees of the polynomials that make a path exact, and which of them to try next."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.geodesic.length_error import MeasuredLength
+
+# Tried in turn. Strongly bent paths take the highest; past that, rounding errors win.
+DEGREES = (12, 20, 32, 48, 72, 108, 160)
+# Errors fall about geometrically with the degree. Of the degree that this foretells so much is
+# taken, since they fall faster at the end than at the beginning.
+CAUTION = 0.75
+
+
+def degrees_wanted(degree: int, measured: MeasuredLength, tolerance: float) -> NDArray[np.float64]:
+    """The degrees that paths seem to take, told from how good they are on one; shape (problems,).
+
+    Parameters
+    ----------
+    degree : int
+        That of the paths.
+    measured : MeasuredLength
+        Their lengths, none of which is known to the tolerance.
+    tolerance : float
+        Relative error asked for.
+    """
+    with np.errstate(divide="ignore", invalid="ignore"):
+        known = np.log(np.clip(measured.error / measured.raw, tolerance, 0.5))
+        foretold = CAUTION * degree * np.log(tolerance) / known
+    # Of what is not finite nothing is known.
+    return np.where(np.isfinite(foretold), foretold, degree + 1.0)

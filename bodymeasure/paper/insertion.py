@@ -1,0 +1,61 @@
+"""Points made vertices of a triangle mesh, so that distances between them can be measured on it."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.oracle.libigl import closest_on_mesh
+
+_Array = NDArray[np.float64]
+_Faces = NDArray[np.int64]
+
+# Nearer to a vertex or an edge than this part of a face's height, no thin face is made, which would
+# try libigl's tolerances. Nothing is lost by it: it is the mesh that is moved to the point.
+NEAR = 0.05
+
+
+def insert_point(vertices: _Array, faces: _Faces, point: _Array) -> tuple[_Array, _Faces, int]:
+    """A mesh that has a given point among its vertices.
+
+    The face closest to it is split in three; the two at an edge, if it lies near one, are split in
+    two each; a vertex near it is moved to it.
+
+    Parameters
+    ----------
+    vertices : ndarray, shape (n, 3)
+    faces : ndarray of int, shape (f, 3)
+    point : ndarray, shape (3,)
+        On the surface that the mesh follows, so that its vertices still lie on that.
+
+    Returns
+    -------
+    vertices, faces : ndarray
+    number : int
+        The point's.
+    """
+    foot, found = closest_on_mesh(vertices, faces, point[None])
+    face = faces[found[0]]
+    weights = _barycentric(vertices[face], foot[0])
+    far = weights > NEAR
+    if far.sum() == 1:
+        number = int(face[far][0])
+        vertices = vertices.copy()
+        vertices[number] = point
+        return vertices, faces, number
+    # The corners between which it lies: all faces that have them are split.
+    corners = face[far]
+    split = np.isin(faces, corners).sum(axis=1) == len(corners)
+    number = len(vertices)
+    pieces = []
+    for corner in corners:
+        piece = faces[split]
+        pieces.append(np.where(piece == corner, number, piece))
+    return np.vstack([vertices, point]), np.concatenate([faces[~split], *pieces]), number
+
+
+def _barycentric(corners: _Array, point: _Array) -> _Array:
+    """Weights of a triangle's corners (3, 3) that give a point of its plane; their sum is 1."""
+    sides = np.stack([corners[1] - corners[0], corners[2] - corners[0]], axis=-1)
+    second, third = np.linalg.lstsq(sides, point - corners[0], rcond=None)[0]
+    return np.array([1.0 - second - third, second, third])

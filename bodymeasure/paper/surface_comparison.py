@@ -1,0 +1,216 @@
+"""Lengths on an atlas beside those on the surface that it was fitted to, and how they differ."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas import Unit, convert_length
+
+_Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Row:
+    """One row of `Comparison`, field by field as its columns and properties of the same names."""
+
+    name: str
+    patch: str
+    place: str
+    calculated: float
+    physical: float
+    uncertainty: float
+    relative_error: float
+    of_fit: float
+    of_path: float
+    distance: float
+    offset: float
+    end_distance: float
+    bend: float
+    own_bend: float
+    shorter_path: bool
+    status: str
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """Lengths on an atlas and on the physical surface, a row for each curve.
+
+    Parameters
+    ----------
+    unit : Unit
+        Of all lengths: the atlas's.
+    patch : tuple of str
+    place : tuple of str
+        ``diagonal 1``, ``diagonal 2``, or the side: ``side u = 0``, ...
+    calculated : ndarray, shape (k,)
+        On the atlas; NaN where there is no length.
+    physical : ndarray, shape (k,)
+        On the surface: of a diagonal, the shortest distance between the points closest to its ends;
+        of a boundary curve, the length of the curve laid on the surface.
+    uncertainty : ndarray, shape (k,)
+        How far `physical` may be off, as the meshes tell.
+    laid : ndarray, shape (k,)
+        Length of the atlas's curve laid on the surface, each point at the closest.
+    laid_uncertainty : ndarray, shape (k,)
+    distance : ndarray, shape (k,)
+        Largest distance of the curve from the surface.
+    offset : ndarray, shape (k,)
+        Mean distance along the curve, negative where the atlas lies inside the surface.
+    end_distance : ndarray, shape (k,)
+        Distance from the surface of that end which is farther from it.
+    bend, own_bend : ndarray, shape (k,)
+        Radius of the laid curve's sharpest bend, and of the atlas's curve in the same place.
+    status : tuple of str
+        What the calculated length is worth, in words.
+    """
+
+    unit: Unit
+    patch: tuple[str, ...]
+    place: tuple[str, ...]
+    calculated: _Array
+    physical: _Array
+    uncertainty: _Array
+    laid: _Array
+    laid_uncertainty: _Array
+    distance: _Array
+    offset: _Array
+    end_distance: _Array
+    bend: _Array
+    own_bend: _Array
+    status: tuple[str, ...]
+
+    def __len__(self) -> int:
+        return len(self.patch)
+
+    @cached_property
+    def relative_error(self) -> _Array:
+        """Equation (17): (calculated - physical) / physical, with its sign.
+
+        The published table prints the opposite sign in its first three rows, though not in the
+        fourth.
+        """
+        return np.asarray((self.calculated - self.physical) / self.physical)
+
+    @cached_property
+    def of_fit(self) -> _Array:
+        """The part of `relative_error` that laying the same curve on the surface makes."""
+        return np.asarray((self.calculated - self.laid) / self.physical)
+
+    @cached_property
+    def of_path(self) -> _Array:
+        """The rest: by how much the laid curve is longer than the shortest one on the surface."""
+        return np.asarray((self.laid - self.physical) / self.physical)
+
+    @property
+    def shorter_path(self) -> NDArray[np.bool_]:
+        """Where the surface has a path shorter than the laid curve, beyond the meshes' doubt."""
+        doubt = self.uncertainty + self.laid_uncertainty
+        return np.asarray(self.laid - self.physical > doubt)
+
+    def row(self, number: int) -> Row:
+        """One row as plain numbers and words."""
+        return Row(
+            name=f"{self.patch[number]} {self.place[number]}",
+            patch=self.patch[number],
+            place=self.place[number],
+            calculated=float(self.calculated[number]),
+            physical=float(self.physical[number]),
+            uncertainty=float(self.uncertainty[number]),
+            relative_error=float(self.relative_error[number]),
+            of_fit=float(self.of_fit[number]),
+            of_path=float(self.of_path[number]),
+            distance=float(self.distance[number]),
+            offset=float(self.offset[number]),
+            end_distance=float(self.end_distance[number]),
+            bend=float(self.bend[number]),
+            own_bend=float(self.own_bend[number]),
+            shorter_path=bool(self.shorter_path[number]),
+            status=self.status[number],
+        )
+
+    def rows(self) -> tuple[Row, ...]:
+        """All rows."""
+        return tuple(self.row(number) for number in range(len(self)))
+
+
+@dataclass(frozen=True)
+class Distribution:
+    """How relative errors (17) are spread.
+
+    Parameters
+    ----------
+    count : int
+        Rows.
+    without_length : int
+        Rows that have none on the atlas, which the other figures leave out.
+    mean, mean_absolute, median_absolute, quantile_95 : float
+        Of the error, and of its absolute value.
+    largest : Row or None
+        The row with the largest absolute error.
+    explanation : str
+        Where that error comes from, in words.
+    uncertainty : float
+        Median of the physical lengths' relative uncertainty.
+    """
+
+    count: int
+    without_length: int
+    mean: float
+    mean_absolute: float
+    median_absolute: float
+    quantile_95: float
+    largest: Row | None
+    explanation: str
+    uncertainty: float
+
+
+def distribution(comparison: Comparison) -> Distribution:
+    """The spread of a comparison's errors."""
+    error = comparison.relative_error
+    known = np.flatnonzero(np.isfinite(error))
+    without = len(error) - len(known)
+    if not len(known):
+        nothing = float("nan")
+        return Distribution(
+            len(error), without, *(nothing,) * 4, None, "No row has a length.", nothing
+        )
+    size = np.abs(error[known])
+    largest = comparison.row(int(known[np.argmax(size)]))
+    return Distribution(
+        count=len(error),
+        without_length=without,
+        mean=float(error[known].mean()),
+        mean_absolute=float(size.mean()),
+        median_absolute=float(np.median(size)),
+        quantile_95=float(np.quantile(size, 0.95)),
+        largest=largest,
+        explanation=explain(largest, comparison.unit),
+        uncertainty=float(np.median((comparison.uncertainty / comparison.physical)[known])),
+    )
+
+
+def explain(row: Row, unit: Unit) -> str:
+    """Where the error of one row comes from, in words."""
+
+    def millimetres(length: float, digits: int = 2) -> str:
+        return f"{convert_length(length, unit, Unit.MM):.{digits}f} mm"
+
+    side = "inside" if row.offset < 0 else "outside"
+    words = (
+        f"Of {row.relative_error:+.3%}, {row.of_fit:+.3%} is the fit: the atlas's curve lies up to "
+        f"{millimetres(row.distance)} off the surface ({millimetres(abs(row.offset))} {side} on "
+        f"average, {millimetres(row.end_distance)} at the farther end), and laid on it is "
+        f"{'longer' if row.of_fit < 0 else 'shorter'} by that. Where it bends most there, its "
+        f"radius is {millimetres(row.bend, 1)} on the surface and "
+        f"{millimetres(row.own_bend, 1)} on the atlas."
+    )
+    if row.of_path == 0.0:  # a boundary curve, which is compared with nothing but itself
+        return words
+    words += f" {row.of_path:+.3%} is the path: "
+    if row.shorter_path:
+        return f"{words}the surface has a shorter one. On the atlas: {row.status}"
+    return f"{words}the surface has none that is shorter, as far as the meshes can tell."

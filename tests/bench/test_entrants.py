@@ -1,0 +1,116 @@
+"""Every method that takes part, on lengths in closed form."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from command_line import hide_here
+from surfaces import PLANE, SURFACES, plane_length
+
+from bodymeasure.bench import mesh_paths
+from bodymeasure.bench.boundary_value import BoundaryValueProblem
+from bodymeasure.bench.entrants import Entrant, entrants
+from bodymeasure.bench.figure import LOOKS
+from bodymeasure.bench.mesh_paths import MeshedPatch, igl_exact
+from bodymeasure.bench.problems import Problems
+from bodymeasure.errors import InputError
+
+ENTRANTS = {entrant.label: entrant for entrant in entrants()}
+MESH = [
+    name
+    for name in ("libigl exact", "pygeodesic exact", "potpourri3d edge flips")
+    if any(entrant.method == name for entrant in ENTRANTS.values())
+]
+# Of the heat method: its few per cent.
+HEAT_ERROR = 0.05
+# Of a solver by its tolerance: the error of the length is about the square of the path's.
+BVP_ERRORS = {"tol 1e-3": 1e-5, "tol 1e-6": 1e-8, "tol 1e-8": 1e-10}
+# Of a path over a mesh of some points a side, relative: the chords' h^2.
+MESH_ERRORS = {"17 points a side": 3e-3, "33 points a side": 8e-4, "65 points a side": 2e-4}
+
+
+def limit(entrant: Entrant) -> float:
+    if entrant.method == "libigl heat":
+        return HEAT_ERROR
+    if entrant.family == "mesh":
+        return MESH_ERRORS[entrant.setting]
+    return BVP_ERRORS[entrant.setting] if entrant.family == "scipy" else 1e-10
+
+
+@pytest.mark.parametrize("entrant", ENTRANTS.values(), ids=ENTRANTS)
+def test_lengths_in_closed_form(entrant: Entrant) -> None:
+    known = [s for s in SURFACES if (s.start, s.end) == ((0.0, 0.0), (1.0, 1.0))]
+    problems = Problems(
+        np.stack([s.control_points for s in known]),
+        np.zeros((len(known), 2)),
+        np.ones((len(known), 2)),
+    )
+    length = entrant.prepare(problems)()
+    assert length.shape == (len(known),)
+    truth = np.array([s.length for s in known])
+    np.testing.assert_allclose(length, truth, rtol=limit(entrant), atol=0.0)
+
+
+@pytest.mark.parametrize("method", MESH)
+def test_meshes_converge_with_the_square_of_the_step(method: str) -> None:
+    # On a paraboloid the path is a parabola; Enneper's is straight, and exact on any mesh.
+    surface = SURFACES[1]
+    one = Problems(surface.control_points[None], np.zeros((1, 2)), np.ones((1, 2)))
+    errors = [
+        abs(ENTRANTS[f"{method}, {setting}"].prepare(one)()[0] / surface.length - 1.0)
+        for setting in MESH_ERRORS
+    ]
+    rates = np.log2(np.divide(errors[:-1], errors[1:]))
+    assert ((rates > 1.5) & (rates < 2.5)).all(), rates
+
+
+def test_a_plane_is_exact_on_any_mesh() -> None:
+    start, end = np.array([0.0, 0.25]), np.array([1.0, 0.5])
+    mesh = MeshedPatch.of(PLANE, start, end, 5)
+    assert igl_exact(mesh) == pytest.approx(plane_length((0.0, 0.25), (1.0, 0.5)), rel=1e-12)
+
+
+@pytest.mark.parametrize("error", [RuntimeError, ValueError, ZeroDivisionError])
+def test_a_library_that_raises_has_no_length(
+    monkeypatch: pytest.MonkeyPatch, error: type[Exception]
+) -> None:
+    def fail(*_arguments: object) -> float:
+        raise error("cannot")
+
+    surface = SURFACES[0]
+    one = Problems(surface.control_points[None], np.zeros((1, 2)), np.ones((1, 2)))
+    call = ENTRANTS["libigl exact, 17 points a side"].prepare(one)
+    monkeypatch.setattr(mesh_paths, "exact_distance", fail)
+    assert np.isnan(call()).all()
+
+
+def test_a_distance_that_is_none_is_a_failure() -> None:
+    plane = MeshedPatch.of(PLANE, np.zeros(2), np.ones(2), 3)
+    # Two triangles that do not touch: libigl says 0.
+    apart = MeshedPatch(
+        np.concatenate([plane.vertices[:3], plane.vertices[:3] + 5.0]),
+        np.array([[0, 1, 2], [3, 4, 5]]),
+        0,
+        3,
+    )
+    with pytest.raises(InputError, match="libigl gives"):
+        igl_exact(apart)
+
+
+def test_a_solver_that_gives_up_has_no_length() -> None:
+    # All control points on a line: the metric is singular everywhere.
+    line = np.zeros((4, 4, 3))
+    line[..., 0] = np.add.outer(np.arange(4.0), np.arange(4.0))
+    problem = BoundaryValueProblem(line, np.zeros(2), np.ones(2), tolerance=1e-6)
+    assert np.isnan(problem())
+
+
+def test_pygeodesic_takes_part_where_it_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:
+    hide_here(monkeypatch, "pygeodesic")
+    methods = {entrant.method for entrant in entrants()}
+    assert methods == set(LOOKS) - {"pygeodesic exact"}
+
+
+def test_each_method_can_be_drawn() -> None:
+    assert {entrant.method for entrant in ENTRANTS.values()} | {"pygeodesic exact"} == set(LOOKS)
+    assert len({(look.color, look.marker) for look in LOOKS.values()}) == len(LOOKS)

@@ -1,0 +1,27 @@
+"""What a batch takes, and where the time of one goes."""
+
+from __future__ import annotations
+
+import pytest
+
+from bodymeasure.bench.growth import measure_growth
+from bodymeasure.bench.problem_sets import mild_set, wild_set
+from bodymeasure.bench.stages import REST, STAGES, stage_shares
+
+
+def test_memory_is_followed_and_nothing_fails() -> None:
+    small, large = measure_growth(100), measure_growth(1000)
+    assert (small.patches, large.patches) == (100, 1000)
+    assert (small.failures, large.failures) == (0, 0)
+    # Lengths, errors and paths of every diagonal have to be somewhere.
+    assert large.peak_bytes > small.peak_bytes > 100 * 8 * 10
+    assert len(small.seconds) > len(large.seconds) >= 3
+
+
+@pytest.mark.parametrize("make", [mild_set, wild_set])
+def test_each_stage_is_seen(make: type) -> None:
+    shares = stage_shares(make(40))
+    assert list(shares) == [*STAGES, REST]
+    # A function of the table that is called otherwise by now would have none.
+    assert all(0.0 < share < 1.0 for share in shares.values()), shares
+    assert sum(shares.values()) == pytest.approx(1.0)

@@ -1,0 +1,58 @@
+"""The quad meshes that come with the samples belong to them."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+
+from bodymeasure.atlas.closest import closest_points
+from bodymeasure.errors import InputError
+from bodymeasure.paper.source_mesh import load_source_mesh
+from bodymeasure.samples import load_sample
+from bodymeasure.subdivision import limit_positions, quads_within
+
+MANNEQUINS = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
+
+
+@pytest.mark.parametrize("name", MANNEQUINS)
+def test_the_atlas_lies_on_the_meshs_limit_surface_as_its_provenance_says(name: str) -> None:
+    mesh, covered = load_source_mesh(name)
+    atlas = load_sample(name)
+    vertices = np.unique(mesh.quads[:covered])
+    _, distance = closest_points(atlas, limit_positions(mesh)[vertices])
+    millimetres = 1e3 * distance
+    stated = re.findall(r"([\d.]+) mm", atlas.provenance["fit"])
+    measured = (np.sqrt(np.mean(millimetres**2)), np.quantile(millimetres, 0.99), millimetres.max())
+    assert [f"{value:.2f}" for value in measured] == stated
+    assert f"the {len(vertices)} control mesh vertices" in atlas.provenance["fit"]
+
+
+def test_the_meshes_share_their_quads_and_are_wide_enough_for_the_limit_surface() -> None:
+    mesh, covered = load_source_mesh("female_average")
+    inner = np.unique(mesh.quads[:covered])
+    on_boundary = np.unique(mesh.edges.ends[mesh.edges.boundary])
+    # Two rings of quads lie between what is covered and the mesh's boundary, at least.
+    near = quads_within(mesh, inner, 2)
+    assert not np.isin(on_boundary, mesh.quads[near]).any()
+    # One closed curve on each of five openings.
+    assert len(on_boundary) == mesh.edges.boundary.sum()
+    for name in MANNEQUINS[1:]:
+        other, count = load_source_mesh(name)
+        np.testing.assert_array_equal(other.quads, mesh.quads)
+        assert count == covered
+        assert (other.vertices != mesh.vertices).any()
+
+
+def test_coordinates_are_whole_micrometres_in_metres() -> None:
+    vertices = load_source_mesh("female_heavy")[0].vertices
+    np.testing.assert_array_equal(vertices, np.round(vertices, 6))
+    assert 1.2 < np.ptp(vertices[:, 2]) < 1.7
+
+
+def test_samples_without_a_mesh_are_refused_by_name() -> None:
+    with pytest.raises(InputError, match=r"'enneper' was not fitted to a mesh.* female_average, "):
+        load_source_mesh("enneper")
+    with pytest.raises(InputError, match="no sample is named 'femal'"):
+        load_source_mesh("femal")

@@ -1,0 +1,25 @@
+"""A benchmark of a few problems, run once for all tests of a process."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from bodymeasure.bench import BenchDocument, Size, run_benchmark
+
+SMALL = Size(
+    mild=4,
+    wild=3,
+    body=4,
+    limits={"fast": 2, "slow": 1, "very slow": 1},
+    rounds=1,
+    largest_exponent=3,
+)
+
+
+# What it told of its progress.
+PROGRESS: list[int] = []
+
+
+@lru_cache
+def small_benchmark() -> BenchDocument:
+    return run_benchmark(SMALL, progress=PROGRESS.append)
