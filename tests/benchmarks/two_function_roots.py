@@ -20,7 +20,7 @@ from bodymeasure.paper.system_roots import system_roots
 from bodymeasure.paper.two_functions import paper_space
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
-from multistart import missed, multistart_roots, sharpened, starts
+from root_multistart import missed, multistart_roots, sharpened, starts
 from wild import wild_patches
 
 PATCHES = 50

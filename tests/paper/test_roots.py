@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from multistart import distinct, expansion, missed, multistart_roots, sharpened, starts
+from root_multistart import distinct, expansion, missed, multistart_roots, sharpened, starts
 from numpy.typing import NDArray
 from wild import wild_patches
 
