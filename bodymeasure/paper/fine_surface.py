@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from bodymeasure.oracle.libigl import closest_on_mesh
 from bodymeasure.subdivision import (
     QuadMesh,
+    fill_pinches,
     limit_positions,
     part,
     quads_within,
@@ -93,6 +94,7 @@ def closest_limit_points(surface: FineSurface, positions: _Array) -> _Array:
         limits = limit_positions(mesh)
         _, closest = scipy.spatial.KDTree(limits).query(positions)
         if level < CLOSEST_LEVEL:
-            mesh = subdivide(part(mesh, quads_within(mesh, closest, RINGS))[0])
+            near = fill_pinches(mesh, quads_within(mesh, closest, RINGS))
+            mesh = subdivide(part(mesh, near)[0])
     inner = quads_within(mesh, closest, 1)
     return closest_on_mesh(limits, triangles(mesh.quads[inner]), positions)[0]

@@ -137,6 +137,15 @@ def test_closest_points_are_those_of_the_spline_surface(rng: np.random.Generator
         assert np.linalg.norm(point - expected) < 2e-5
 
 
+def test_closest_points_though_what_is_kept_round_them_touches_at_a_corner() -> None:
+    """Positions that lie diagonally, six quads apart: those kept round them share a vertex alone."""
+    x, y = np.meshgrid(np.arange(11.0), np.arange(11.0), indexing="ij")
+    plane = fine_surface(grid_mesh(np.stack([x, y, 0.0 * x], axis=-1)), QUICK_LEVELS)
+    positions = np.array([[3.0, 3.0, 0.1], [6.0, 6.0, 0.2]])
+    found = closest_limit_points(plane, positions)
+    np.testing.assert_allclose(found, positions * [1.0, 1.0, 0.0], rtol=0, atol=1e-12)
+
+
 def test_a_laid_curve_tells_how_far_off_it_was() -> None:
     """A line at a distance d outside a cylinder, along its axis, and round it."""
     u0, v0, u1, v1 = 3.0, 3.0, 7.0, 6.0
