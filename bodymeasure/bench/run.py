@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.metadata
 import os
 import platform
 from collections.abc import Callable
@@ -25,6 +24,7 @@ from bodymeasure.bench.summary import figures, growth_record, results, set_recor
 from bodymeasure.bench.threads import Threads, one_thread
 from bodymeasure.bench.timing import take_turns
 from bodymeasure.bench.whole_body import whole_body
+from bodymeasure.measure import package_versions
 
 PACKAGES = ("bodymeasure", "numpy", "scipy", "libigl", "potpourri3d", "pygeodesic")
 SETS = 3
@@ -87,7 +87,7 @@ def run_benchmark(
         created=datetime.now(UTC).isoformat(timespec="seconds"),
         quick=size is not FULL,
         machine=_machine(),
-        versions=_versions(),
+        versions=package_versions(PACKAGES),
         threads=_threads(threads),
         processor_seconds=threads.processor_seconds,
         sets=[set_record(each) for each in sets],
@@ -106,13 +106,3 @@ def _machine() -> Machine:
 
 def _threads(found: Threads) -> ThreadsRecord:
     return ThreadsRecord(limit=found.limit, pools=list(found.pools), others=found.other_threads)
-
-
-def _versions() -> dict[str, str]:
-    versions = {"Python": platform.python_version()}
-    for package in PACKAGES:
-        try:
-            versions[package] = importlib.metadata.version(package)
-        except importlib.metadata.PackageNotFoundError:  # a bare checkout of bodymeasure
-            continue
-    return versions
