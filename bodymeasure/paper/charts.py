@@ -32,12 +32,6 @@ PLACINGS = (
 )
 
 
-def columns(table: Table) -> list[dict[str, Any]]:
-    """A table's rows by the names of its columns."""
-    names = [column.name for column in table.columns]
-    return [dict(zip(names, row, strict=True)) for row in table.rows]
-
-
 def accuracy_chart(table: Table, families: Sequence[str], name: str) -> bytes:
     """Errors of paths against the number of functions, as SVG."""
     with chart_style():
@@ -67,8 +61,8 @@ def _by_set(
 ) -> tuple[Any, list[Any]]:
     """A panel for each set of patches with a line for each family, by two columns."""
     across, up = across_and_up
-    rows = [row for row in columns(table) if row[across] is not None and row[up] is not None]
-    sets = list(dict.fromkeys(row["patches"] for row in columns(table)))
+    rows = [row for row in table.records if row[across] is not None and row[up] is not None]
+    sets = list(dict.fromkeys(row["patches"] for row in table.records))
     figure, panels = _panels(len(sets))
     for axes, patches in zip(panels, sets, strict=True):
         for number, family in enumerate(families):
@@ -84,11 +78,11 @@ def _by_set(
     return figure, panels
 
 
-def distribution_chart(table: Table, reading: str, name: str) -> bytes:
-    """Which part of the patches has a difference up to some size, as SVG."""
+def distribution_chart(table: Table, of: str, name: str) -> bytes:
+    """Which part of the lengths has a difference up to some size, as SVG."""
     with chart_style():
         figure, (axes,) = _panels(1)
-        rows = [row for row in columns(table) if row["reading"] == reading]
+        rows = [row for row in table.records if row["of"] == of]
         for number, row in enumerate(rows):
             points = [
                 (max(row[f"quantile_{level}"], FLOOR), level)
@@ -98,7 +92,7 @@ def distribution_chart(table: Table, reading: str, name: str) -> bytes:
             _line(axes, points, number, row["difference"])
         _decades(axes.xaxis)
         axes.set_xlabel("relative difference, without its sign")
-        axes.set_ylabel("patches up to that, %")
+        axes.set_ylabel("lengths up to that, %")
         _legend(figure, axes)
         return figure_svg(figure, name)
 
@@ -108,7 +102,7 @@ def roots_chart(table: Table, name: str) -> bytes:
     with chart_style():
         figure, (axes,) = _panels(1)
         labels = [c for c in table.columns if c.name.startswith("real_")]
-        rows = columns(table)
+        rows = table.records
         for number, column in enumerate(labels):
             points = [(row["solutions"], row[column.name]) for row in rows]
             _line(axes, points, number, column.label.removeprefix("Patches, "))

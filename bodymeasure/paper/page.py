@@ -7,13 +7,19 @@ from typing import Any
 
 from bodymeasure.errors import MissingExtraError
 from bodymeasure.paper import charts, published
-from bodymeasure.paper.reproduce import CHOSEN, Reproduction
+from bodymeasure.paper.reproduce import BODY, CHOSEN, Reproduction
 from bodymeasure.paper.table import Column, Value
 from bodymeasure.report import numbers
 from bodymeasure.report.html import data_uri
 
 # Tables of each section by the beginnings of their names, and what the page says of them.
 SECTIONS: tuple[tuple[str, str, tuple[str, ...], str], ...] = (
+    (
+        "bars",
+        "What was to be reached",
+        ("bars_",),
+        "The aims of this reproduction, set beforehand; what missed them is here too.",
+    ),
     (
         "readings",
         "Which testing data",
@@ -48,8 +54,9 @@ SECTIONS: tuple[tuple[str, str, tuple[str, ...], str], ...] = (
         "table5",
         "Table 5: a body",
         ("table_5",),
-        "Calculated diagonals of a body's patches against those of the surface that it was fitted "
-        "to.",
+        "The paper measured the virtual model of a real mannequin. Here that is the surface that a "
+        "sample body's atlas was fitted to; its lengths come from meshes of it, and share no code "
+        "with the calculated ones.",
     ),
     ("speed", "Time a patch", ("speed",), "What the same accuracy costs."),
     (
@@ -127,6 +134,12 @@ def _pictures(found: Reproduction) -> dict[str, list[tuple[str, str]]]:
                 "of the two functions.",
             )
         ],
+        "table5": [
+            (
+                charts.distribution_chart(found.table("body_distribution"), BODY, "body"),
+                "How large the relative errors (17) are, of all curves.",
+            )
+        ],
         "beyond": [
             (
                 charts.accuracy_chart(beyond, charts.METHODS, "methods"),
@@ -151,10 +164,10 @@ def _pictures(found: Reproduction) -> dict[str, list[tuple[str, str]]]:
 
 def _tiles(found: Reproduction) -> list[tuple[str, str, str]]:
     """Heading, figure and remark of what a reader wants to know first."""
-    nearest = charts.columns(found.table("closest"))[0]
-    chosen = next(r for r in charts.columns(found.table("closest")) if r["reading"] == CHOSEN)
-    truth = {row["method"]: row for row in charts.columns(found.table(_of_chosen("truth_")))}
-    speed = {row["method"]: row for row in charts.columns(found.table("speed"))}
+    nearest = found.table("closest").records[0]
+    chosen = next(r for r in found.table("closest").records if r["reading"] == CHOSEN)
+    truth = {row["method"]: row for row in found.table(_of_chosen("truth_")).records}
+    speed = {row["method"]: row for row in found.table(_of_chosen("speed_")).records}
     ours = speed["bodymeasure, default"]
     return [
         ("Mean accuracy loss, paper", numbers.percent(published.MEAN_LOSS), "mean of four sets"),
@@ -197,6 +210,8 @@ def shown(value: Value, column: Column) -> str:
             return f"{value:#.6g}"
         case "percent":
             return numbers.percent(value)
+        case "fine":
+            return numbers.percent(value, 3)
         case "share":
             return f"{100.0 * value:.1f}\N{NO-BREAK SPACE}%"
         case "small":

@@ -11,8 +11,16 @@ import numpy as np
 
 from bodymeasure.errors import InputError
 from bodymeasure.measure import package_versions
+from bodymeasure.paper.bars import accuracy_bars, speed_bars
 from bodymeasure.paper.beyond import COUNTS, FEW_COUNTS, beyond_table, known_diagonals, settings
-from bodymeasure.paper.comparison import compare
+from bodymeasure.paper.body_tables import (
+    body_distribution,
+    by_two_functions,
+    curve_tables,
+    spread_of_table_5,
+    table_5,
+)
+from bodymeasure.paper.comparison import compare, in_chunks
 from bodymeasure.paper.normalization import normalize
 from bodymeasure.paper.random_patches import (
     GROUP_SIZE,
@@ -27,8 +35,10 @@ from bodymeasure.paper.scaling import measure_scaling, scaling_table
 from bodymeasure.paper.speed import BATCH, speed_table
 from bodymeasure.paper.spreads import distribution_table, roots_table
 from bodymeasure.paper.table import Table
+from bodymeasure.paper.table5 import table5
 from bodymeasure.paper.tables import (
     ReadingResult,
+    key,
     table_3,
     table_4,
     truth_table,
@@ -43,12 +53,14 @@ QUICK_GROUP_SIZE = 3
 BODY = "female_average"
 BODY_STEP, QUICK_BODY_STEP = 4, 24
 BODY_PATCHES = Reading(f"body {BODY}", "Patches of a sample body, normalized.", 1.0)
+# Of all its diagonals and boundary curves, a quick run measures so many on its surface.
+QUICK_CURVES = 12
 # Of the reading, so many patches for what lies beyond the paper, and for the scaling.
 BEYOND_PATCHES, QUICK_BEYOND_PATCHES = 200, 20
 SCALING_PATCHES, QUICK_SCALING_PATCHES = 600, 40
 # The reading that goes on to the tables about speed, scaling and what lies beyond.
 CHOSEN = "grid 0.6"
-PACKAGES = ("bodymeasure", "numpy", "scipy", "matplotlib")
+PACKAGES = ("bodymeasure", "numpy", "scipy", "libigl", "matplotlib")
 
 # Opens a bar with a label and a total, to be called with how many are done.
 Bar = Callable[[str, int], AbstractContextManager[Callable[[int], None]]]
@@ -185,11 +197,37 @@ def _testing(study: _Study) -> None:
     ]
 
 
+def _body(study: _Study) -> None:
+    """Table 5, and how far what was found so far is from what it was to be."""
+    settings_ = study.settings
+    atlas = load_sample(BODY)
+    rows = QUICK_CURVES if settings_.quick else None
+    with study.bar("Table 5", rows or 2 * len(atlas)) as progress:
+        found = table5(
+            BODY, rows=rows, seed=settings_.seed, processes=settings_.processes, progress=progress
+        )
+    parts = len(in_chunks(found.diagonals.calculated))
+    with study.bar("Table 5 by two functions", parts) as progress:
+        two = by_two_functions(found.diagonals, atlas, settings_.processes, progress)
+    study.tables += [
+        table_5(found, two),
+        spread_of_table_5(found, two),
+        body_distribution(BODY, found, two),
+        *curve_tables(found, two),
+        accuracy_bars(study.chosen, found.diagonals),
+    ]
+
+
 def _speed(study: _Study) -> None:
     """Time a patch."""
-    for name, result in (("speed", study.chosen), ("speed_body", study.body)):
-        batch = len(result.found) if study.settings.quick else BATCH
-        study.tables.append(speed_table(name, result, batch))
+    tables = []
+    results = [*study.results, study.body]
+    with study.bar("time a patch", len(results)) as progress:
+        for number, result in enumerate(results, start=1):
+            batch = len(result.found) if study.settings.quick else BATCH
+            tables.append(speed_table(f"speed_{key(result.reading)}", result, batch))
+            progress(number)
+    study.tables += [*tables, speed_bars(tables)]
 
 
 def _scaling(study: _Study) -> None:
@@ -217,9 +255,9 @@ def _beyond(study: _Study) -> None:
         study.tables.append(beyond_table(problems, counts, progress))
 
 
-# In this order; what measures a body (Table 5) has its place before what lies beyond the paper.
 PARTS: tuple[tuple[str, Callable[[_Study], None]], ...] = (
     ("Tables 3 and 4", _testing),
+    ("Table 5", _body),
     ("speed", _speed),
     ("distributed collocation", _scaling),
     ("beyond 2007", _beyond),

@@ -20,6 +20,11 @@ _Array = NDArray[np.float64]
 REPEATS = 3
 # Patches are taken again to make up so many, as on a row of bodies.
 BATCH = 2000
+PAPERS_RITZ, OUR_RITZ, OUR_TWO = (
+    "the paper's Ritz, 2007",
+    "our Ritz, Table 2",
+    "our two functions, all solutions",
+)
 OUR_METHODS: tuple[tuple[str, Method], ...] = (
     ("bodymeasure, default", RBFCollocation()),
     ("bodymeasure, to 1e-6", RBFCollocation(functions=(8, 12, 16), tolerance=1e-6)),
@@ -41,9 +46,9 @@ def speed_table(name: str, result: ReadingResult, batch_size: int = BATCH) -> Ta
     two, ritz = float(found.rbf_seconds.mean()), float(found.ritz_seconds.mean())
     truth = found.true_length
     rows = [
-        ("the paper's Ritz, 2007", None, None, None, published.SECONDS_BY_RITZ),
-        ("our Ritz, Table 2", *_accuracy(found.ritz_length, truth), ritz),
-        ("our two functions, all solutions", *_accuracy(found.inside_length, truth), two),
+        (PAPERS_RITZ, None, None, None, published.SECONDS_BY_RITZ),
+        (OUR_RITZ, *_accuracy(found.ritz_length, truth), ritz),
+        (OUR_TWO, *_accuracy(found.inside_length, truth), two),
     ]
     independent = independent_lengths(control_points)
     times = -(-batch_size // len(control_points))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
-from bodymeasure.paper.table import Column, Table, rows_of
+from bodymeasure.paper.table import Column, Table, Value, rows_of
 from bodymeasure.paper.tables import ReadingResult, signed_difference
 
 LEVELS = tuple(range(0, 101, 5))
@@ -23,17 +24,37 @@ def distribution_table(results: Sequence[ReadingResult]) -> Table:
             ("RBF of all against the truth", found.all_length, found.true_length),
             ("Ritz against the truth", found.ritz_length, found.true_length),
         ):
-            size = np.abs(signed_difference(lengths, reference))
-            size = size[np.isfinite(size)]
-            figures = np.quantile(size, np.array(LEVELS) / 100.0) if len(size) else [None] * 21
-            rows.append((result.reading.name, name, len(size), *figures))
+            rows.append(
+                spread_row(result.reading.name, name, signed_difference(lengths, reference))
+            )
+    return spread_table("distribution", rows)
+
+
+def spread_row(of: str, name: str, differences: NDArray[np.float64]) -> Sequence[Value]:
+    """Quantiles of the sizes of differences, those that are not known left out.
+
+    Parameters
+    ----------
+    of : str
+        What set of lengths this is about.
+    name : str
+        Of the difference.
+    differences : ndarray, shape (k,)
+    """
+    size = np.abs(differences[np.isfinite(differences)])
+    figures = np.quantile(size, np.array(LEVELS) / 100.0) if len(size) else [None] * len(LEVELS)
+    return (of, name, len(size), *figures)
+
+
+def spread_table(name: str, rows: Iterable[Sequence[Value]]) -> Table:
+    """A table of rows by `spread_row`."""
     return Table(
-        "distribution",
+        name,
         "How the differences are distributed",
         (
-            Column("reading", "Reading", "text"),
+            Column("of", "Of", "text"),
             Column("difference", "Difference", "text"),
-            Column("count", "Patches", "count"),
+            Column("count", "Lengths", "count"),
             *(Column(f"quantile_{level}", f"{level} %", "small") for level in LEVELS),
         ),
         rows_of(rows),

@@ -11,9 +11,10 @@ from typing import Any, Literal
 import numpy as np
 
 # How a number is to be read: a length in the unit of the patches; a ratio that is shown in percent
-# with its sign, in percent without, or as a power of ten; seconds, a factor, a count, or words.
+# with its sign, to three decimals, in percent without a sign, or as a power of ten; seconds, a
+# factor, a count, or words.
 Kind = Literal[
-    "text", "count", "number", "length", "percent", "share", "small", "seconds", "factor"
+    "text", "count", "number", "length", "percent", "fine", "share", "small", "seconds", "factor"
 ]
 Value = str | int | float | bool | None
 
@@ -53,6 +54,12 @@ class Table:
     rows: tuple[tuple[Value, ...], ...]
     notes: tuple[str, ...] = ()
 
+    @property
+    def records(self) -> list[dict[str, Any]]:
+        """The rows, each by the names of the columns."""
+        names = [column.name for column in self.columns]
+        return [dict(zip(names, row, strict=True)) for row in self.rows]
+
 
 def plain(value: Any) -> Value:
     """A single value as files hold it: numbers as Python has them, None for what is not finite."""
@@ -71,14 +78,13 @@ def rows_of(values: Iterable[Sequence[Any]]) -> tuple[tuple[Value, ...], ...]:
 
 def to_record(table: Table) -> dict[str, Any]:
     """A table for JSON, each row an object."""
-    names = [column.name for column in table.columns]
     return {
         "title": table.title,
         "columns": [
             {"name": c.name, "label": c.label, "kind": c.kind, "timing": c.is_timing}
             for c in table.columns
         ],
-        "rows": [dict(zip(names, row, strict=True)) for row in table.rows],
+        "rows": table.records,
         "notes": list(table.notes),
     }
 

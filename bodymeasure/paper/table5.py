@@ -17,6 +17,7 @@ from bodymeasure.atlas import Atlas, Unit, convert_length
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import Method
 from bodymeasure.oracle.libigl import require_libigl
+from bodymeasure.paper import published
 from bodymeasure.paper.curves import AtlasCurves, boundary_curves, diagonal_curves
 from bodymeasure.paper.fine_surface import (
     LEVELS,
@@ -39,23 +40,6 @@ _Array = NDArray[np.float64]
 FARTHEST = 0.1
 
 
-@dataclass(frozen=True)
-class PublishedRow:
-    """A row of the published table: lengths in cm, the error in percent as it is printed."""
-
-    calculated: float
-    physical: float
-    relative_error: float
-
-
-PUBLISHED = (
-    PublishedRow(13.1038, 13.0, -0.8),
-    PublishedRow(6.18354, 6.25, 1.06),
-    PublishedRow(10.2788, 10.25, -0.28),
-    PublishedRow(8.84254, 8.75, 1.06),
-)
-
-
 @dataclass(frozen=True, eq=False)
 class Table5:
     """Calculated against physical lengths, as the paper's section 6.3 and Table 5 have them.
@@ -73,7 +57,7 @@ class Table5:
         """The spread of the diagonals' errors, and of the boundary curves'."""
         return distribution(self.diagonals), distribution(self.boundary)
 
-    def in_the_papers_form(self) -> tuple[tuple[PublishedRow, Row], ...]:
+    def in_the_papers_form(self) -> tuple[tuple[published.Table5Row, Row], ...]:
         """Four rows, each beside the published one that it was chosen for.
 
         For each published row, the diagonal with the physical length nearest to it that no row
@@ -82,10 +66,10 @@ class Table5:
         lengths = convert_length(self.diagonals.physical, self.diagonals.unit, Unit.CM)
         lengths = np.where(np.isfinite(self.diagonals.relative_error), lengths, np.inf)
         rows = []
-        for published in PUBLISHED:
-            nearest = int(np.argmin(np.abs(lengths - published.physical)))
+        for printed in published.TABLE_5:
+            nearest = int(np.argmin(np.abs(lengths - printed.physical)))
             if np.isfinite(lengths[nearest]):
-                rows.append((published, self.diagonals.row(nearest)))
+                rows.append((printed, self.diagonals.row(nearest)))
             lengths[nearest] = np.inf
         return tuple(rows)
 

@@ -39,9 +39,9 @@ def scientific(value: float | None, *, signed: bool = False) -> str:
     return f"{sign}{mantissa}{_SPACE}{_TIMES}{_SPACE}10{str(int(exponent)).translate(_SUPERSCRIPT)}"
 
 
-def percent(value: float | None) -> str:
+def percent(value: float | None, decimals: int = 2) -> str:
     """A signed ratio in percent; a dash for none."""
-    return NONE if value is None else f"{100.0 * value:+.2f}{_SPACE}%".replace("-", _MINUS)
+    return NONE if value is None else f"{100.0 * value:+.{decimals}f}{_SPACE}%".replace("-", _MINUS)
 
 
 def millimeters(length: float | None, unit: Unit | str) -> str:

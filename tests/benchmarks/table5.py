@@ -14,8 +14,9 @@ import time
 import numpy as np
 
 from bodymeasure.atlas import Unit, convert_length
+from bodymeasure.paper.published import Table5Row
 from bodymeasure.paper.surface_comparison import Distribution, Row
-from bodymeasure.paper.table5 import PublishedRow, Table5, table5
+from bodymeasure.paper.table5 import Table5, table5
 
 PROCESSES = 2
 
@@ -54,12 +55,12 @@ def print_spread(what: str, spread: Distribution) -> None:
         print(f"  largest: {spread.largest.name}. {spread.explanation}")
 
 
-def print_row(published: PublishedRow, row: Row, unit: Unit) -> None:
+def print_row(published: Table5Row, row: Row, unit: Unit) -> None:
     calculated, physical = (
         convert_length(length, unit, Unit.CM) for length in (row.calculated, row.physical)
     )
     print(
-        f"  {published.calculated:8.6g} {published.physical:6.5g} {published.relative_error:+.2f} %"
+        f"  {published.calculated:8.6g} {published.physical:6.5g} {published.relative_error:+.2%}"
         f"  |  {calculated:8.6g} {physical:8.6g} {row.relative_error:+.3%}  {row.name}"
     )
 

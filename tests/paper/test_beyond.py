@@ -6,7 +6,6 @@ from wild import wild_patches
 
 from bodymeasure import load_sample
 from bodymeasure.paper.beyond import beyond_table, known_diagonals, settings
-from bodymeasure.paper.charts import columns
 from bodymeasure.paper.table import Table
 
 
@@ -26,7 +25,7 @@ def test_known_diagonals_are_geodesics_inside(rng: np.random.Generator) -> None:
 
 
 def test_more_functions_are_more_accurate(table: Table) -> None:
-    rows = {(row["family"], row["functions"]): row for row in columns(table)}
+    rows = {(row["family"], row["functions"]): row for row in table.records}
     for family in (
         "RBF Wu C2, centers outside",
         "RBF Wu C10, centers outside",
@@ -40,6 +39,6 @@ def test_more_functions_are_more_accurate(table: Table) -> None:
 
 
 def test_every_patch_is_counted(table: Table) -> None:
-    totals = {row["solved"] + row["failed"] for row in columns(table)}
+    totals = {row["solved"] + row["failed"] for row in table.records}
     assert len(totals) == 1
     assert len(table.rows) == 3 * len(settings())

@@ -138,7 +138,7 @@ def test_closest_points_are_those_of_the_spline_surface(rng: np.random.Generator
 
 
 def test_closest_points_though_what_is_kept_round_them_touches_at_a_corner() -> None:
-    """Positions that lie diagonally, six quads apart: those kept round them share a vertex alone."""
+    """Positions six quads apart both ways: what is kept round them shares a vertex alone."""
     x, y = np.meshgrid(np.arange(11.0), np.arange(11.0), indexing="ij")
     plane = fine_surface(grid_mesh(np.stack([x, y, 0.0 * x], axis=-1)), QUICK_LEVELS)
     positions = np.array([[3.0, 3.0, 0.1], [6.0, 6.0, 0.2]])

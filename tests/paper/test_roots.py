@@ -2,8 +2,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from root_multistart import distinct, expansion, missed, multistart_roots, sharpened, starts
 from numpy.typing import NDArray
+from root_multistart import distinct, expansion, missed, multistart_roots, sharpened, starts
 from wild import wild_patches
 
 from bodymeasure.geodesic.equations import residual_and_jacobian
