@@ -9,7 +9,6 @@ import numpy as np
 
 from bodymeasure.paper import published
 from bodymeasure.paper.speed import OUR_METHODS, OUR_RITZ
-from bodymeasure.paper.surface_comparison import Comparison, distribution
 from bodymeasure.paper.table import Column, Table, Value, rows_of
 from bodymeasure.paper.tables import ReadingResult, mean_or_none, signed_difference
 
@@ -22,15 +21,15 @@ TABLE_5_ERROR = 0.002
 THAN_PAPER, THAN_TWO = 1000.0, 50.0
 
 
-def accuracy_bars(chosen: ReadingResult, diagonals: Comparison) -> Table:
+def accuracy_bars(chosen: ReadingResult, table_5_error: float) -> Table:
     """Means of Table 4's sets, and of Table 5, against what they were to be.
 
     Parameters
     ----------
     chosen : ReadingResult
         The reading that Table 4 is judged by.
-    diagonals : Comparison
-        Of Table 5.
+    table_5_error : float
+        Mean size of the relative errors of all diagonals in Table 5.
     """
     low, high = published.MEAN_LOSS / ORDER, published.MEAN_LOSS * ORDER
     rows: list[tuple[Value, ...]] = []
@@ -39,9 +38,8 @@ def accuracy_bars(chosen: ReadingResult, diagonals: Comparison) -> Table:
         mean = mean_or_none(loss[np.isfinite(loss)])
         met = mean is not None and low <= mean <= high
         rows.append((f"Table 4, set {name}: mean accuracy loss", mean, low, high, met))
-    error = distribution(diagonals).mean_absolute
     what = "Table 5: mean size of the diagonals' errors"
-    rows.append((what, error, None, TABLE_5_ERROR, error <= TABLE_5_ERROR))
+    rows.append((what, table_5_error, None, TABLE_5_ERROR, table_5_error <= TABLE_5_ERROR))
     return Table(
         "bars_accuracy",
         "Accuracy",
@@ -77,19 +75,21 @@ def speed_bars(tables: Sequence[Table]) -> Table:
             by_method[name] for name, _ in OUR_METHODS if _as_accurate(by_method[name], ritz)
         ]
         if not accurate:
-            rows.append((of, *(None,) * 6, False))
+            rows.append((of, *(None,) * 7, False))
             continue
         best = min(accurate, key=lambda row: float(row["seconds"]))
         paper, two = best["than_paper"], best["than_two"]
         errors = (best["nine_in_ten"], ritz["nine_in_ten"])
         fast = paper >= THAN_PAPER and two >= THAN_TWO
-        rows.append((of, best["method"], *errors, 1e6 * best["seconds"], paper, two, fast))
+        solved = (best["method"], best["solved"])
+        rows.append((of, *solved, *errors, 1e6 * best["seconds"], paper, two, fast))
     return Table(
         "bars_speed",
         "Speed",
         (
             Column("patches", "Patches", "text"),
             Column("method", "Our fastest as accurate as Ritz", "text", is_timing=True),
+            Column("solved", "Solved", "count", is_timing=True),
             Column("error", "Error: 90 %", "small", is_timing=True),
             Column("ritz_error", "Ritz", "small"),
             Column("microseconds", "Microseconds a patch", "number", is_timing=True),
@@ -102,7 +102,9 @@ def speed_bars(tables: Sequence[Table]) -> Table:
             f"It was to be {THAN_PAPER:,.0f} times as fast as the paper's Ritz, which took "
             f"{published.SECONDS_BY_RITZ} s on a computer of 2007, and {THAN_TWO:.0f} times as "
             "our own two functions with all solutions. As accurate: median error and that of 90 % "
-            "of the patches no larger than our Ritz's.",
+            "of the patches no larger than our Ritz's. Time is of all patches; those that are not "
+            "solved would be left to the search for paths along edges, which is slower by far and "
+            "is not timed here.",
         ),
     )
 

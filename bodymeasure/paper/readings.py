@@ -61,7 +61,7 @@ def events_table(results: Sequence[ReadingResult]) -> Table:
         "What happened, by reading",
         (
             Column("what", "Count", "text"),
-            *(Column(key(r.reading), r.reading.name, "number") for r in results),
+            *(Column(key(r.reading.name), r.reading.name, "number") for r in results),
         ),
         rows_of(rows),
         (

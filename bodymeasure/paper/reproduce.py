@@ -21,6 +21,7 @@ from bodymeasure.paper.body_tables import (
     table_5,
 )
 from bodymeasure.paper.comparison import compare, in_chunks
+from bodymeasure.paper.medians import medians_table
 from bodymeasure.paper.normalization import normalize
 from bodymeasure.paper.random_patches import (
     GROUP_SIZE,
@@ -214,7 +215,7 @@ def _body(study: _Study) -> None:
         spread_of_table_5(found, two),
         body_distribution(BODY, found, two),
         *curve_tables(found, two),
-        accuracy_bars(study.chosen, found.diagonals),
+        accuracy_bars(study.chosen, found.distributions()[0].mean_absolute),
     ]
 
 
@@ -225,7 +226,7 @@ def _speed(study: _Study) -> None:
     with study.bar("time a patch", len(results)) as progress:
         for number, result in enumerate(results, start=1):
             batch = len(result.found) if study.settings.quick else BATCH
-            tables.append(speed_table(f"speed_{key(result.reading)}", result, batch))
+            tables.append(speed_table(f"speed_{key(result.reading.name)}", result, batch))
             progress(number)
     study.tables += [*tables, speed_bars(tables)]
 
@@ -252,7 +253,8 @@ def _beyond(study: _Study) -> None:
     ]
     counts: Sequence[int] = FEW_COUNTS if quick else COUNTS
     with study.bar("beyond 2007", len(settings())) as progress:
-        study.tables.append(beyond_table(problems, counts, progress))
+        table = beyond_table(problems, counts, progress)
+    study.tables += [medians_table(table), table]
 
 
 PARTS: tuple[tuple[str, Callable[[_Study], None]], ...] = (

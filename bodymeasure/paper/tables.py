@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -78,7 +79,7 @@ def table_3(result: ReadingResult) -> Table:
             )
         )
     return Table(
-        f"table_3_{key(result.reading)}",
+        f"table_3_{key(result.reading.name)}",
         f"Table 3, reading “{result.reading.name}”: sample data",
         (
             Column("sample", "Sample", "count"),
@@ -128,7 +129,7 @@ def table_4(result: ReadingResult, rule: str) -> Table:
             )
         )
     return Table(
-        f"table_4_{key(result.reading)}_{rule}",
+        f"table_4_{key(result.reading.name)}_{rule}",
         f"Table 4, reading “{result.reading.name}”: {RULES_IN_WORDS[rule]}",
         (
             Column("set", "Set", "text"),
@@ -183,7 +184,7 @@ def truth_table(result: ReadingResult) -> Table:
             )
         )
     return Table(
-        f"truth_{key(result.reading)}",
+        f"truth_{key(result.reading.name)}",
         f"Against the truth, reading “{result.reading.name}”",
         (
             Column("method", "Method", "text"),
@@ -207,9 +208,9 @@ def truth_table(result: ReadingResult) -> Table:
     )
 
 
-def key(reading: Reading) -> str:
-    """A reading's name as a part of names for programs."""
-    return reading.name.replace(" ", "_").replace(".", "_")
+def key(name: str) -> str:
+    """A name for people as a part of names for programs."""
+    return re.sub(r"\W+", "_", name).strip("_")
 
 
 def mean_or_none(values: _Array) -> float | None:

@@ -10,6 +10,7 @@ import msgspec
 from bodymeasure.files import make_folder, write_all
 from bodymeasure.paper.page import render_page
 from bodymeasure.paper.reproduce import Reproduction
+from bodymeasure.paper.summary import render_summary
 from bodymeasure.paper.table import to_csv, to_record
 
 SCHEMA: Final = "bodymeasure paper"
@@ -17,7 +18,7 @@ VERSION: Final = 1
 
 
 def write_reproduction(found: Reproduction, folder: Path) -> tuple[Path, ...]:
-    """Write ``paper.html``, ``tables.json`` and ``tables.csv``: all of them or none.
+    """Write ``paper.html``, ``summary.md``, ``tables.json`` and ``tables.csv``: all or none.
 
     Parameters
     ----------
@@ -39,6 +40,7 @@ def write_reproduction(found: Reproduction, folder: Path) -> tuple[Path, ...]:
     """
     contents = {
         folder / "paper.html": render_page(found),
+        folder / "summary.md": render_summary(found),
         folder / "tables.json": to_json(found),
         folder / "tables.csv": to_csv(found.tables),
     }

@@ -12,9 +12,11 @@ from command_line import Run, hide_here, recorded_bars
 
 from bodymeasure.paper import reproduce
 from bodymeasure.paper.random_patches import READINGS
+from bodymeasure.paper.tables import key
 
 FEW = READINGS[1:3]
-FILES = ["paper.html", "tables.json", "tables.csv"]
+OTHER = next(r.name for r in FEW if r.name != reproduce.CHOSEN)
+FILES = ["paper.html", "summary.md", "tables.json", "tables.csv"]
 
 
 @pytest.fixture
@@ -24,6 +26,7 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(reproduce, "READINGS", FEW)
     monkeypatch.setattr(reproduce, "FEW_COUNTS", (4,))
     monkeypatch.setattr(reproduce, "QUICK_BODY_STEP", 94)
+    monkeypatch.setattr(reproduce, "QUICK_CURVES", 2)
     monkeypatch.setattr(reproduce, "QUICK_BEYOND_PATCHES", 4)
     monkeypatch.setattr(reproduce, "QUICK_SCALING_PATCHES", 4)
 
@@ -47,10 +50,10 @@ class Loads(HTMLParser):
         self.anchors: set[str] = set()
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:  # noqa: ARG002
-        for key, value in attrs:
-            if key in ("src", "href", "srcset", "data", "action"):
+        for name, value in attrs:
+            if name in ("src", "href", "srcset", "data", "action"):
                 self.addresses.append(value or "")
-            if key == "id":
+            if name == "id":
                 self.anchors.add(value or "")
 
 
@@ -63,7 +66,7 @@ def test_every_table_and_the_page(
     ran = run("paper", "-o", folder, "--quick", "--seed", 5, "--processes", 2)
     assert (ran.code, ran.err) == (0, "")
     assert sorted(path.name for path in folder.iterdir()) == sorted(FILES)
-    assert ran.out.splitlines()[-3:] == [str(folder / name) for name in FILES]
+    assert ran.out.splitlines()[-4:] == [str(folder / name) for name in FILES]
     for reading in FEW:
         assert re.search(rf"^ *{re.escape(reading.name)}  +(\S+ %|-)", ran.out, re.MULTILINE)
     for _, total, done in bars:
@@ -78,18 +81,23 @@ def test_every_table_and_the_page(
         "patches_a_set": 1,
     }
     tables = content["tables"]
-    for start, count in (("table_3_", 2), ("table_4_", 4), ("truth_", 3)):
+    for start, count in (("table_3_", 2), ("table_4_", 4), ("truth_", 3), ("speed_", 3)):
         assert sum(name.startswith(start) for name in tables) == count
-    assert {"closest", "events", "speed", "scaling", "beyond"} <= set(tables)
+    assert {"closest", "events", "table_5", "scaling", "beyond"} <= set(tables)
     assert all(row["identical"] for row in tables["scaling"]["rows"])
     with (folder / "tables.csv").open(encoding="utf-8", newline="") as file:
         lines = list(csv.DictReader(file))
     cells = sum(len(table["rows"]) * len(table["columns"]) for table in tables.values())
     assert len(lines) == cells
 
+    summary = (folder / "summary.md").read_text("utf-8")
+    assert f"| {FEW[0].name} |" in summary
+    assert f"**{tables['table_4_grid_0_6_inside']['title']}**" in summary
+    assert tables[f"table_4_{key(OTHER)}_inside"]["title"] not in summary
+    assert str(tmp_path) not in summary
     page = Loads()
     page.feed((folder / "paper.html").read_text("utf-8"))
-    assert sum(address.startswith("data:image/svg") for address in page.addresses) == 5
+    assert sum(address.startswith("data:image/svg") for address in page.addresses) == 6
     for address in page.addresses:
         assert address.startswith(("data:", "#"))
         if address.startswith("#"):
@@ -135,11 +143,13 @@ def test_bad_options_are_bad_input(
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.parametrize("package", ["jinja2", "matplotlib"])
+@pytest.mark.parametrize(
+    ("module", "package"), [("igl", "libigl"), ("jinja2", "jinja2"), ("matplotlib", "matplotlib")]
+)
 def test_a_missing_package_is_told_before_any_work(
-    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, package: str
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, module: str, package: str
 ) -> None:
-    hide_here(monkeypatch, package)
+    hide_here(monkeypatch, module)
     ran = run("paper", "-o", tmp_path / "out", "--quick")
     assert ran.code == 2
     assert f"needs the package '{package}'" in ran.err

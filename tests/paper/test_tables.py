@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from bodymeasure.paper import published
+from bodymeasure.paper.bars import accuracy_bars
 from bodymeasure.paper.comparison import Comparison
 from bodymeasure.paper.random_patches import READINGS, RandomPatches
 from bodymeasure.paper.readings import closest_table, events_table
@@ -113,6 +114,18 @@ def test_the_truth_tells_who_erred() -> None:
     assert (inside["nearer"], inside["of"]) == (1, 3)
     assert (ritz["nearer"], ritz["of"]) == (2, 3)
     assert every["least"] == pytest.approx(1.0 / 1.02 - 1.0)
+
+
+def test_aims_that_were_missed_are_told() -> None:
+    lengths = [1.0001, 1.0001, NAN, NAN]
+    far, none, body = rows(accuracy_bars(result(inside_length=lengths), 0.0021))
+    assert (far["found"], far["met"]) == (pytest.approx(1e-4), False)
+    assert (none["found"], none["met"]) == (None, False)
+    assert (body["most"], body["met"]) == (0.002, False)
+    first, second, body = rows(accuracy_bars(result(), 0.0019))
+    assert (first["met"], second["met"], body["met"]) == (True, True, True)
+    # A third of the paper's mean.
+    assert first["least"] == pytest.approx(0.0307 / 3.0, abs=1e-4)
 
 
 def test_events_are_counted() -> None:
