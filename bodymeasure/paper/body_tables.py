@@ -24,6 +24,7 @@ _Length = TypeVar("_Length", float, NDArray[np.float64])
 DIAGONALS = "diagonals"
 TWO_FUNCTIONS = "diagonals, by two functions"
 BOUNDARY = "boundary curves"
+PAPERS_ROWS = "the paper's four rows"
 
 
 def by_two_functions(
@@ -140,7 +141,7 @@ def spread_of_table_5(found: Table5, two: Comparison) -> Table:
     largest_printed = printed[size.argmax()]
     means = (printed.mean(), size.mean(), np.median(size), None)
     which = f"data {size.argmax() + 1}"
-    rows.append(("the paper's four rows", len(size), 0, *means, largest_printed, which, None))
+    rows.append((PAPERS_ROWS, len(size), 0, *means, largest_printed, which, None))
     return Table(
         "table_5_spread",
         "Relative errors of all curves",

@@ -102,7 +102,9 @@ def roots_chart(table: Table, name: str) -> bytes:
     with chart_style():
         figure, (axes,) = _panels(1)
         labels = [c for c in table.columns if c.name.startswith("real_")]
-        rows = table.records
+        # With few exceptions the number is odd: a line through the zeros between would be a saw.
+        rows = [r for r in table.records if any(r[column.name] for column in labels)]
+        axes.xaxis.get_major_locator().set_params(integer=True)
         for number, column in enumerate(labels):
             points = [(row["solutions"], row[column.name]) for row in rows]
             _line(axes, points, number, column.label.removeprefix("Patches, "))

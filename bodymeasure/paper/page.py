@@ -7,9 +7,11 @@ from typing import Any
 
 from bodymeasure.errors import MissingExtraError
 from bodymeasure.paper import charts
+from bodymeasure.paper.random_patches import GROUP_SIZE
 from bodymeasure.paper.reproduce import BODY, CHOSEN, Reproduction
 from bodymeasure.paper.sections import CHOICES, LONG, sections_of, tiles
 from bodymeasure.paper.shown import shown
+from bodymeasure.report import numbers
 from bodymeasure.report.html import data_uri
 
 
@@ -31,6 +33,7 @@ def render_page(found: Reproduction) -> bytes:
         autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
     environment.filters["shown"] = shown
+    environment.filters["unbroken"] = numbers.unbroken
     template = environment.from_string(own.read_text("utf-8"))
     return template.render(**_context(found), css=css).encode()
 
@@ -44,6 +47,7 @@ def _context(found: Reproduction) -> dict[str, Any]:
         "choices": CHOICES,
         "tiles": tiles(found),
         "long": LONG,
+        "full_group": GROUP_SIZE,
     }
 
 

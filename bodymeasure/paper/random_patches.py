@@ -64,7 +64,7 @@ READINGS = (
     ),
     Reading(
         "grid 0.6",
-        "The same over a grid of side 0.6: the shortest diagonals of the cube-wide grid exceed "
+        "As grid 1, over a grid of side 0.6: the shortest diagonals of the cube-wide grid exceed "
         "1.73, those of the paper's Table 3 lie between 1.37 and 1.60.",
         0.6,
     ),

@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from bodymeasure.paper import published
+from bodymeasure.paper.body_tables import DIAGONALS, PAPERS_ROWS, TWO_FUNCTIONS
 from bodymeasure.paper.reproduce import CHOSEN, Reproduction
 from bodymeasure.paper.ritz_table import ERROR_BOUND, MAX_ORDER
-from bodymeasure.paper.table import Table
+from bodymeasure.paper.shown import shown
+from bodymeasure.paper.table import Column, Table
 from bodymeasure.paper.tables import key
 from bodymeasure.report import numbers
 
@@ -108,6 +110,7 @@ CHOICES = (
     ("Time", "Processor time of one patch by itself, where the paper has the clock's."),
     ("The testing data", "See the readings of section 6.1."),
 )
+SHARE = Column("share", "Share", "share")
 # Rows from which a table is folded away behind its charts.
 LONG = 30
 
@@ -137,6 +140,7 @@ def tiles(found: Reproduction) -> list[tuple[str, str, str]]:
     truth = {row["method"]: row for row in found.table(chosen_name("truth_")).records}
     speed = {row["method"]: row for row in found.table(chosen_name("speed_")).records}
     ours = speed["bodymeasure, default"]
+    body = {row["curves"]: row for row in found.table("table_5_spread").records}
     return [
         ("Mean accuracy loss, paper", numbers.percent(published.MEAN_LOSS), "mean of four sets"),
         (
@@ -148,6 +152,12 @@ def tiles(found: Reproduction) -> list[tuple[str, str, str]]:
             "Radial functions off the truth",
             numbers.scientific(truth["RBF, inside"]["median_size"]),
             f"median; Ritz: {numbers.scientific(truth['Ritz']['median_size'])}",
+        ),
+        (
+            "Table 5, mean size of errors",
+            shown(body[DIAGONALS]["mean_absolute"], SHARE),
+            f"by two functions: {shown(body[TWO_FUNCTIONS]['mean_absolute'], SHARE)}; "
+            f"paper: {shown(body[PAPERS_ROWS]['mean_absolute'], SHARE)}",
         ),
         (
             "A diagonal today",
