@@ -199,3 +199,16 @@ def test_what_is_cut_off_is_counted() -> None:
             )
             if solution.converged:
                 assert abs(solution.length - exact) <= solution.error_estimate
+
+
+def test_many_modes_are_assembled_as_few_are(
+    monkeypatch: pytest.MonkeyPatch, rng: np.random.Generator
+) -> None:
+    # Of many modes no products of all pairs are kept; the systems are the same.
+    values = geodesic(CURVED[0]) + 0.01 * bows(3, rng)
+    few = measured(CURVED[0].control_points, values)
+    monkeypatch.setattr("bodymeasure.geodesic.jacobi.MOST_IN_ONE_PRODUCT", 1)
+    many = measured(CURVED[0].control_points, values)
+    np.testing.assert_allclose(many.correction, few.correction, rtol=1e-11)
+    np.testing.assert_allclose(many.error, few.error, rtol=1e-6)
+    np.testing.assert_array_equal(many.index, few.index)
