@@ -27,6 +27,9 @@ from bodymeasure.geodesic.tangency import tangency_error
 
 _Array = NDArray[np.float64]
 
+# A polygon that touches edges more often than this has found no rest; five legs are the most that
+# any path had on wild patches.
+MOST_LEGS = 12
 # How often the pattern is read.
 MOST_PATTERNS = 6
 
@@ -67,9 +70,13 @@ def solve_contact_path(
             points[place, 1 - pole.axis] = points[beside, 1 - pole.axis]
     for _ in range(MOST_PATTERNS):
         legs = read_legs(points, poles)
-        free = [_solve_free(surface, points, leg, tolerance) for leg in legs]
-        if any(found is None for leg, found in zip(legs, free, strict=True) if not leg.contact):
+        if len(legs) > MOST_LEGS:
             return None
+        free: list[_FreeLeg | None] = []
+        for leg in legs:
+            free.append(_solve_free(surface, points, leg, tolerance))
+            if leg.contact is None and free[-1] is None:
+                return None
         backwards = [_runs_backwards(points, legs, free, number) for number in range(len(legs))]
         if not any(backwards) and all(found is None or found.inside for found in free):
             return _put_together(surface, points, legs, free)
