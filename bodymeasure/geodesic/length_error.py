@@ -12,7 +12,10 @@ shifted by :math:`\psi` is
 Jacobi equation with zero ends, and there :math:`L - L(\psi) = \tfrac12 \int \kappa_g \psi` to
 leading order. That excess is subtracted. What is left over is estimated by
 
-- the last Galerkin modes of :math:`\psi`, for those that were left out;
+- the last Galerkin modes of :math:`\psi`, for those that were left out. On few functions two modes
+  tell too little, and the curvature of piecewise polynomials has kinks, so that what modes take off
+  hardly falls from one to the next: there, all that they leave out of
+  :math:`\tfrac12 \int (\int \kappa_g)^2`, which is the excess without K, is counted too;
 - the next term of the expansion, :math:`\tfrac16 \int |\partial_n K| |\psi|^3`, with the
   derivative across the path taken to be of the size of that along it, and of 4 K / L;
 - the terms after it, :math:`\int |\kappa_g \psi| \psi'^2 / 2 + \psi'^4 / 8 + K^2 \psi^4`;
