@@ -40,6 +40,9 @@ COLLAPSED = 1e-14
 SMALL = 0.1
 # Rounding errors of lengths, relative, generously.
 ROUNDING = 1e-9
+# Points of a polygon this close to an edge, in u or v, are on it: where the edge is a geodesic
+# itself nothing presses them, and rounding errors would tell which of them touch.
+TOUCHING = 1e-12
 # Edges of the polygons whose pattern of contacts is read, in turn.
 FINE_EDGES = (64, 256)
 
@@ -85,7 +88,7 @@ def polish(surface: Surface, polygons: _Array, tolerance: float) -> Polished:
         if len(left) == 0:
             break
         part = surface.take(left)
-        fine = descend(part, _refined(polygons[left], edges))
+        fine = _on_edges(descend(part, _refined(polygons[left], edges)))
         length = polygon_lengths(part, fine)
         doubt[left] = length
         for row, polygon, least in zip(left, fine, length, strict=True):
@@ -162,6 +165,15 @@ def _refined(polygons: _Array, edges: int) -> _Array:
     """Polygons with another number of edges."""
     old, new = np.linspace(0.0, 1.0, polygons.shape[1]), np.linspace(0.0, 1.0, edges + 1)
     result: _Array = np.stack([np.interp(new, old, row) for row in np.eye(len(old))], 1) @ polygons
+    return result
+
+
+def _on_edges(polygons: _Array) -> _Array:
+    """Polygons whose points all but on an edge are on it; the ends stay."""
+    result = polygons.copy()
+    inner = result[:, 1:-1]
+    inner[inner < TOUCHING] = 0.0
+    inner[inner > 1.0 - TOUCHING] = 1.0
     return result
 
 

@@ -267,6 +267,20 @@ def test_a_straight_edge_presses_nothing_and_is_not_refused(rng: np.random.Gener
         assert arc.solved.measured.raw[0] == pytest.approx(np.abs(end - begin).sum(), rel=1e-14)
 
 
+@pytest.mark.parametrize("search", ["quick", "thorough"])
+@pytest.mark.parametrize("along", [(0.0, 0.01, 0.02, 1.0), (0.0, 0.98, 0.99, 1.0)])
+def test_a_straight_edge_of_uneven_speed_holds_its_path(
+    along: tuple[float, ...], search: bm.geodesic.Search
+) -> None:
+    # No method resolves the parameter, and the polygon lies on the edge but for rounding errors.
+    net = heights(np.zeros((4, 4)))
+    net[..., 1] = along
+    solution = bm.solve_geodesic(net, (0.0, 0.0), (0.0, 1.0), search=search)
+    assert solution.length == pytest.approx(1.0, rel=1e-14)
+    (contact,) = solution.contacts
+    assert (contact.edge, contact.start, contact.end) == ("u = 0", 0.0, 1.0)
+
+
 def test_legs_that_meet_at_a_corner_are_fixed_there() -> None:
     polygon = np.array([[0.5, 0.5], [0.2, 0.8], [0.0, 1.0], [0.3, 0.9], [0.6, 0.6]])
     legs = read_legs(polygon)
