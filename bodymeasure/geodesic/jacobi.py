@@ -19,7 +19,7 @@ from bodymeasure.geodesic.trial_space import TrialSpace
 _Array = NDArray[np.float64]
 
 # See the text of `length_error`.
-SAFETY = 3.0
+SAFETY = 5.0
 QUADRATURE_SAFETY = 3.0
 CURVATURE_VARIATION = 4.0
 # Rounding errors of a length, relative, a node: measured against 40-node solutions.

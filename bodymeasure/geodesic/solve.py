@@ -26,6 +26,9 @@ _Array = NDArray[np.float64]
 SMALLEST = float(np.finfo(np.float64).smallest_subnormal)
 # A path with a correction beyond this part of its length is no geodesic in any sense.
 STRAY = 0.1
+# Nor is one that turns by more than this on a way as long as itself. Of flat patches, whose
+# geodesics stay inside, unresolved paths that left them turned by 43 and more.
+WANDERING = 30.0
 # How many failed problems an error message lists.
 LISTED = 5
 
@@ -173,7 +176,8 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
         index[here] = np.where(piece.converged, measured.index, UNKNOWN)
         functions[here] = piece.space.size
         # A path that is far from a geodesic says nothing of where the geodesic would run.
-        stray = ~piece.converged & ~(np.abs(measured.correction) < STRAY * measured.raw)
+        near = np.abs(measured.correction) < STRAY * measured.raw
+        stray = ~piece.converged & ~(near & (measured.residual <= WANDERING))
         outside = is_outside(piece) & ~stray
         if piece.contacts:
             status[here] = Status.ON_BOUNDARY
