@@ -12,8 +12,9 @@ _Array = NDArray[np.float64]
 
 # Newton steps within a bracket that each step narrows; four are enough where speeds vary little.
 STEPS = 50
-# An arc length this close to the one that is sought, relative to the whole, is the same.
-SAME = 4e-16
+# From an arc length this close to the one that is sought, relative to the whole, one more step
+# leads to rounding errors.
+CLOSE = 1e-9
 
 
 def times_at(quadrature: Quadrature, speed: _Array, parts: _Array) -> _Array:
@@ -50,11 +51,12 @@ def times_at(quadrature: Quadrature, speed: _Array, parts: _Array) -> _Array:
     low, high = np.full_like(x, -1.0), np.full_like(x, 1.0)
     for _ in range(STEPS):
         excess = legendre.legval(x, gone, tensor=False) - wanted
-        if (np.abs(excess) <= SAME * through[:, -1:]).all():
-            break
+        close = (np.abs(excess) <= CLOSE * through[:, -1:]).all()
         low, high = np.where(excess < 0.0, x, low), np.where(excess > 0.0, x, high)
         step = x - excess / legendre.legval(x, rate, tensor=False)
-        x = np.where((step > low) & (step < high), step, (low + high) / 2.0)
+        x = np.where((step >= low) & (step <= high), step, (low + high) / 2.0)
+        if close:
+            break
     edges = np.concatenate([[0.0], np.cumsum(quadrature.widths)])
     times: _Array = edges[piece] + quadrature.widths[piece] * (x + 1.0) / 2.0
     return np.clip(times, 0.0, 1.0)

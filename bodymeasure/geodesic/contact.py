@@ -8,12 +8,13 @@ polygon at rest, and read again from the legs themselves where one of them leave
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.geodesic.degrees import DEGREES, degrees_wanted
+from bodymeasure.geodesic.degrees import DEGREES, OVERSHOOT, degrees_wanted, leave_for_certain
 from bodymeasure.geodesic.edge_arc import edge_arc
 from bodymeasure.geodesic.free_piece import solve_free_piece
 from bodymeasure.geodesic.joined_legs import ContactPath, SolvedLeg, join
@@ -22,14 +23,13 @@ from bodymeasure.geodesic.length_error import is_good, measure_length
 from bodymeasure.geodesic.method import EdgeContact
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import Surface
+from bodymeasure.geodesic.tangency import tangency_error
 
 _Array = NDArray[np.float64]
 
-# A leg may leave the box by this much, in u or v, without the pattern being wrong.
-OVERSHOOT = 1e-9
-# A path is off by about the square root of what its length is too long by. If it leaves the box by
-# more than so many times that, better paths would too.
-OFF = 10.0
+# A polygon that touches edges more often than this has found no rest; five legs are the most that
+# any path had on wild patches.
+MOST_LEGS = 12
 # How often the pattern is read.
 MOST_PATTERNS = 6
 
@@ -70,9 +70,13 @@ def solve_contact_path(
             points[place, 1 - pole.axis] = points[beside, 1 - pole.axis]
     for _ in range(MOST_PATTERNS):
         legs = read_legs(points, poles)
-        free = [_solve_free(surface, points, leg, tolerance) for leg in legs]
-        if any(found is None for leg, found in zip(legs, free, strict=True) if not leg.contact):
+        if len(legs) > MOST_LEGS:
             return None
+        free: list[_FreeLeg | None] = []
+        for leg in legs:
+            free.append(_solve_free(surface, points, leg, tolerance))
+            if leg.contact is None and free[-1] is None:
+                return None
         backwards = [_runs_backwards(points, legs, free, number) for number in range(len(legs))]
         if not any(backwards) and all(found is None or found.inside for found in free):
             return _put_together(surface, points, legs, free)
@@ -99,15 +103,17 @@ def _solve_free(surface: Surface, points: _Array, leg: Leg, tolerance: float) ->
         if values is None:
             continue
         measured = measure_length(surface, space, values[None])
+        # How wrong a joint is says little of the degree that it takes.
+        wanted = degrees_wanted(degree, measured, tolerance)[0]
+        joints = tangency_error(surface, space, values, leg.ends)
+        measured = replace(measured, error=measured.error + joints)
         if not is_good(measured, tolerance)[0]:
-            wanted = degrees_wanted(degree, measured, tolerance)[0]
             continue
         solved = SolvedLeg(space, values, measured)
         if not space.leaves_patch(values[None], OVERSHOOT)[0]:
             return _FreeLeg(solved, inside=True)
         outside = _FreeLeg(solved, inside=False)
-        off = np.sqrt(np.abs(measured.correction[0]) * measured.raw[0])
-        if space.leaves_patch(values[None], OVERSHOOT + OFF * off)[0]:
+        if leave_for_certain(space, values[None], measured)[0]:
             break
     return outside
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.geodesic.block_tridiagonal import factorize, solve
-from bodymeasure.geodesic.polygon_energy import PolygonEnergy, polygon_energy
+from bodymeasure.geodesic.box_steps import box_steps
+from bodymeasure.geodesic.polygon_energy import polygon_energy
 from bodymeasure.geodesic.surface import Surface
 
 _Array = NDArray[np.float64]
 
-# Newton steps at most. Nearly all paths take 6 to 15; each change of the active bounds costs one.
+# Newton steps at most. Nearly all paths take 6 to 15.
 MAX_STEPS = 60
 # A path is at rest when a step would lower its energy by less than this part.
 REST = 1e-11
@@ -23,9 +23,8 @@ FIRST_DAMPING, LESS, MORE, MOST = 1e-3, 0.2, 8.0, 1e8
 def descend(surface: Surface, start: _Array) -> _Array:
     """Minimize the energy of polygons on patches, their ends fixed, every point in the patch.
 
-    Newton steps with the exact Hessian, damped as by Levenberg and Marquardt, in the coordinates
-    that no bound holds (projected active set: D. Bertsekas, SIAM J. Control Optim. 20 (1982)
-    221-246). Polygons that are at rest drop out of the work.
+    Newton steps with the exact Hessian, damped as by Levenberg and Marquardt, each to the minimum
+    of the quadratic model in the box. Polygons that are at rest drop out of the work.
 
     Parameters
     ----------
@@ -43,7 +42,9 @@ def descend(surface: Surface, start: _Array) -> _Array:
     points, here = result, polygon_energy(surface, result)
     damping = np.full(len(result), FIRST_DAMPING)
     for _ in range(MAX_STEPS):
-        step, foretold = _step(here, damping)
+        if len(active) == 0:
+            return result
+        step, foretold = box_steps(here, points[:, 1:-1].transpose(2, 1, 0), damping)
         trial = points.copy()
         trial[:, 1:-1] = np.clip(points[:, 1:-1] + step.transpose(2, 1, 0), 0.0, 1.0)
         there = polygon_energy(surface, trial)
@@ -54,22 +55,7 @@ def descend(surface: Surface, start: _Array) -> _Array:
         if rest.any():
             result[active] = points
             moving = np.flatnonzero(~rest)
-            if len(moving) == 0:
-                break
             active, points, damping = active[moving], points[moving], damping[moving]
             surface, here = surface.take(moving), here.take(moving)
     result[active] = points
     return result
-
-
-def _step(here: PolygonEnergy, damping: _Array) -> tuple[_Array, _Array]:
-    """Newton steps, shape (2, k, polygons), and the decreases that the model foretells, doubled.
-
-    Where a Hessian is not positive definite the step is zero, and more damping is called for.
-    """
-    factors = factorize(*here.restricted_hessian(damping))
-    definite = factors.negative == 0
-    right = np.where(here.held, 0.0, -here.gradient)
-    step = np.where(definite, solve(factors, right), 0.0)
-    foretold = (right * step).sum(axis=(0, 1))
-    return step, np.where(definite, foretold, np.inf)

@@ -75,6 +75,17 @@ def edge_arc(surface: Surface, contact: Contact, begin: _Array, end: _Array) -> 
     return EdgeArc(SolvedLeg(space, values, measured), bool((turn <= UNPRESSED).all()))
 
 
+def edge_curvature(surface: Surface, contact: Contact, place: _Array) -> float:
+    """How much an edge of one patch bends within the surface at a place (u, v): its size."""
+    way = np.array([0.0, 1.0] if contact.axis == 0 else [1.0, 0.0])
+    jet = surface.jet(place[None, None], 2)[:, :, 0]
+    velocity = jet[1] * way[0] + jet[2] * way[1]
+    turn = _inward_turn(jet, contact, velocity, way)[0]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        curvature = np.abs(turn) / np.linalg.norm(velocity)
+    return float(np.nan_to_num(curvature))
+
+
 def _inward_turn(jet: _Array, contact: Contact, velocity: _Array, way: _Array) -> _Array:
     """The angle, a unit of its parameter t, by which the arc turns into the patch."""
     along, across = (2, 1) if contact.axis == 0 else (1, 2)

@@ -19,7 +19,7 @@ from bodymeasure.geodesic.trial_space import TrialSpace
 _Array = NDArray[np.float64]
 
 # See the text of `length_error`.
-SAFETY = 3.0
+SAFETY = 5.0
 QUADRATURE_SAFETY = 3.0
 CURVATURE_VARIATION = 4.0
 # Rounding errors of a length, relative, a node: measured against 40-node solutions.
@@ -29,6 +29,8 @@ ROUNDING = 2e-16
 LYAPUNOV_BOUND = 4.0
 # Of more modes than this the products of all pairs take too much memory, and problems are few.
 MOST_IN_ONE_PRODUCT = 48
+# On spaces of fewer functions two modes are not enough to tell what is left out.
+FEW = 6
 # The index of paths of which it is not known.
 UNKNOWN = -1
 # An eigenvalue of the second variation that is this small, beside its others of about 1, is made of
@@ -75,6 +77,8 @@ def judge(space: TrialSpace, along: PathGeometry, xp: Any) -> Judgement:
     slope = (constant(modes.slopes, speed, xp) @ solution) / speed
     variation = _curvature_variation(quadrature, along, xp)
     left_out = xp.sum(xp.abs(by_mode[-2:, :]), axis=0)
+    if len(quadrature.widths) > 1 or space.size < FEW:
+        left_out = left_out + _beyond(quadrature, along, modes, xp)
     left_out = left_out + _next_order(quadrature, along, (shift, slope), variation, xp)
     left_out = left_out + QUADRATURE_SAFETY * quadrature.error_estimate(speed, xp)
     # Besides sums of many terms, what is left over of the solution of the collocation equations.
@@ -120,6 +124,21 @@ def _curvature_variation(quadrature: Quadrature, along: PathGeometry, xp: Any) -
     length = constant(quadrature.weights, speed, xp) @ speed
     most = CURVATURE_VARIATION * xp.max(xp.abs(curvature), axis=0) / length
     return xp.max(change / slower, axis=0) + most
+
+
+def _beyond(quadrature: Quadrature, along: PathGeometry, modes: _Modes, xp: Any) -> Any:
+    """What is left out of the correction with the modes that are left out, all together.
+
+    Without K, which says little to so quick modes, psi' is the integral of the curvature along the
+    path, less its mean: what of it is no sum of the modes' slopes is known.
+    """
+    speed, kappa, _ = along
+    weights = constant(quadrature.weights, speed, xp)
+    turn = constant(quadrature.antiderivative, speed, xp) @ (kappa * speed)
+    turn = (turn - weights @ (turn * speed) / (weights @ speed)) * speed
+    slopes = constant(modes.slopes, speed, xp)
+    rest = turn - slopes @ (xp.matrix_transpose(slopes) @ (weights[:, None] * turn))
+    return 0.5 * (weights @ (rest * rest / speed))
 
 
 def _next_order(

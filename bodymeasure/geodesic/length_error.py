@@ -12,18 +12,22 @@ shifted by :math:`\psi` is
 Jacobi equation with zero ends, and there :math:`L - L(\psi) = \tfrac12 \int \kappa_g \psi` to
 leading order. That excess is subtracted. What is left over is estimated by
 
-- the last Galerkin modes of :math:`\psi`, for those that were left out;
+- the last Galerkin modes of :math:`\psi`, for those that were left out. On few functions two modes
+  tell too little, and the curvature of piecewise polynomials has kinks, so that what modes take off
+  hardly falls from one to the next: there, all that they leave out of
+  :math:`\tfrac12 \int (\int \kappa_g)^2`, which is the excess without K, is counted too;
 - the next term of the expansion, :math:`\tfrac16 \int |\partial_n K| |\psi|^3`, with the
   derivative across the path taken to be of the size of that along it, and of 4 K / L;
 - the terms after it, :math:`\int |\kappa_g \psi| \psi'^2 / 2 + \psi'^4 / 8 + K^2 \psi^4`;
 - three times the error that the quadrature estimates of itself;
 
-all tripled, plus rounding. The factors were fixed by measurement
-(``tests/benchmarks/error_estimate.py``): on random and body patches the estimate covers the true
-error of the corrected length on more than 99.9 % of paths, and is 30 to 150 times too large in the
-median on bodies, up to 600 times on wild patches. It is leading order: callers trust it only where
-the correction is a small part of the length (`TRUSTED_CORRECTION`) and the path turns but little
-between its nodes (`TRUSTED_RESIDUAL`).
+all times five, plus rounding. The factors were fixed by measurement
+(``tests/benchmarks/error_estimate.py`` and ``adversarial.py``): on random and body patches the
+estimate covers the true error of the corrected length on more than 99.9 % of paths; with a factor
+of three some adversarial ones were off by 1.6 times the estimate. It is about a hundred times too
+large in the median where errors are above rounding, and some 1e-5 of what is corrected. It is
+leading order: callers trust it only where the correction is a small part of the length
+(`TRUSTED_CORRECTION`) and the path turns but little between its nodes (`TRUSTED_RESIDUAL`).
 """
 
 from __future__ import annotations

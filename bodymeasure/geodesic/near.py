@@ -90,6 +90,8 @@ def solve_near_and_far(
     method: Method, surface: Surface, start: _Array, end: _Array
 ) -> MethodResult:
     """What a method finds, near problems magnified; start and end of shape (problems, 2)."""
+    if len(start) == 0:
+        return MethodResult((), np.zeros(0, np.int64))
     span = np.abs(end - start).max(axis=1)
     near = span < NEAR
     if not near.any():

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from bodymeasure.geodesic.contact import solve_contact_path
-from bodymeasure.geodesic.degrees import DEGREES, degrees_wanted
+from bodymeasure.geodesic.degrees import DEGREES, degrees_wanted, leave_for_certain
 from bodymeasure.geodesic.descent import descend
 from bodymeasure.geodesic.joined_legs import ContactPath
 from bodymeasure.geodesic.legs import End, Pole
@@ -35,8 +35,14 @@ OUTSIDE = 1e-9
 ASTRAY = 0.1
 # An edge this long, on a patch of size 1, is a point but for rounding errors.
 COLLAPSED = 1e-14
+# And so it is if it is this part of the error that is asked for: paths from its points differ in
+# length by no more than it is long, which is added to their error.
+SMALL = 0.1
 # Rounding errors of lengths, relative, generously.
 ROUNDING = 1e-9
+# Points of a polygon this close to an edge, in u or v, are on it: where the edge is a geodesic
+# itself nothing presses them, and rounding errors would tell which of them touch.
+TOUCHING = 1e-12
 # Edges of the polygons whose pattern of contacts is read, in turn.
 FINE_EDGES = (64, 256)
 
@@ -70,15 +76,19 @@ def polish(surface: Surface, polygons: _Array, tolerance: float) -> Polished:
     tolerance : float
         Relative error asked for.
     """
-    poles = [_poles(surface, polygons[:, place]) for place in (0, -1)]
+    poles, doubts = zip(
+        *(_poles(surface, polygons[:, place], tolerance) for place in (0, -1)), strict=True
+    )
     touches = ((polygons <= 0.0) | (polygons >= 1.0))[:, 1:-1].any(axis=(1, 2))
     fixed = np.array([pole is None and other is None for pole, other in zip(*poles, strict=True)])
     pieces = _collocated(surface, polygons, np.flatnonzero(~touches & fixed), tolerance)
     left = _without(np.arange(len(polygons)), pieces)
     doubt = np.full(len(polygons), np.inf)
     for edges in FINE_EDGES:
+        if len(left) == 0:
+            break
         part = surface.take(left)
-        fine = descend(part, _refined(polygons[left], edges))
+        fine = _on_edges(descend(part, _refined(polygons[left], edges)))
         length = polygon_lengths(part, fine)
         doubt[left] = length
         for row, polygon, least in zip(left, fine, length, strict=True):
@@ -86,24 +96,26 @@ def polish(surface: Surface, polygons: _Array, tolerance: float) -> Polished:
             path = solve_contact_path(own, polygon, (poles[0][row], poles[1][row]), tolerance)
             # No path is shorter than the shortest polygon.
             if path is not None and path.measured.raw[0] >= least * (1.0 - ROUNDING):
-                pieces.append(_as_piece(row, path, COLLAPSED * (not fixed[row])))
+                pieces.append(_as_piece(row, path, doubts[0][row] + doubts[1][row]))
                 doubt[row] = np.inf
         left = _without(left, pieces)
     return Polished(tuple(pieces), doubt)
 
 
-def _poles(surface: Surface, points: _Array) -> list[End]:
-    """Of points, shape (polygons, 2), the collapsed edges that they lie on."""
+def _poles(surface: Surface, points: _Array, tolerance: float) -> tuple[list[End], _Array]:
+    """Of points, shape (polygons, 2), the collapsed edges that they lie on, and their lengths."""
     result: list[End] = [None] * len(points)
+    length = np.zeros(len(points))
     for axis in (0, 1):
         for value in (0.0, 1.0):
             here = np.flatnonzero(points[:, axis] == value)
             edge = np.full((len(here), len(TIMES), 2), value)
             edge[:, :, 1 - axis] = TIMES
-            speed = np.linalg.norm(surface.take(here).jet(edge, 1)[2 - axis], axis=0)
-            for row in here[speed.max(axis=1, initial=0.0) <= COLLAPSED]:
-                result[row] = Pole(axis, value)
-    return result
+            speeds = np.linalg.norm(surface.take(here).jet(edge, 1)[2 - axis], axis=0)
+            for row, speed in zip(here, speeds.max(axis=1, initial=0.0), strict=True):
+                if speed <= max(COLLAPSED, SMALL * tolerance):
+                    result[row], length[row] = Pole(axis, value), max(COLLAPSED, speed)
+    return result, length
 
 
 def _collocated(
@@ -124,14 +136,15 @@ def _collocated(
         found = newton(part, space, start, max_iterations=MOST_STEPS)
         measured = measure_length(part, space, found.values)
         path = (found.values @ space.matrices(times)[0].T).swapaxes(1, 2)
-        good = found.converged & is_good(measured, tolerance)
-        good &= ~space.leaves_patch(found.values, OUTSIDE)
+        exact = found.converged & is_good(measured, tolerance)
+        gone = exact & leave_for_certain(space, found.values, measured)
+        good = exact & ~space.leaves_patch(found.values, OUTSIDE)
         good &= np.abs(path - polygons[rows]).max(axis=(1, 2)) <= ASTRAY
         piece = Piece(rows, space, found.values, measured, good, found.singular)
         pieces.append(piece.take(np.flatnonzero(good)))
-        wanted[rows] = np.where(
-            found.converged, degrees_wanted(degree, measured, tolerance), degree + 1
-        )
+        next_degrees = degrees_wanted(degree, measured, tolerance)
+        wanted[rows] = np.where(found.converged, next_degrees, degree + 1)
+        wanted[rows[gone]] = np.inf
     return pieces
 
 
@@ -152,6 +165,15 @@ def _refined(polygons: _Array, edges: int) -> _Array:
     """Polygons with another number of edges."""
     old, new = np.linspace(0.0, 1.0, polygons.shape[1]), np.linspace(0.0, 1.0, edges + 1)
     result: _Array = np.stack([np.interp(new, old, row) for row in np.eye(len(old))], 1) @ polygons
+    return result
+
+
+def _on_edges(polygons: _Array) -> _Array:
+    """Polygons whose points all but on an edge are on it; the ends stay."""
+    result = polygons.copy()
+    inner = result[:, 1:-1]
+    inner[inner < TOUCHING] = 0.0
+    inner[inner > 1.0 - TOUCHING] = 1.0
     return result
 
 

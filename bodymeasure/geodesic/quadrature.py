@@ -49,6 +49,18 @@ class Quadrature:
         """Where the second, third and last quarter of the degrees begin."""
         return self.count // 4, self.count // 2, 3 * self.count // 4
 
+    @cached_property
+    def antiderivative(self) -> NDArray[np.float64]:
+        """From values at the points to integrals from 0 to them, shape (points, points)."""
+        nodes, weights = legendre.leggauss(self.count)
+        transform = legendre.legvander(nodes, self.count - 1) * weights[:, None]
+        transform *= np.arange(self.count) + 0.5
+        own = legendre.legval(nodes, legendre.legint(transform.T, lbnd=-1.0)).T
+        before = np.tril(np.ones((len(self.widths),) * 2), -1)
+        result = np.asarray(np.kron(np.diag(self.widths / 2.0), own), dtype=np.float64)
+        result += np.kron(before, np.ones((self.count, self.count))) * self.weights
+        return result
+
     def integrate(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """Integral over [0, 1] of functions given at the points, shape (points, ...)."""
         return np.asarray(np.tensordot(self.weights, values, 1))

@@ -16,6 +16,7 @@ from bodymeasure.geodesic.kernels import WU_C10, Kernel
 from bodymeasure.geodesic.ladder import TOLERANCE
 from bodymeasure.geodesic.method import MethodResult
 from bodymeasure.geodesic.rbf_space import rbf_space
+from bodymeasure.geodesic.settings import check_positive
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
 
@@ -79,10 +80,8 @@ class RBFCollocation:
 
     def __post_init__(self) -> None:
         check_form(self.form)
-        if not (np.isfinite(self.support_radius) and self.support_radius > 0.0):
-            raise InputError(f"support_radius is {self.support_radius}; expected a positive number")
-        if not self.tolerance > 0.0:
-            raise InputError(f"tolerance is {self.tolerance}; expected a positive number")
+        check_positive("support_radius", self.support_radius)
+        check_positive("tolerance", self.tolerance)
         if not isinstance(self.kernel, Kernel):
             raise InputError(f"kernel is {self.kernel!r}; expected a Kernel, such as WU_C2")
         if self.centers is not None:
@@ -90,7 +89,7 @@ class RBFCollocation:
             if not (len(centers) and np.isfinite(centers).all()):
                 raise InputError("centers must be finite numbers, at least one")
         counts = self._counts
-        if not counts or not all(isinstance(n, int | np.integer) and n >= 1 for n in counts):
+        if not counts or not all(_is_count(n) for n in counts):
             raise InputError(
                 f"functions is {self.functions!r}; expected at least one function: a whole number, "
                 "or several to be tried in turn"
@@ -139,6 +138,11 @@ def default_centers(kernel: Kernel, count: int) -> _Array:
 def chebyshev_points(count: int) -> _Array:
     """The inner Chebyshev-Lobatto points of [0, 1]."""
     return np.asarray(0.5 - 0.5 * np.cos(np.pi * np.arange(1, count + 1) / (count + 1)))
+
+
+def _is_count(value: Any) -> bool:
+    whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
+    return whole and bool(value >= 1)
 
 
 def _sequence(name: str, values: Sequence[float]) -> _Array:

@@ -1,7 +1,7 @@
 """When to look further than a method does from the straight line, and what to make of it.
 
 Newton's method from the straight line in (u, v) finds *a* geodesic. It may leave the patch, pass a
-conjugate point, or be longer than one elsewhere. `shortest_path` looks for the shortest inside the
+conjugate point, or be longer than one elsewhere. `shortest_paths` looks for the shortest inside the
 patch; the settings say for which problems:
 
 - ``straight``: for none.

@@ -24,7 +24,7 @@ def check_between(name: str, value: float, least: float, most: float) -> None:
 
 def _is_between(value: Any, least: float, most: float) -> bool:
     try:
-        return bool(np.isfinite(value) and least <= value <= most)
+        return np.ndim(value) == 0 and bool(np.isfinite(value) and least <= value <= most)
     except (TypeError, ValueError):
         return False
 

@@ -26,6 +26,9 @@ _Array = NDArray[np.float64]
 SMALLEST = float(np.finfo(np.float64).smallest_subnormal)
 # A path with a correction beyond this part of its length is no geodesic in any sense.
 STRAY = 0.1
+# Nor is one that turns by more than this on a way as long as itself. Of flat patches, whose
+# geodesics stay inside, unresolved paths that left them turned by 43 and more.
+WANDERING = 30.0
 # How many failed problems an error message lists.
 LISTED = 5
 
@@ -97,12 +100,15 @@ def solve_geodesic(
     >>> round(solve_geodesic(plane, (0.0, 0.0), (1.0, 1.0)).length, 12)
     5.0
     """
-    if on_failure not in ("raise", "status"):
-        raise InputError(f"on_failure is {on_failure!r}; expected 'raise' or 'status'")
     if search is None:
         search = "quick" if method is None else "straight"
-    if search not in SEARCHES:
-        raise InputError(f"search is {search!r}; expected one of {', '.join(SEARCHES)}")
+    _check_words(search, on_failure)
+    method = RBFCollocation() if method is None else method
+    # A class is none: it lacks its settings.
+    if isinstance(method, type) or not hasattr(method, "solve"):
+        raise InputError(
+            f"method is {method!r}; expected a method with its settings, such as RBFCollocation()"
+        )
     start, end = _checked_parameters("start", start), _checked_parameters("end", end)
     if hasattr(surface, "derivatives"):
         batch = _broadcast(start.shape[:-1], end.shape[:-1])
@@ -122,7 +128,7 @@ def solve_geodesic(
     starts = np.broadcast_to(start, (*batch, 2)).reshape(-1, 2).copy()
     ends = np.broadcast_to(end, (*batch, 2)).reshape(-1, 2).copy()
     problems = _Problems(surfaces, patch_of, starts, ends, scale, batch)
-    solution = _solve(problems, method or RBFCollocation(), search)
+    solution = _solve(problems, method, search)
     if on_failure == "raise" and not np.all(solution.converged):
         raise ConvergenceError(_failures(solution, count))
     return solution
@@ -170,7 +176,8 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
         index[here] = np.where(piece.converged, measured.index, UNKNOWN)
         functions[here] = piece.space.size
         # A path that is far from a geodesic says nothing of where the geodesic would run.
-        stray = ~piece.converged & ~(np.abs(measured.correction) < STRAY * measured.raw)
+        near = np.abs(measured.correction) < STRAY * measured.raw
+        stray = ~piece.converged & ~(near & (measured.residual <= WANDERING))
         outside = is_outside(piece) & ~stray
         if piece.contacts:
             status[here] = Status.ON_BOUNDARY
@@ -205,9 +212,18 @@ def _renumbered(result: MethodResult, numbers: NDArray[np.int64]) -> MethodResul
     return MethodResult(pieces, result.iterations)
 
 
+def _check_words(search: str, on_failure: str) -> None:
+    # As text, since arrays compare with nothing as a whole.
+    if str(on_failure) not in ("raise", "status"):
+        raise InputError(f"on_failure is {on_failure!r}; expected 'raise' or 'status'")
+    if str(search) not in SEARCHES:
+        raise InputError(f"search is {search!r}; expected one of {', '.join(SEARCHES)}")
+
+
 def _checked_parameters(name: str, value: ArrayLike) -> _Array:
     try:
-        array = np.asarray(value, dtype=np.float64)
+        # Of a torch tensor that records what is done with it, only the numbers are wanted.
+        array = np.asarray(value.detach() if hasattr(value, "detach") else value, dtype=np.float64)
     except (TypeError, ValueError):
         raise InputError(f"{name} is {value!r}; expected numbers (..., 2): u and v") from None
     if array.ndim == 0 or array.shape[-1] != 2:

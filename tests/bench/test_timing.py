@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 import numpy as np
 import pytest
 from small_benchmark import SMALL
@@ -78,6 +80,8 @@ def test_full_and_small_differ_in_size_alone() -> None:
 def test_libraries_are_held_to_one_thread_and_let_go() -> None:
     with threadpool_limits(limits=2):
         before = [pool["num_threads"] for pool in threadpool_info()]
+        # A thread that has just been made waits awake for a while.
+        time.sleep(0.5)
         _use_one_thread()
         assert [pool["num_threads"] for pool in threadpool_info()] == before
 

@@ -75,9 +75,29 @@ def test_on_failure_is_one_of_two() -> None:
         solve_geodesic(ENNEPER, *ENDS, on_failure="ignore")  # type: ignore[arg-type]
 
 
+def test_words_are_words() -> None:
+    words: Any = np.array(["quick", "straight"])
+    with pytest.raises(InputError, match=r"search is array.*; expected one of quick"):
+        solve_geodesic(ENNEPER, *ENDS, search=words)
+    with pytest.raises(InputError, match=r"on_failure is array.*; expected 'raise' or 'status'"):
+        solve_geodesic(ENNEPER, *ENDS, on_failure=words)
+
+
+@pytest.mark.parametrize("method", [42, "rbf", RBFCollocation, 0.0])
+def test_a_method_is_one_with_its_settings(method: Any) -> None:
+    with pytest.raises(InputError, match=r"^method is .*; expected .* such as RBFCollocation\(\)"):
+        solve_geodesic(ENNEPER, *ENDS, method=method)
+
+
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
+        ({"support_radius": "two"}, "support_radius is 'two'; expected a positive number"),
+        ({"support_radius": (1.0, 2.0)}, r"support_radius is \(1\.0, 2\.0\)"),
+        ({"tolerance": None}, "tolerance is None; expected a positive number"),
+        ({"tolerance": np.array([1e-3, 1e-4])}, "tolerance is array"),
+        ({"tolerance": np.inf}, "tolerance is inf"),
+        ({"functions": True}, "functions is True"),
         ({"support_radius": 0.0}, "support_radius is 0.0; expected a positive number"),
         ({"support_radius": -1.0}, "support_radius is -1.0"),
         ({"support_radius": np.nan}, "support_radius is nan"),

@@ -29,3 +29,11 @@ def test_speeds_that_vary_a_thousandfold(rng: np.random.Generator) -> None:
     times = times_at(rule, speed, PARTS)
     assert ((times >= 0.0) & (times <= 1.0)).all()
     assert (np.diff(times, axis=1) > 0.0).all()
+
+
+def test_times_are_found_to_rounding_errors(rng: np.random.Generator) -> None:
+    rule = Quadrature(np.array([0.0, 1.0]), 40)
+    slope = rng.uniform(0.0, 3.0, (200, 1))
+    times = times_at(rule, 1.0 + slope * rule.points, PARTS)
+    gone = times + 0.5 * slope * times**2
+    np.testing.assert_allclose(gone, (1.0 + 0.5 * slope) * PARTS, atol=2e-15)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from bodymeasure.geodesic.elimination import FEW, solve_batch, solve_symmetric
+from bodymeasure.geodesic.elimination import FEW, LARGE, solve_batch, solve_symmetric
 
 Array = NDArray[np.float64]
 
@@ -45,6 +45,27 @@ def test_symmetric_systems_and_the_signs_of_their_eigenvalues(
         assert (np.abs(residual).max(axis=1) < 1e-10 * scale).all()
         negative = (np.linalg.eigvalsh(matrix) < 0.0).sum(axis=1)
         np.testing.assert_array_equal((found.pivots < 0.0).sum(axis=0), negative)
+
+
+def test_large_systems_one_by_one(rng: np.random.Generator) -> None:
+    # Definite ones by another way than the others, and none minds its neighbors.
+    size = LARGE + 5
+    root = rng.normal(size=(4, size, size)) / np.sqrt(size)
+    matrix = root @ root.transpose(0, 2, 1) + np.eye(size)
+    matrix[1] -= 2.0 * np.eye(size)
+    right = rng.normal(size=(4, size))
+    matrix[3, 2, 2] = np.nan
+    with np.errstate(invalid="ignore"):
+        found = solve_symmetric(lower_triangle(matrix), right.T, np)
+    residual = np.einsum("pij,jp->pi", matrix[:3], found.solution[:, :3]) - right[:3]
+    assert np.abs(residual).max() < 1e-9
+    negative = (np.linalg.eigvalsh(matrix[:3]) < 0.0).sum(axis=1)
+    assert negative[1] > 0
+    np.testing.assert_array_equal((found.pivots[:, :3] < 0.0).sum(axis=0), negative)
+    np.testing.assert_allclose(
+        np.log(np.abs(found.pivots[:, :3])).sum(axis=0), np.linalg.slogdet(matrix[:3])[1], rtol=1e-9
+    )
+    assert not np.isfinite(found.solution[:, 3]).all()
 
 
 def test_a_singular_system_shows_and_leaves_the_others_alone() -> None:

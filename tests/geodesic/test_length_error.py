@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from straight_line import from_straight_line
 from surfaces import ENNEPER, PH_CYLINDER, SURFACES, TANGENT_DEVELOPABLE, Surface, bicubic
 
-from bodymeasure.geodesic import RBFCollocation, solve_geodesic
+from bodymeasure.geodesic import WU_C2, WU_C4, Kernel, RBFCollocation, solve_geodesic
 from bodymeasure.geodesic.length_error import MeasuredLength, measure_length
 from bodymeasure.geodesic.path_geometry import path_geometry
 from bodymeasure.geodesic.surface import BezierSurfaces
@@ -199,3 +199,35 @@ def test_what_is_cut_off_is_counted() -> None:
             )
             if solution.converged:
                 assert abs(solution.length - exact) <= solution.error_estimate
+
+
+def test_many_modes_are_assembled_as_few_are(
+    monkeypatch: pytest.MonkeyPatch, rng: np.random.Generator
+) -> None:
+    # Of many modes no products of all pairs are kept; the systems are the same.
+    values = geodesic(CURVED[0]) + 0.01 * bows(3, rng)
+    few = measured(CURVED[0].control_points, values)
+    monkeypatch.setattr("bodymeasure.geodesic.jacobi.MOST_IN_ONE_PRODUCT", 1)
+    many = measured(CURVED[0].control_points, values)
+    np.testing.assert_allclose(many.correction, few.correction, rtol=1e-11)
+    np.testing.assert_allclose(many.error, few.error, rtol=1e-6)
+    np.testing.assert_array_equal(many.index, few.index)
+
+
+@pytest.mark.parametrize("functions", [14, 16, 20, 24])
+@pytest.mark.parametrize("kernel", [WU_C2, WU_C4], ids=lambda kernel: kernel.name)
+def test_what_kinks_cost_is_counted(
+    kernel: Kernel, functions: int, rng: np.random.Generator
+) -> None:
+    # With centers inside (0, 1) the second derivative of a path has kinks there, and the shift to
+    # the geodesic is no sum of the first modes.
+    nets = ENNEPER + 0.3 * rng.normal(size=(40, 4, 4, 3))
+    ends = ((0.1, 0.2), (0.8, 0.9))
+    exact = from_straight_line(nets, *ends, method=FINE, on_failure="status")
+    rough = RBFCollocation(kernel, functions, tolerance=1e-4)
+    solution = from_straight_line(nets, *ends, method=rough, on_failure="status")
+    known = exact.converged & solution.converged
+    assert known.sum() > 20
+    off = np.abs(solution.length - exact.length)[known]
+    assert (off <= (solution.error_estimate + exact.error_estimate)[known]).all()
+    assert np.median(off / exact.length[known]) < 1e-8

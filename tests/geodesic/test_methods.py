@@ -305,3 +305,9 @@ def test_a_batch_is_solved_as_its_problems_are(rng: np.random.Generator) -> None
 def test_settings_that_make_no_sense_are_refused(make: Callable[[], Method], message: str) -> None:
     with pytest.raises(bm.InputError, match=message):
         make()
+
+
+@every_method
+def test_nothing_to_solve_is_no_mistake(method: Method) -> None:
+    assert bm.solve_geodesic(PLANE, np.empty((0, 2)), (1.0, 1.0), method=method).shape == (0,)
+    assert bm.solve_geodesic(PLANE, (0.3, 0.7), (0.3, 0.7), method=method).length == 0.0

@@ -37,6 +37,8 @@ def test_a_tensor_that_keeps_a_record_is_taken_and_left_alone(nets: NDArray[np.f
     length = bm.solve_geodesic(tensor, (0.0, 0.0), (1.0, 1.0)).length
     assert length == pytest.approx(bm.solve_geodesic(nets[0], (0.0, 0.0), (1.0, 1.0)).length)
     np.testing.assert_array_equal(tensor.detach().numpy(), nets[0])
+    start = torch.zeros(2).requires_grad_()
+    assert bm.solve_geodesic(nets[0], start, (1.0, 1.0)).length == pytest.approx(length)
 
 
 def test_single_precision_is_taken_for_what_it_says(nets: NDArray[np.float64]) -> None:

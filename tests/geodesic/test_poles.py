@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 import bodymeasure as bm
 from bodymeasure.bezier import evaluate
+from bodymeasure.oracle import mesh_distances
 
 Array = NDArray[np.float64]
 
@@ -97,3 +98,61 @@ def test_from_pole_to_pole() -> None:
     assert solution.length == pytest.approx(1.0, rel=1e-13)
     middle = evaluate(net, solution.path([0.5]))[0]
     assert middle == pytest.approx([0.5, 0.0, 0.0], abs=1e-9)
+
+
+def bent_triangles(rng: np.random.Generator, count: int) -> Array:
+    """Random control points over triangles whose edge u = 0 is collapsed."""
+    u, v = np.meshgrid(*2 * [np.linspace(0.0, 1.0, 4)], indexing="ij")
+    nets = np.stack([u, u * (v - 0.5), 0.0 * u], axis=-1)[None].repeat(count, axis=0)
+    nets[:, 1:] += rng.uniform(-0.05, 0.05, (count, 3, 4, 3))
+    nets[:, 1:, :, 2] += 0.5 * rng.random((count, 3, 4))
+    return nets
+
+
+def test_bent_patches_against_meshes(rng: np.random.Generator) -> None:
+    count = 6
+    nets = bent_triangles(rng, count)
+    # From the pole to inner points, to the far corner, and to points on an edge, along which the
+    # way lies for some.
+    starts = np.stack([np.zeros((3, count)), rng.random((3, count))], axis=-1)
+    ends = np.stack([rng.uniform(0.3, 1.0, (count, 2)), np.ones((count, 2)), np.zeros((count, 2))])
+    ends[2, :, 0] = 0.8
+    solutions = bm.solve_geodesic(nets, starts, ends)
+    assert (solutions.status == bm.Status.ON_BOUNDARY).any()
+    mesh = mesh_distances(nets, starts.swapaxes(0, 1), ends.swapaxes(0, 1))
+    difference = np.abs(solutions.length - mesh.exact.T)
+    assert (difference <= 3.0 * mesh.exact_uncertainty.T + 1e-6 * solutions.length).all()
+
+
+@pytest.mark.parametrize("width", [1e-13, 5e-12])
+def test_an_edge_that_is_shorter_than_errors_is_a_pole(
+    rng: np.random.Generator, width: float
+) -> None:
+    exact = bent_triangles(rng, 3)
+    nets = exact.copy()
+    nets[:, 0, :, 1] += width * np.linspace(-0.5, 0.5, 4)
+    starts, ends = np.array([0.0, 0.3]), np.array([[1.0, 1.0], [0.8, 0.4], [0.8, 0.0]])
+    collapsed = bm.solve_geodesic(exact, starts, ends)
+    nearly = bm.solve_geodesic(nets, starts, ends)
+    assert (np.abs(nearly.length - collapsed.length) <= nearly.error_estimate).all()
+    # From which of its points a path starts is told by the error.
+    assert (nearly.error_estimate >= width).all()
+
+
+@pytest.mark.parametrize("width", [1e-9, 1e-6])
+def test_a_narrow_edge_is_a_pole_to_who_asks_for_less(
+    rng: np.random.Generator, width: float
+) -> None:
+    nets = bent_triangles(rng, 3)
+    start, ends = (0.0, 0.3), np.array([[1.0, 1.0], [0.8, 0.4], [0.8, 0.0]])
+    collapsed = bm.solve_geodesic(nets, start, ends)
+    nets[:, 0, :, 1] += width * np.linspace(-0.5, 0.5, 4)
+    # The way bends within a width of the edge, where hardly any polynomial follows it.
+    narrow = bm.solve_geodesic(nets, start, ends, on_failure="status")
+    solved = narrow.converged
+    assert not solved.all()
+    assert (np.abs(narrow.length - collapsed.length)[solved] <= width).all()
+    loose = bm.RBFCollocation(tolerance=50.0 * width)
+    found = bm.solve_geodesic(nets, start, ends, method=loose, search="quick")
+    assert (np.abs(found.length - collapsed.length) <= found.error_estimate).all()
+    assert (found.error_estimate <= 50.0 * width * found.length).all()

@@ -30,6 +30,18 @@ def test_it_is_off_by_the_known_amount_at_degree_2m(edges: list[float], count: i
     assert missing == pytest.approx(expected, rel=1e-9)
 
 
+@pytest.mark.parametrize("edges", [[0.0, 1.0], [0.0, 0.1, 0.35, 1.0]])
+def test_antiderivatives_of_polynomials_are_exact(edges: list[float]) -> None:
+    rule = Quadrature(np.array(edges), 6)
+    for degree in range(6):
+        np.testing.assert_allclose(
+            rule.antiderivative @ rule.points**degree,
+            rule.points ** (degree + 1) / (degree + 1),
+            rtol=1e-13,
+            atol=1e-15,
+        )
+
+
 def test_many_functions_at_once() -> None:
     rule = Quadrature(np.array([0.0, 0.5, 1.0]), 8)
     values = np.stack([rule.points, rule.points**2], axis=1) + 1.0

@@ -292,3 +292,20 @@ def test_two_centers_that_nearly_coincide_still_give_a_right_space() -> None:
     np.testing.assert_allclose(
         trial.matrices(trial.nodes)[0], np.eye(len(trial.nodes)), rtol=0.0, atol=1e-13
     )
+
+
+@pytest.mark.parametrize("kernel", [WU_C2, WU_C10], ids=lambda kernel: kernel.name)
+def test_lines_can_be_put_into_a_space(kernel: Kernel, rng: np.random.Generator) -> None:
+    (space,) = RBFCollocation(kernel, 5).spaces
+    t = np.linspace(0.0, 1.0, 41)
+    line = 0.3 - 1.7 * t
+    values = 0.3 - 1.7 * space.nodes
+    here, there = space.matrices(t), space.with_lines.matrices(t)
+    assert np.abs(here[0] @ values - line).max() > 1e-9
+    np.testing.assert_allclose(there[0] @ values, line, rtol=0.0, atol=1e-14)
+    np.testing.assert_allclose(there[1] @ values, -1.7, rtol=1e-12)
+    np.testing.assert_allclose(there[2] @ values, 0.0, atol=1e-10)
+    # What vanishes at the ends is what it was.
+    offset = rng.normal(size=len(space.nodes))
+    offset[[0, -1]] = 0.0
+    np.testing.assert_allclose(there @ offset, here @ offset, rtol=1e-12, atol=1e-12)

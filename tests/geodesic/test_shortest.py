@@ -12,7 +12,9 @@ from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.contact import solve_contact_path
 from bodymeasure.geodesic.edge_arc import edge_arc
 from bodymeasure.geodesic.legs import Contact, read_legs
+from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import BezierSurfaces
+from bodymeasure.geodesic.tangency import SAFETY, tangency_error
 from bodymeasure.oracle import mesh_distances
 
 Array = NDArray[np.float64]
@@ -265,6 +267,20 @@ def test_a_straight_edge_presses_nothing_and_is_not_refused(rng: np.random.Gener
         assert arc.solved.measured.raw[0] == pytest.approx(np.abs(end - begin).sum(), rel=1e-14)
 
 
+@pytest.mark.parametrize("search", ["quick", "thorough"])
+@pytest.mark.parametrize("along", [(0.0, 0.01, 0.02, 1.0), (0.0, 0.98, 0.99, 1.0)])
+def test_a_straight_edge_of_uneven_speed_holds_its_path(
+    along: tuple[float, ...], search: bm.geodesic.Search
+) -> None:
+    # No method resolves the parameter, and the polygon lies on the edge but for rounding errors.
+    net = heights(np.zeros((4, 4)))
+    net[..., 1] = along
+    solution = bm.solve_geodesic(net, (0.0, 0.0), (0.0, 1.0), search=search)
+    assert solution.length == pytest.approx(1.0, rel=1e-14)
+    (contact,) = solution.contacts
+    assert (contact.edge, contact.start, contact.end) == ("u = 0", 0.0, 1.0)
+
+
 def test_legs_that_meet_at_a_corner_are_fixed_there() -> None:
     polygon = np.array([[0.5, 0.5], [0.2, 0.8], [0.0, 1.0], [0.3, 0.9], [0.6, 0.6]])
     legs = read_legs(polygon)
@@ -289,6 +305,34 @@ def test_a_shallow_saddle_is_left() -> None:
     assert 1e-8 < over.raw_length - beside.length < 1e-6
     u, v = beside.path(0.5)
     assert abs(u - v) > 1e-3
+
+
+@pytest.mark.parametrize("off", [-0.03, -0.01, 0.01, 0.03])
+def test_a_joint_in_the_wrong_place_is_told(off: float) -> None:
+    # In the plane: along the edge x = 2.4 y (1 - y) to a joint beside the right one, then on a
+    # curve that is tangential there, as a polynomial of low degree would be, to (0.3, 1).
+    target, corner = np.array([0.3, 1.0]), np.zeros(2)
+
+    def on_edge(t: float) -> Array:
+        return np.array([2.4 * t * (1.0 - t), t])
+
+    def whole(t: float) -> float:
+        arc = edge_arc(surface, Contact(0, 0.0), corner, np.array([0.0, t]))
+        chord = np.linalg.norm(target - on_edge(t))
+        return float(arc.solved.measured.raw[0] + chord)
+
+    surface = BezierSurfaces(bent_plane()[None])
+    right = 1.0 - np.sqrt(0.3 / 2.4)  # where the tangent of the edge meets (0.3, 1)
+    joint = right + off
+    begin, tangent = on_edge(joint), np.array([2.4 * (1.0 - 2.0 * joint), 1.0])
+    space = polynomial_space(24)
+    t = space.nodes[:, None]
+    control = begin + 0.3 * tangent / np.linalg.norm(tangent)
+    x, y = ((1 - t) ** 2 * begin + 2 * t * (1 - t) * control + t**2 * target).T
+    edge = 2.4 * y * (1.0 - y)
+    values = np.stack([(x - edge) / (1.0 - edge), y])
+    told = tangency_error(surface, space, values, (Contact(0, 0.0), None)) / SAFETY
+    assert told == pytest.approx(abs(whole(joint) - whole(right)), rel=0.2)
 
 
 @pytest.mark.parametrize(
