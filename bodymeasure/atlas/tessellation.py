@@ -30,6 +30,8 @@ class Tessellation:
         Each vertex's (u, v) on that patch.
     face_patch : ndarray of int, shape (f,)
         The patch that each face belongs to.
+    face_parameters : ndarray, shape (f, 3, 2)
+        (u, v) of each face's corners on the face's own patch.
     """
 
     vertices: NDArray[np.float64]
@@ -37,6 +39,7 @@ class Tessellation:
     patch: NDArray[np.int64]
     parameters: NDArray[np.float64]
     face_patch: NDArray[np.int64]
+    face_parameters: NDArray[np.float64]
 
     def to_trimesh(self) -> Any:
         """The mesh as a `trimesh.Trimesh`, with vertex attributes ``patch``, ``u`` and ``v``.
@@ -94,7 +97,14 @@ def tessellate(atlas: Atlas, segments: int) -> Tessellation:
     faces = grid_faces(np.searchsorted(flat, grid))
     face_patch = np.repeat(np.arange(len(atlas)), 2 * segments**2)
     proper = _has_three_corners(faces)
-    return Tessellation(vertices, faces[proper], patch, parameters, face_patch[proper])
+    return Tessellation(
+        vertices,
+        faces[proper],
+        patch,
+        parameters,
+        face_patch[proper],
+        _corner_parameters(len(atlas), segments)[proper],
+    )
 
 
 def grid_faces(grid: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -114,6 +124,13 @@ def grid_faces(grid: NDArray[np.int64]) -> NDArray[np.int64]:
     c, d = grid[..., 1:, 1:], grid[..., :-1, 1:]
     cells = np.stack([np.stack([a, b, c], axis=-1), np.stack([a, c, d], axis=-1)], axis=-2)
     return cells.reshape(-1, 3).astype(np.int64)
+
+
+def _corner_parameters(count: int, segments: int) -> NDArray[np.float64]:
+    """(u, v) of the corners of all faces of `count` patches, shape (faces, 3, 2)."""
+    places = grid_faces(np.arange((segments + 1) ** 2).reshape(segments + 1, segments + 1))
+    one = np.stack(np.divmod(places, segments + 1), axis=-1) / segments
+    return np.tile(one, (count, 1, 1))
 
 
 def _has_three_corners(faces: NDArray[np.int64]) -> NDArray[np.bool_]:

@@ -143,3 +143,10 @@ def test_without_trimesh_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> 
 def test_no_segments_are_refused() -> None:
     with pytest.raises(InputError, match="segments is 0; expected at least 1"):
         tessellate(grid_atlas(1, 1), 0)
+
+
+@pytest.mark.parametrize("segments", [1, 3])
+def test_faces_know_where_on_their_own_patch_they_lie(bumpy: Atlas, segments: int) -> None:
+    mesh = tessellate(bumpy, segments)
+    there = evaluate(bumpy.control_points[mesh.face_patch], mesh.face_parameters)
+    np.testing.assert_allclose(there, mesh.vertices[mesh.faces], atol=1e-14)
