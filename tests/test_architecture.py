@@ -50,7 +50,7 @@ RESERVED = {
     # pyvista takes its color maps from it.
     "matplotlib": {"bench", "scene", "report", "viewer", "paper"},
     "potpourri3d": {"bench"},
-    "pygeodesic": {"bench"},
+    "pygeodesic": {"bench", "geodesic"},
     "threadpoolctl": {"bench"},
     "jinja2": {"report", "paper"},
     "click": {"cli"},

@@ -24,6 +24,9 @@ from bodymeasure.geodesic.trial_space import TrialSpace
 _Array = NDArray[np.float64]
 
 
+INNER_NODES = slice(1, -1)
+
+
 @dataclass(frozen=True)
 class Functional:
     """What is minimized: energy over u and v, or length over v alone with u as it is."""
@@ -41,7 +44,7 @@ class Expansion:
     """A functional of paths to the second order, by the nodal values of its unknown functions.
 
     Arrays of shapes (problems,), (problems, k) and (problems, k, k); of two unknown functions,
-    all inner nodes of u come first.
+    all nodes of u come first.
     """
 
     value: _Array
@@ -52,9 +55,16 @@ class Expansion:
 # Where a path stands still its length has no derivative: not finite, which `minimize` sees.
 @np.errstate(divide="ignore", invalid="ignore", over="ignore")
 def expand(
-    functional: Functional, surface: Surface, space: TrialSpace, values: _Array
+    functional: Functional,
+    surface: Surface,
+    space: TrialSpace,
+    values: _Array,
+    nodes: slice = INNER_NODES,
 ) -> Expansion:
-    """Value, gradient and Hessian for paths with nodal values of shape (problems, 2, n + 1)."""
+    """Value, gradient and Hessian for paths with nodal values of shape (problems, 2, n + 1).
+
+    By the values at the inner nodes, or at other `nodes`.
+    """
     place, slopes, _ = space.at_quadrature
     weights = space.quadrature.weights
     du, dv = ((values - values[:, :, :1]) @ slopes.T).transpose(1, 0, 2)
@@ -91,7 +101,7 @@ def expand(
             result = result - gradients[a] * gradients[b]
         return result * factor * weights
 
-    inner = (place[:, 1:-1], slopes[:, 1:-1])
+    inner = (place[:, nodes], slopes[:, nodes])
     unknowns = functional.coordinates
     gradient = [
         (gradients[c] * weights) @ inner[0] + (gradients[c + 2] * weights) @ inner[1]

@@ -1,0 +1,109 @@
+"""Reading a path over a triangle mesh as a route over patches and seams."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.neighbors import Neighbors, Place, Step
+from bodymeasure.geodesic.route import Route
+from bodymeasure.geodesic.route_mesh import RouteMesh, barycentric
+from bodymeasure.geodesic.route_start import SEGMENTS, polyhedral_path
+
+_Array = NDArray[np.float64]
+
+# Barycentric coordinates below this are on the side of a face: paths are given by positions, whose
+# rounding counts more in small faces.
+ON_SIDE = 1e-7
+# Parameters this near to 0 or 1 are on the patch's edge: means of exact 0 or 1.
+ON_EDGE = 1e-9
+
+
+def first_route(
+    atlas: Atlas, neighbors: Neighbors, ends: tuple[Place, Place], segments: int = SEGMENTS
+) -> Route | None:
+    """The route of the shortest path over a tessellation; None if none is found."""
+    start, end = ends
+    found = polyhedral_path(atlas, start, end, segments)
+    if found is None:
+        return None
+    mesh, points, first = found
+    legs = list(_legs(mesh, points, first)) if len(points) > 1 else []
+    if not legs:
+        ways = neighbors.ways(start, end) if start.patch != end.patch else [()]
+        return _route(start, end, ways[0]) if ways else None
+    start = _nearest(neighbors.same(start), legs[0][0])
+    end = _nearest(neighbors.same(end), legs[-1][1])
+    steps: list[Step] = []
+    for (_, leave), (enter, _) in pairwise(legs):
+        if leave.patch == enter.patch and _apart(leave, enter) < ON_SIDE:
+            continue
+        ways = neighbors.ways(leave, enter)
+        if not ways:
+            return None
+        steps += ways[0]
+    if (start.patch, end.patch) != (legs[0][0].patch, legs[-1][1].patch):
+        return None
+    return _route(start, end, tuple(steps))
+
+
+def _route(start: Place, end: Place, steps: tuple[Step, ...]) -> Route:
+    return Route(
+        start, end, tuple(step.crossing for step in steps), tuple(step.along for step in steps)
+    )
+
+
+def _apart(first: Place, second: Place) -> float:
+    return max(abs(first.u - second.u), abs(first.v - second.v))
+
+
+def _nearest(places: list[Place], to: Place) -> Place:
+    """The place on the same patch that is nearest, or the first if none is on it."""
+    return min(places, key=lambda place: (place.patch != to.patch, _apart(place, to)))
+
+
+def _legs(mesh: RouteMesh, points: _Array, first: int) -> Iterator[tuple[Place, Place]]:
+    """For each segment of the path, its two ends on the patch of a face that holds it.
+
+    The face is sought among those about the place that the path has come to.
+    """
+    order = np.argsort(mesh.faces.ravel(), kind="stable")
+    begins = np.searchsorted(mesh.faces.ravel()[order], np.arange(len(mesh.vertices) + 1))
+
+    def faces_about(corners: NDArray[np.int64]) -> NDArray[np.int64]:
+        about = order[begins[corners[0]] : begins[corners[0] + 1]] // 3
+        hold = np.isin(mesh.faces[about], corners).sum(axis=1) == len(corners)
+        return np.asarray(about[hold])
+
+    corners, patch = np.array([first]), -1
+    for here, there in pairwise(points):
+        if np.array_equal(here, there):
+            continue
+        faces = faces_about(corners)
+        weights = np.clip(barycentric(mesh.vertices[mesh.faces[faces]], there), 0.0, None)
+        weights /= weights.sum(axis=1, keepdims=True)
+        foot = np.einsum("fk,fkc->fc", weights, mesh.vertices[mesh.faces[faces]])
+        apart = np.linalg.norm(foot - there, axis=1)
+        # Along an edge both faces hold the segment: stay on the patch, if one is on it.
+        near = apart <= apart.min() + ON_SIDE * np.linalg.norm(there - here)
+        stays = near & (mesh.face_patch[faces] == patch)
+        row = int(np.flatnonzero(stays if stays.any() else near)[0])
+        face = int(faces[row])
+        patch = int(mesh.face_patch[face])
+        before = barycentric(mesh.vertices[mesh.faces[face]][None], here)[0]
+        yield _place(mesh, face, before), _place(mesh, face, weights[row])
+        corners = mesh.faces[face][weights[row] > ON_SIDE]
+
+
+def _place(mesh: RouteMesh, face: int, weights: _Array) -> Place:
+    weights = np.where(weights > ON_SIDE, weights, 0.0)
+    u, v = (weights / weights.sum()) @ mesh.face_parameters[face]
+    return Place(int(mesh.face_patch[face]), _snapped(u), _snapped(v))
+
+
+def _snapped(value: float) -> float:
+    return float(round(value)) if abs(value - round(value)) < ON_EDGE else float(value)
