@@ -1,0 +1,125 @@
+"""Refinement: the shortest path along a route, and how long its pieces are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.geodesic.box_newton import BoxMinimum, minimize_in_box
+from bodymeasure.geodesic.polynomial_space import polynomial_space
+from bodymeasure.geodesic.route import Route
+from bodymeasure.geodesic.route_length import RouteProblem
+
+_Array = NDArray[np.float64]
+
+# Pieces this near to a corner, in (u, v), are tried in the corner itself.
+IN_CORNER = 1e-3
+
+
+@dataclass(frozen=True, eq=False)
+class Refined:
+    """The shortest path along one route, as far as its trial space goes.
+
+    Parameters
+    ----------
+    problem : RouteProblem
+    minimum : BoxMinimum
+    values : ndarray, shape (pieces, 2, n + 1)
+        (u, v) at the nodes of all pieces.
+    lengths : ndarray, shape (pieces,)
+        Of the pieces, in parts of the problem's size.
+    """
+
+    problem: RouteProblem
+    minimum: BoxMinimum
+    values: _Array
+    lengths: _Array
+
+    @property
+    def length(self) -> float:
+        """Of the whole path, in the atlas's unit."""
+        return float(self.lengths.sum()) * self.problem.size
+
+    @property
+    def route(self) -> Route:
+        """With its crossings where the path has them."""
+        return self.problem.at(self.minimum.unknowns)
+
+    @property
+    def held_nodes(self) -> NDArray[np.bool_]:
+        """Inner nodes that an edge of their patch holds, by coordinate: (pieces, 2, n - 1)."""
+        rows = self.problem.joints[:-1, None] + 1 + np.arange(self.problem.inner)
+        held = self.minimum.held[rows].reshape(len(rows), 2, -1)
+        # A piece that stays in a corner runs along no edge.
+        return np.asarray(held & (self.lengths > 0.0)[:, None, None])
+
+
+def refine(
+    atlas: Atlas, route: Route, degree: int, size: float, before: Refined | None = None
+) -> Refined:
+    """The shortest path along a route.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    route : Route
+    degree : int
+        Of the polynomial on each patch, at least 2.
+    size : float
+        About the length of the path.
+    before : Refined, optional
+        A path along the same route to start from; straight lines in (u, v) if not given.
+    """
+    problem = RouteProblem(atlas, route, polynomial_space(degree), size)
+    start = problem.straight() if before is None else _resampled(before, problem)
+    minimum = minimize_in_box(problem.expand, start, problem.idle)
+    refined = _measured(problem, minimum)
+    corners = _corners(refined)
+    if not corners.any():
+        return refined
+    place = np.where(corners, np.round(minimum.unknowns), minimum.unknowns)
+    pinned = minimize_in_box(problem.expand, place, problem.idle | corners)
+    through = _measured(problem, replace(pinned, held=pinned.held | corners))
+    return through if through.length < refined.length else refined
+
+
+def _measured(problem: RouteProblem, minimum: BoxMinimum) -> Refined:
+    values = problem.values(minimum.unknowns)
+    return Refined(problem, minimum, values, _lengths(problem, values))
+
+
+def _corners(refined: Refined) -> NDArray[np.bool_]:
+    """The unknowns of pieces of hardly any length that seem to lie in a corner of their patch.
+
+    What makes the length smooth there (`route_length.EPSILON`) keeps them a little away from it.
+    """
+    problem, values = refined.problem, refined.values
+    result = np.zeros(problem.count, bool)
+    nearest = np.round(values)
+    inside = (np.abs(values - nearest) < IN_CORNER).all(axis=(1, 2))
+    same = (nearest == nearest[:, :, :1]).all(axis=(1, 2))
+    for piece in np.flatnonzero(inside & same):
+        if 0 < piece < problem.pieces - 1:
+            result[problem.joints[piece] : problem.joints[piece + 1] + 1] = True
+    return result
+
+
+def _resampled(before: Refined, problem: RouteProblem) -> _Array:
+    """A path's unknowns in another space."""
+    unknowns = problem.straight()
+    place = before.problem.space.functions.values(problem.space.nodes[1:-1])
+    inner = np.clip(before.values @ place.T, 0.0, 1.0)
+    rows = problem.joints[:-1, None] + 1 + np.arange(problem.inner)
+    unknowns[rows] = inner.reshape(len(rows), -1)
+    return unknowns
+
+
+def _lengths(problem: RouteProblem, values: _Array) -> _Array:
+    place, slopes, _ = problem.space.at_quadrature
+    du, dv = ((values - values[:, :, :1]) @ slopes.T).transpose(1, 0, 2)
+    _, s_u, s_v = problem.surface.jet((values @ place.T).transpose(0, 2, 1), 1)
+    speed = np.linalg.norm(s_u * du + s_v * dv, axis=0)
+    return np.asarray(speed @ problem.space.quadrature.weights)
