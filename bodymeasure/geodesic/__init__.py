@@ -1,5 +1,7 @@
-"""Geodesics on one patch: problem, trial spaces, methods, solution."""
+"""Geodesics on one patch and across patches: trial spaces, methods, routes, solutions."""
 
+from bodymeasure.geodesic.atlas_path import AtlasPath, PathPiece, SeamCrossing
+from bodymeasure.geodesic.between import geodesic_between
 from bodymeasure.geodesic.kernels import WU_C2, WU_C4, WU_C6, WU_C10, Kernel
 from bodymeasure.geodesic.method import EdgeContact, Method
 from bodymeasure.geodesic.polynomial import PolynomialCollocation
@@ -18,17 +20,21 @@ __all__ = [
     "WU_C4",
     "WU_C6",
     "WU_C10",
+    "AtlasPath",
     "EdgeContact",
     "GeodesicSolution",
     "HasDerivatives",
     "Kernel",
     "Method",
+    "PathPiece",
     "PolynomialCollocation",
     "RBFCollocation",
     "Relaxation",
     "Ritz",
+    "SeamCrossing",
     "Search",
     "Shooting",
     "Status",
+    "geodesic_between",
     "solve_geodesic",
 ]

@@ -30,6 +30,10 @@ class Status(Enum):
         "No trial space met the tolerance; allow more functions, loosen the tolerance, or split "
         "the patch."
     )
+    NO_ROUTE = (
+        "No route over seams was found between the points: their parts meet in single points only; "
+        "join the patches along whole edges."
+    )
     SINGULAR = (
         "The collocation equations became singular; the patch is probably degenerate or folded "
         "near the path, which `bodymeasure check` would tell."

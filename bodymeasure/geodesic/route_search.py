@@ -1,0 +1,104 @@
+"""From a first route to the shortest path: refine, look for a shorter route, refine again."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.neighbors import Neighbors
+from bodymeasure.geodesic.route import Route, RouteKey
+from bodymeasure.geodesic.route_error import RouteLength, route_length
+from bodymeasure.geodesic.route_refine import Refined, refine
+from bodymeasure.geodesic.route_repair import other_routes
+
+# Of the polynomial on each patch, tried in turn.
+DEGREES = (8, 12, 16, 24, 32)
+# Relative error of the length that is asked for, and what is good enough if the last degree has not
+# met it, as where patches bend sharply near a corner.
+TOLERANCE, GOOD_ENOUGH = 1e-9, 1e-6
+# Routes that are refined for a path, at most.
+MOST_ROUTES = 60
+# A route must be shorter by this part to be better: less is the trial space's.
+SHORTER = 1e-12
+# Where a path runs along an edge, it is no geodesic, and its error is told by the last two degrees:
+# the polynomials do not bend as sharply as it does, and this many times their difference is left.
+CONTACT_SAFETY = 4.0
+CONTACT_TOLERANCE = 1e-4
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """The shortest path that was found.
+
+    Parameters
+    ----------
+    refined : Refined
+    length : RouteLength
+    contact : bool
+        Whether an edge of the atlas holds it for a part.
+    good : bool
+        Whether its length is known.
+    routes : int
+        How many were refined.
+    """
+
+    refined: Refined
+    length: RouteLength
+    contact: bool
+    good: bool
+    routes: int
+
+
+def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float) -> Found:
+    """The shortest path along a route, or along those that it asks for.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    neighbors : Neighbors
+    route : Route
+    size : float
+        About the length of the path.
+    """
+    tried: set[RouteKey] = {route.key}
+    best = refine(atlas, route, DEGREES[0], size)
+    before = np.inf
+    for degree in DEGREES:
+        if degree > DEGREES[0]:
+            before = best.length
+            best = refine(atlas, best.route, degree, size, best)
+        best = _repaired(atlas, neighbors, best, tried)
+        length, contact = route_length(best), bool(best.held_nodes.any())
+        if contact:
+            # The formulas hold for geodesics, which a path along an edge is not.
+            error = CONTACT_SAFETY * abs(best.length - before)
+            length = length._replace(corrected=length.raw, error=error)
+            good = error <= CONTACT_TOLERANCE * length.raw
+        else:
+            good = length.trusted and length.error <= GOOD_ENOUGH * length.raw
+        good = good and best.minimum.converged
+        if good and not contact and length.error <= TOLERANCE * length.raw:
+            break
+    return Found(best, length, contact, good, len(tried))
+
+
+def _repaired(atlas: Atlas, neighbors: Neighbors, best: Refined, tried: set[RouteKey]) -> Refined:
+    """The best along any route that a path asks for, and those ask for, as long as it gets shorter.
+
+    What was tried is remembered, over all degrees.
+    """
+    degree = best.problem.space.size
+    improved = True
+    while improved:
+        improved = False
+        for route in other_routes(neighbors, best):
+            if route.key in tried or len(tried) >= MOST_ROUTES:
+                continue
+            tried.add(route.key)
+            other = refine(atlas, route, degree, best.problem.size)
+            if other.length < best.length * (1.0 - SHORTER):
+                best, improved = other, True
+                break
+    return best
