@@ -68,10 +68,10 @@ def geodesic_between(
     --------
     >>> import bodymeasure as bm
     >>> body = bm.load_sample("female_average")
-    >>> nape, waist = (body.landmarks[name] for name in ("back neck point", "back waist point"))
-    >>> path = geodesic_between(body, nape, waist)
+    >>> nape, bust = (body.landmarks[name] for name in ("back neck point", "bust point left"))
+    >>> path = geodesic_between(body, nape, bust)
     >>> print(f"{path.length:.4f} {body.unit}")
-    0.3980 m
+    0.3300 m
     """
     if on_failure not in ("raise", "status"):
         raise InputError(f"on_failure is {on_failure!r}; expected 'raise' or 'status'")

@@ -19,6 +19,9 @@ MOST_SETS = 20
 # At rest when a step would lower the value by less than this part: the next one would, since
 # Newton's method squares its error, lower it by far less than rounding.
 REST = 1e-14
+# With no more damping than this such a step tells of rest, too: there is none to be had where the
+# Hessian is singular, as by where a path that runs along a seam changes sides.
+REST_DAMPING = 1e-4
 # What a value may rise by rounding, relative.
 ROUNDING = 2e-15
 # Damping, as a part of the Hessian's diagonal: first value, factors after a good and a bad step,
@@ -53,8 +56,7 @@ class BoxMinimum:
     held : ndarray of bool, shape (unknowns,)
         Those on a bound that the gradient presses outwards.
     converged : bool
-        Whether an undamped step would change nothing: the Hessian is positive definite there in
-        what is free.
+        Whether a step that is damped little or not would change nothing.
     iterations : int
     bands : ndarray
         The Hessian's lower bands there.
@@ -93,7 +95,7 @@ def minimize_in_box(
         there = expand(trial) if np.isfinite(foretold) else here
         small = foretold <= REST * here.value
         if there.value < here.value or (small and there.value <= here.value * (1.0 + ROUNDING)):
-            converged = bool(small and damping == 0.0)
+            converged = bool(small and damping <= REST_DAMPING)
             place, here = trial, there
             damping = 0.0 if damping * LESS < LEAST else damping * LESS
         else:

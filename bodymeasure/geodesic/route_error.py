@@ -10,6 +10,9 @@ the crossings alone, the pieces between them being the shortest. Its minimum
 :math:`-\tfrac12 r^T S^{-1} r`, tripled twice since the end tangents have errors as large, is added
 to the estimate. A crossing that a corner holds stays where it is and counts for nothing.
 
+A piece that a seam holds, because the neighbor is no better, is the shortest only of those on its
+patch: what would be subtracted is added to its error instead.
+
 The excess of a piece of hardly any length is at most what it is longer than its chord.
 
 This covers paths along this route. That no other route is shorter it doesn't tell.
@@ -33,6 +36,8 @@ _Array = NDArray[np.float64]
 JOINT_SAFETY = 9.0
 # A piece below this part of the path's length is as good as straight.
 STRAIGHT = 1e-5
+# The Hessian may be singular by rounding: what is added to its diagonal then, as a part of it.
+DAMPINGS = (0.0, 1e-12, 1e-10, 1e-8)
 # Lengths are sums of differences of coordinates of the patches' size.
 ROUNDING = 4e-16
 
@@ -77,6 +82,9 @@ def route_length(refined: Refined) -> RouteLength:
     correction = np.where(short, 0.0, measured.correction)
     error = np.where(short, refined.lengths - chord, measured.error)
     residual = np.where(short, 0.0, measured.residual)
+    held = refined.held_nodes.any(axis=(1, 2)) & ~short
+    error = error + np.where(held, np.abs(correction), 0.0)
+    correction = np.where(held, 0.0, correction)
     jumps, excess = _joints(refined, short)
     known = bool(np.isfinite(error).all() and np.isfinite(excess))
     trusted = known and bool(
@@ -115,8 +123,13 @@ def _joints(refined: Refined, short: NDArray[np.bool_]) -> tuple[float, float]:
         length = np.linalg.norm(seam)
         largest = max(largest, abs(right[row]) / length if length else 0.0)
     free = ~(refined.minimum.held | problem.idle)
-    shift = solve_free(refined.minimum.bands, np.where(free, right, 0.0), free)
-    return largest, np.inf if shift is None else float(0.5 * right @ shift)
+    for damping in DAMPINGS:
+        bands = refined.minimum.bands.copy()
+        bands[0] *= 1.0 + damping
+        shift = solve_free(bands, np.where(free, right, 0.0), free)
+        if shift is not None:
+            return largest, float(0.5 * right @ shift)
+    return largest, np.inf
 
 
 def _rounding(refined: Refined) -> float:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from bodymeasure.atlas.neighbors import Crossing, Neighbors, Place
 from bodymeasure.atlas.seams import EDGES
+from bodymeasure.geodesic.length_error import measure_length
 from bodymeasure.geodesic.route import Route
 from bodymeasure.geodesic.route_refine import Refined
 
@@ -18,6 +19,9 @@ _Array = NDArray[np.float64]
 SHORT = 1e-3
 # A crossing this near to a corner, in the parameter of its seam, may have to go round it.
 NEAR_CORNER = 1e-2
+# A piece that could be shorter by no more than this part of the path needs no neighbor, as one that
+# runs along a seam from which the surface falls alike to both sides.
+WORTHWHILE = 1e-10
 # Further than this outside the patch, between the nodes, the path lacks a neighbor.
 OUTSIDE = 1e-9
 
@@ -88,7 +92,12 @@ def _over_missing_neighbors(
     order = np.argsort(times, kind="stable")
     samples = refined.values @ space.between_nodes.T
     held = refined.held_nodes
-    for piece, patch in enumerate(patches):
+    # How much shorter each piece could be if nothing held it.
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        gain = np.abs(measure_length(refined.problem.surface, space, refined.values).correction)
+    worth = ~(gain < WORTHWHILE * refined.lengths.sum())
+    for piece in np.flatnonzero(worth).tolist():
+        patch = patches[piece]
         for side, edge in enumerate(EDGES):
             crossings = neighbors.over.get((patch, side), ())
             axis, value = edge.fixed_axis, edge.fixed_value

@@ -8,6 +8,7 @@ import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Neighbors
+from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.route import Route, RouteKey
 from bodymeasure.geodesic.route_error import RouteLength, route_length
 from bodymeasure.geodesic.route_refine import Refined, refine
@@ -20,8 +21,9 @@ DEGREES = (8, 12, 16, 24, 32)
 TOLERANCE, GOOD_ENOUGH = 1e-9, 1e-6
 # Routes that are refined for a path, at most.
 MOST_ROUTES = 60
-# A route must be shorter by this part to be better: less is the trial space's.
-SHORTER = 1e-12
+# A route must be shorter by this part to be better: less is the trial space's. One with fewer
+# crossings is better if it is not longer by more than rounding.
+SHORTER, ROUNDING = 1e-9, 1e-12
 # Where a path runs along an edge, it is no geodesic, and its error is told by the last two degrees:
 # the polynomials do not bend as sharply as it does, and this many times their difference is left.
 CONTACT_SAFETY = 4.0
@@ -70,7 +72,7 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
             before = best.length
             best = refine(atlas, best.route, degree, size, best)
         best = _repaired(atlas, neighbors, best, tried)
-        length, contact = route_length(best), bool(best.held_nodes.any())
+        length, contact = route_length(best), _on_boundary(neighbors, best)
         if contact:
             # The formulas hold for geodesics, which a path along an edge is not.
             error = CONTACT_SAFETY * abs(best.length - before)
@@ -98,7 +100,22 @@ def _repaired(atlas: Atlas, neighbors: Neighbors, best: Refined, tried: set[Rout
                 continue
             tried.add(route.key)
             other = refine(atlas, route, degree, best.problem.size)
-            if other.length < best.length * (1.0 - SHORTER):
+            simpler = len(route.crossings) < len(best.problem.route.crossings)
+            margin = 1.0 + ROUNDING if simpler else 1.0 - SHORTER
+            if other.length < best.length * margin:
                 best, improved = other, True
                 break
     return best
+
+
+def _on_boundary(neighbors: Neighbors, refined: Refined) -> bool:
+    """Whether an edge without a neighbor holds a path."""
+    held, values = refined.held_nodes, refined.values[:, :, 1:-1]
+    for piece, patch in enumerate(refined.problem.route.patches):
+        for side, edge in enumerate(EDGES):
+            here = held[piece, edge.fixed_axis] & (
+                values[piece, edge.fixed_axis] == edge.fixed_value
+            )
+            if here.any() and not neighbors.over.get((patch, side)):
+                return True
+    return False

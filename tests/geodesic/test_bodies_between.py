@@ -1,0 +1,32 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from body_oracle import mesh_distance, quarter_point
+
+import bodymeasure as bm
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["female_average", "male_average"])
+def test_lengths_across_a_body_agree_with_exact_mesh_distances(
+    name: str, rng: np.random.Generator
+) -> None:
+    body = bm.load_sample(name)
+    for _ in range(6):
+        start, end = quarter_point(rng, body), quarter_point(rng, body)
+        path = bm.geodesic_between(body, start, end)
+        exact, doubt = mesh_distance(body, start, end, path.length)
+        assert path.length == pytest.approx(exact, abs=3.0 * doubt + 1e-5 * exact)
+
+
+def test_landmarks_of_a_symmetric_body_are_at_mirrored_distances() -> None:
+    body = bm.load_sample("female_average")
+    for first, second in (("shoulder point", "elbow point"), ("bust point", "side waist point")):
+        lengths = [
+            bm.geodesic_between(
+                body, body.landmarks[f"{first} {side}"], body.landmarks[f"{second} {side}"]
+            ).length
+            for side in ("left", "right")
+        ]
+        assert lengths[0] == pytest.approx(lengths[1], rel=1e-9)
