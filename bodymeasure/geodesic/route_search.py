@@ -24,8 +24,9 @@ MOST_ROUTES = 60
 # A route must be shorter by this part to be better: less is the trial space's. One with fewer
 # crossings is better if it is not longer by more than rounding.
 SHORTER, ROUNDING = 1e-9, 1e-12
-# Where a path runs along an edge, it is no geodesic, and its error is told by the last two degrees:
-# the polynomials do not bend as sharply as it does, and this many times their difference is left.
+# Where a path runs along an edge, it is no geodesic, and its error is told by the last three
+# degrees: the polynomials do not bend as sharply as it does, and this many times their largest
+# difference is left.
 CONTACT_SAFETY = 4.0
 CONTACT_TOLERANCE = 1e-4
 
@@ -66,32 +67,37 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
     """
     tried: set[RouteKey] = {route.key}
     best = refine(atlas, route, DEGREES[0], size)
-    before = np.inf
+    history: list[float] = []
     for degree in DEGREES:
         if degree > DEGREES[0]:
-            before = best.length
             best = refine(atlas, best.route, degree, size, best)
-        best = _repaired(atlas, neighbors, best, tried)
+        best, missed = _repaired(atlas, neighbors, best, tried)
         length, contact = route_length(best), _on_boundary(neighbors, best)
+        length = length._replace(error=length.error + missed)
         if contact:
             # The formulas hold for geodesics, which a path along an edge is not.
-            error = CONTACT_SAFETY * abs(best.length - before)
+            changes = [abs(best.length - before) for before in history[-2:]]
+            error = CONTACT_SAFETY * max(changes, default=np.inf)
             length = length._replace(corrected=length.raw, error=error)
             good = error <= CONTACT_TOLERANCE * length.raw
         else:
             good = length.trusted and length.error <= GOOD_ENOUGH * length.raw
+        history.append(best.length)
         good = good and best.minimum.converged
         if good and not contact and length.error <= TOLERANCE * length.raw:
             break
     return Found(best, length, contact, good, len(tried))
 
 
-def _repaired(atlas: Atlas, neighbors: Neighbors, best: Refined, tried: set[RouteKey]) -> Refined:
+def _repaired(
+    atlas: Atlas, neighbors: Neighbors, best: Refined, tried: set[RouteKey]
+) -> tuple[Refined, float]:
     """The best along any route that a path asks for, and those ask for, as long as it gets shorter.
 
-    What was tried is remembered, over all degrees.
+    What was tried is remembered, over all degrees. Also by how much a route was shorter that was
+    not better by enough.
     """
-    degree = best.problem.space.size
+    degree, missed = best.problem.space.size, 0.0
     improved = True
     while improved:
         improved = False
@@ -103,9 +109,10 @@ def _repaired(atlas: Atlas, neighbors: Neighbors, best: Refined, tried: set[Rout
             simpler = len(route.crossings) < len(best.problem.route.crossings)
             margin = 1.0 + ROUNDING if simpler else 1.0 - SHORTER
             if other.length < best.length * margin:
-                best, improved = other, True
+                best, improved, missed = other, True, 0.0
                 break
-    return best
+            missed = max(missed, best.length - other.length)
+    return best, missed
 
 
 def _on_boundary(neighbors: Neighbors, refined: Refined) -> bool:

@@ -206,6 +206,21 @@ def test_round_a_corner_of_the_boundary() -> None:
     assert path.patches == (1, 0, 2)
 
 
+@pytest.mark.parametrize("cuts", [((), ()), ((0.5,), ()), ((0.4,), (0.5,))], ids=str)
+def test_along_a_boundary_that_bulges_into_the_way(
+    cuts: tuple[tuple[float, ...], tuple[float, ...]],
+) -> None:
+    x, y = np.meshgrid(np.arange(4) / 3, np.arange(4) / 3, indexing="ij")
+    net = np.stack([3 * x, y + 3 * (1 - y) * x * (1 - x), 0 * x], axis=-1)
+    # The same contact by collocation on one patch, its arcs along the edge by quadrature.
+    expected = bm.solve_geodesic(net, (0.0, 0.1), (1.0, 0.1)).length
+    atlas = cut(net, *cuts, turn=False)
+    path = bm.geodesic_between(atlas, on_cut(cuts, (0.0, 0.1)), on_cut(cuts, (1.0, 0.1)))
+    assert path.status is bm.Status.ON_BOUNDARY
+    assert path.length == pytest.approx(expected, rel=1e-5)
+    assert abs(path.length - expected) <= path.error_estimate
+
+
 @pytest.mark.parametrize("columns", [1, 2, 3])
 def test_patches_that_close_up_are_gone_round_the_short_way(
     columns: int, rng: np.random.Generator
