@@ -14,6 +14,9 @@ import bodymeasure as bm
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 from bodymeasure.bezier import evaluate
 
+# There are no wheels of it for the latest versions of Python.
+pytest.importorskip("pygeodesic")
+
 CUTS: dict[str, tuple[tuple[float, ...], tuple[float, ...]]] = {
     "whole": ((), ()),
     "in two": ((0.4,), ()),

@@ -23,6 +23,9 @@ from bodymeasure.geodesic.route_repair import other_routes
 from bodymeasure.geodesic.route_search import shortest_along
 from bodymeasure.geodesic.route_start import polyhedral_path
 
+# There are no wheels of it for the latest versions of Python.
+pytest.importorskip("pygeodesic")
+
 _Array = NDArray[np.float64]
 
 
