@@ -30,7 +30,7 @@ LAYERS = (
     ("atlas",),
     ("formats",),
     ("samples", "sample_patches"),
-    ("geodesic", "oracle"),
+    ("geodesic", "oracle", "section"),
     ("measure",),
     ("scene",),
     ("bench", "report", "viewer"),

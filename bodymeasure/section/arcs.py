@@ -1,0 +1,128 @@
+"""Arcs of a section, each the graph of a function in one rectangle, and chains of them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.section.cells import Cells
+from bodymeasure.section.crossings import Crossings
+
+
+class Arcs(NamedTuple):
+    """Arcs of a section, none of them with a point in common but for their ends.
+
+    Parameters
+    ----------
+    patch : ndarray of int, shape (k,)
+    axis : ndarray of int, shape (k,)
+        The parameter that runs along the arc: 0 for u, 1 for v.
+    start, stop : ndarray, shape (k,)
+        Its values at the ends.
+    low, high : ndarray, shape (k,)
+        Bounds of the other parameter, between which the distance from the plane is monotone.
+    ends : ndarray of int, shape (k, 2)
+        Numbers of the crossings at both ends.
+    """
+
+    patch: NDArray[np.int64]
+    axis: NDArray[np.int64]
+    start: NDArray[np.float64]
+    stop: NDArray[np.float64]
+    low: NDArray[np.float64]
+    high: NDArray[np.float64]
+    ends: NDArray[np.int64]
+
+
+class Chain(NamedTuple):
+    """Arcs in the order in which they follow one another.
+
+    Parameters
+    ----------
+    arc : ndarray of int, shape (k,)
+    backwards : ndarray of bool, shape (k,)
+        Whether an arc is run from its stop to its start.
+    closed : bool
+    """
+
+    arc: NDArray[np.int64]
+    backwards: NDArray[np.bool_]
+    closed: bool
+
+
+def pair_crossings(cells: Cells, crossings: Crossings) -> Arcs | None:
+    """Join the crossings of each rectangle; None where rounding leaves one without a partner.
+
+    In a rectangle in which the section is a graph, it enters and leaves by turns.
+    """
+    count = len(cells.patch)
+    place = crossings.along.copy()
+    # The graph's own parameter: on two sides it varies, on the other two it is their value.
+    over_u = cells.axis == 0
+    place[over_u, 0], place[over_u, 1] = cells.lower[over_u, :1], cells.upper[over_u, :1]
+    place[~over_u, 2], place[~over_u, 3] = cells.lower[~over_u, 1:], cells.upper[~over_u, 1:]
+    number = crossings.number.reshape(count, 12)
+    flat = np.where(number >= 0, place.reshape(count, 12), np.inf)
+    found = (number >= 0).sum(axis=1)
+    if (found % 2).any():
+        return None
+
+    order = np.argsort(flat, axis=1, kind="stable")
+    places = np.take_along_axis(flat, order, axis=1).reshape(count, 6, 2)
+    numbers = np.take_along_axis(number, order, axis=1).reshape(count, 6, 2)
+    cell, pair = np.nonzero(numbers[..., 0] >= 0)
+    axis = cells.axis[cell]
+    return Arcs(
+        cells.patch[cell],
+        axis,
+        places[cell, pair, 0],
+        places[cell, pair, 1],
+        cells.lower[cell, 1 - axis],
+        cells.upper[cell, 1 - axis],
+        numbers[cell, pair],
+    )
+
+
+def chain_arcs(arcs: Arcs, sides: NDArray[np.int64]) -> list[Chain] | None:
+    """Follow arcs from crossing to crossing; None if some crossing joins too many or too few.
+
+    Parameters
+    ----------
+    arcs : Arcs
+    sides : ndarray of int, shape (crossings,)
+        As in `Crossings`; two arcs meet everywhere but on edges with one side, where they end.
+    """
+    # Crossings on edges of patches that the section does not enter are none of its own.
+    meeting = np.bincount(arcs.ends.ravel(), minlength=len(sides))
+    if (meeting != np.where(sides == 1, 1, 2))[meeting > 0].any():
+        return None
+    order = np.argsort(arcs.ends.ravel(), kind="stable")
+    first = np.concatenate([[0], np.cumsum(meeting)])
+    at = [order[first[i] : first[i + 1]].tolist() for i in range(len(sides))]
+    ends = arcs.ends.tolist()
+    used = np.zeros(len(ends), dtype=np.bool_)
+
+    def follow(end: int) -> list[int]:
+        """Ends (2 arc + side) at which one enters arc after arc, from a first one."""
+        entered = []
+        while not used[end // 2]:
+            used[end // 2] = True
+            entered.append(end)
+            leaving = end ^ 1
+            others = [e for e in at[ends[leaving // 2][leaving % 2]] if e != leaving]
+            if not others:
+                break
+            end = others[0]
+        return entered
+
+    open_ends = [e for e in range(2 * len(ends)) if len(at[ends[e // 2][e % 2]]) == 1]
+    chains = [_chain(follow(e), closed=False) for e in open_ends if not used[e // 2]]
+    chains += [_chain(follow(2 * a), closed=True) for a in range(len(ends)) if not used[a]]
+    return chains
+
+
+def _chain(entered: list[int], *, closed: bool) -> Chain:
+    ends = np.array(entered)
+    return Chain(ends // 2, ends % 2 == 1, closed)

@@ -1,0 +1,114 @@
+"""Where a section crosses the sides of rectangles, each point known by one number."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas import EdgeTable
+from bodymeasure.bezier import bernstein
+from bodymeasure.section.cells import Cells
+from bodymeasure.section.roots import cubic_roots
+
+
+class Crossings(NamedTuple):
+    """Points at which a section crosses the sides of rectangles.
+
+    Parameters
+    ----------
+    number : ndarray of int, shape (cells, 4, 3)
+        The crossings of each side (u lower, u upper, v lower, v upper); -1 fills up. Rectangles
+        that share a point, also those of two patches, share its number.
+    along : ndarray, shape (cells, 4, 3)
+        The parameter that varies on the side, at each crossing.
+    sides : ndarray of int, shape (crossings,)
+        How many patches meet in each: 0 inside a patch, else as in `EdgeTable.sides`.
+    """
+
+    number: NDArray[np.int64]
+    along: NDArray[np.float64]
+    sides: NDArray[np.int64]
+
+
+def find_crossings(distance: NDArray[np.float64], cells: Cells, table: EdgeTable) -> Crossings:
+    """Roots of the distance on all sides of rectangles.
+
+    Parameters
+    ----------
+    distance : ndarray, shape (patches, 4, 4)
+        Bernstein coefficients of the distance from the plane.
+    cells : Cells
+    table : EdgeTable
+        The sides of these patches.
+
+    Notes
+    -----
+    Roots belong to whole lines across a patch, or to edges of the atlas, and are found once for
+    each. So the rectangles on either side of a line see the same points, whatever their sizes.
+    """
+    line, flipped, low, high = _lines_of_sides(distance, cells, table)
+    coefficients, row, sides = line
+    roots = cubic_roots(coefficients)
+    exists = np.isfinite(roots)
+    numbers = np.where(exists, np.cumsum(exists).reshape(roots.shape) - 1, -1)
+
+    along = np.where(flipped[..., None], 1.0 - roots[row], roots[row])
+    inside = (along >= low[..., None]) & (along < high[..., None])
+    return Crossings(
+        np.where(inside, numbers[row], -1),
+        along,
+        np.repeat(sides, exists.sum(axis=1)),
+    )
+
+
+_Lines = tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.int64]]
+
+
+def _lines_of_sides(
+    distance: NDArray[np.float64], cells: Cells, table: EdgeTable
+) -> tuple[_Lines, NDArray[np.bool_], NDArray[np.float64], NDArray[np.float64]]:
+    """Cubics of all lines with each side's row of them and their sides; turned; interval."""
+    bounds = np.stack([cells.lower, cells.upper], axis=-1)
+    value = bounds.reshape(-1, 4)
+    # The parameter along the sides of fixed u is v, and the other way round.
+    low = cells.lower[:, [1, 1, 0, 0]]
+    high = cells.upper[:, [1, 1, 0, 0]]
+
+    axis = np.broadcast_to([0, 0, 1, 1], value.shape)
+    patch = np.broadcast_to(cells.patch[:, None], value.shape)
+    on_edge = (value == 0.0) | (value == 1.0)
+    side = 2 * axis + (value == 1.0)
+    flipped = on_edge & table.reversed[patch, side]
+
+    edge_count = len(table.sides)
+    row = np.where(on_edge, table.edge[patch, side], -1)
+    inner = ~on_edge
+    keys = np.stack([patch[inner], axis[inner], value[inner]], axis=-1)
+    lines, place = np.unique(keys, axis=0, return_inverse=True)
+    row[inner] = edge_count + place.ravel()
+
+    coefficients = np.concatenate([_edge_cubics(distance, table), _inner_cubics(distance, lines)])
+    sides = np.concatenate([table.sides, np.zeros(len(lines), dtype=np.int64)])
+    return (coefficients, row, sides), flipped, low, high
+
+
+def _edge_cubics(distance: NDArray[np.float64], table: EdgeTable) -> NDArray[np.float64]:
+    """Coefficients along each edge of the atlas, in the edge's own direction."""
+    cubics = np.stack(
+        [distance[:, 0], distance[:, 3], distance[:, :, 0], distance[:, :, 3]], axis=1
+    )
+    cubics = np.where(table.reversed[..., None], cubics[..., ::-1], cubics)
+    result = np.ones((len(table.sides), 4))
+    result[table.edge.ravel()] = cubics.reshape(-1, 4)
+    return result
+
+
+def _inner_cubics(distance: NDArray[np.float64], lines: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Coefficients along the lines (patch, axis, value)."""
+    patch, axis = lines[:, 0].astype(np.int64), lines[:, 1]
+    weights = bernstein(3, lines[:, 2])[:, 0]
+    nets = distance[patch]
+    turned = np.where((axis == 0.0)[:, None, None], nets, nets.swapaxes(1, 2))
+    return np.asarray(np.einsum("ki,kij->kj", weights, turned))

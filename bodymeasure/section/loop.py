@@ -1,0 +1,114 @@
+"""One curve of a section."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas import Unit
+from bodymeasure.section.pieces import MORE_NODES, CutSurface, Pieces
+
+# Fractions of a piece at which a loop is sampled, each piece's start included.
+STEPS = 8
+
+
+@dataclass(frozen=True, eq=False)
+class SectionLoop:
+    """A curve in which a plane cuts an atlas.
+
+    Parameters
+    ----------
+    surface : CutSurface
+        What is cut, by which plane.
+    pieces : Pieces
+        In the order in which they follow one another.
+    piece_length : ndarray, shape (pieces,)
+    error_estimate : float
+        Of `length`, in `unit`.
+    closed : bool
+        Whether the curve returns to its start; else it ends on open boundaries of the atlas.
+    unit : Unit
+    regions : tuple of str
+        Body region of each patch of the atlas.
+    """
+
+    surface: CutSurface
+    pieces: Pieces
+    piece_length: NDArray[np.float64]
+    error_estimate: float
+    closed: bool
+    unit: Unit
+    regions: tuple[str, ...]
+
+    @property
+    def length(self) -> float:
+        """Length of the curve, in `unit`."""
+        return float(self.piece_length.sum())
+
+    @cached_property
+    def _samples(self) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
+        fraction = np.broadcast_to(np.arange(STEPS + 1) / STEPS, (len(self.pieces), STEPS + 1))
+        parameters, positions, _ = self.surface.points(self.pieces, fraction)
+        count = STEPS * len(self.pieces)
+        patch = np.repeat(self.pieces.patch, STEPS)
+        parameters, last = parameters[:, :-1].reshape(count, 2), parameters[-1, -1:]
+        positions, end = positions[:, :-1].reshape(count, 3), positions[-1, -1:]
+        if self.closed:
+            return patch, parameters, positions
+        return (
+            np.append(patch, patch[-1]),
+            np.concatenate([parameters, last]),
+            np.concatenate([positions, end]),
+        )
+
+    @property
+    def patch(self) -> NDArray[np.int64]:
+        """Patch of each sample point, shape (n,)."""
+        return self._samples[0]
+
+    @property
+    def parameters(self) -> NDArray[np.float64]:
+        """(u, v) of each sample point on its patch, shape (n, 2)."""
+        return self._samples[1]
+
+    @property
+    def positions(self) -> NDArray[np.float64]:
+        """Sample points in order along the curve, shape (n, 3); a closed one's start once."""
+        return self._samples[2]
+
+    def positions_at(self, place: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Positions (n, 3) at places (n,): the number of a piece plus the fraction run of it."""
+        row, fraction = self._split(place)
+        return self.surface.points(self.pieces.take(row), fraction[:, None])[1][:, 0]
+
+    def arc_length_at(self, place: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Lengths (n,) from the start to places (n,), as in `positions_at`."""
+        row, fraction = self._split(place)
+        pieces = self.pieces.take(row).between(np.zeros(len(row)), fraction)
+        before = np.concatenate([[0.0], np.cumsum(self.piece_length)])
+        return np.asarray(before[row] + self.surface.lengths(pieces, MORE_NODES))
+
+    def _split(self, place: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+        row = np.minimum(place.astype(np.int64), len(self.pieces) - 1)
+        return row, place - row
+
+    @cached_property
+    def centroid(self) -> NDArray[np.float64]:
+        """Center of mass of the curve, as of a thin wire, to sampling accuracy, shape (3,)."""
+        points = self.positions
+        points = np.concatenate([points, points[:1]]) if self.closed else points
+        chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
+        middles = 0.5 * (points[1:] + points[:-1])
+        return np.asarray(chords @ middles / chords.sum())
+
+    @cached_property
+    def length_by_region(self) -> dict[str, float]:
+        """Length inside each body region that the curve crosses, in `unit`."""
+        result: dict[str, float] = {}
+        for patch, length in zip(self.pieces.patch.tolist(), self.piece_length, strict=True):
+            region = self.regions[patch]
+            result[region] = result.get(region, 0.0) + float(length)
+        return result

@@ -1,0 +1,157 @@
+"""Pieces of a section: points on them, and their lengths."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.bezier import bernstein, derivatives
+from bodymeasure.section.plane import Plane
+from bodymeasure.section.roots import bracketed_roots
+
+# Two Gauss rules a piece, whose difference is the error of the first one.
+NODES, MORE_NODES = 8, 13
+# Of the size of the atlas: what a length may change from rule to rule. Below are roots' roundings.
+TOLERANCE = 1e-13
+# Halvings of a piece; graphs have no vertical tangent, so a few do.
+MAX_HALVINGS = 12
+
+
+@dataclass(frozen=True, eq=False)
+class Pieces:
+    """Pieces of a section, each the graph of one parameter of a patch over the other.
+
+    Parameters
+    ----------
+    patch : ndarray of int, shape (k,)
+    axis : ndarray of int, shape (k,)
+        The parameter that runs along the piece: 0 for u, 1 for v.
+    start, stop : ndarray, shape (k,)
+        Its values at the ends; it may run downwards.
+    low, high : ndarray, shape (k,)
+        Bounds of the other parameter.
+    """
+
+    patch: NDArray[np.int64]
+    axis: NDArray[np.int64]
+    start: NDArray[np.float64]
+    stop: NDArray[np.float64]
+    low: NDArray[np.float64]
+    high: NDArray[np.float64]
+
+    def __len__(self) -> int:
+        return len(self.patch)
+
+    def take(self, rows: NDArray[np.int64] | NDArray[np.bool_]) -> Pieces:
+        """Some of the pieces."""
+        return Pieces(*(getattr(self, field.name)[rows] for field in fields(self)))
+
+    def between(self, first: NDArray[np.float64], last: NDArray[np.float64]) -> Pieces:
+        """The part of each from one fraction of its parameter's range to another."""
+        span = self.stop - self.start
+        start = np.where(first == 0.0, self.start, self.start + first * span)
+        stop = np.where(last == 1.0, self.stop, self.start + last * span)
+        return replace(self, start=start, stop=stop)
+
+
+@dataclass(frozen=True, eq=False)
+class CutSurface:
+    """The patches and the plane that pieces belong to; puts points on them.
+
+    Parameters
+    ----------
+    control_points : ndarray, shape (patches, 4, 4, 3)
+    plane : Plane
+    """
+
+    control_points: NDArray[np.float64]
+    plane: Plane
+
+    def parameters(self, pieces: Pieces, fraction: NDArray[np.float64]) -> NDArray[np.float64]:
+        """(u, v) at fractions (k, n) of each piece's range, shape (k, n, 2)."""
+        along = pieces.start[:, None] + fraction * (pieces.stop - pieces.start)[:, None]
+        distance = self.plane.distances(self.control_points[pieces.patch])
+        over_v = (pieces.axis == 1)[:, None, None]
+        turned = np.where(over_v, distance.swapaxes(1, 2), distance)
+        cubics = bernstein(3, along)[..., 0, :] @ turned
+        shape = along.shape
+        low, high = (
+            np.broadcast_to(bound[:, None], shape).ravel() for bound in (pieces.low, pieces.high)
+        )
+        other = bracketed_roots(cubics.reshape(-1, 4), low, high).reshape(shape)
+        first = np.where(over_v[..., 0], other, along)
+        second = np.where(over_v[..., 0], along, other)
+        return np.stack([first, second], axis=-1)
+
+    def points(
+        self, pieces: Pieces, fraction: NDArray[np.float64]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+        """Parameters (k, n, 2), positions (k, n, 3) and velocities by the fraction (k, n, 3)."""
+        parameters = self.parameters(pieces, fraction)
+        jet = derivatives(self.control_points[pieces.patch], parameters, order=1)
+        over_v = (pieces.axis == 1)[:, None, None]
+        by_u, by_v = jet[..., 1, 0, :], jet[..., 0, 1, :]
+        along, other = np.where(over_v, by_v, by_u), np.where(over_v, by_u, by_v)
+        normal = self.plane.normal
+        # A graph never runs along the other parameter, so its slope is finite.
+        rise, run = along @ normal, other @ normal
+        slope = np.divide(-rise, run, out=np.zeros_like(rise), where=run != 0.0)
+        velocity = (along + slope[..., None] * other) * (pieces.stop - pieces.start)[:, None, None]
+        return parameters, jet[..., 0, 0, :], velocity
+
+    def lengths(self, pieces: Pieces, nodes: int) -> NDArray[np.float64]:
+        """Lengths of pieces by Gauss quadrature, shape (k,)."""
+        at, weights = _gauss(nodes)
+        _, _, velocity = self.points(pieces, np.broadcast_to(at, (len(pieces), nodes)))
+        return np.asarray(np.linalg.norm(velocity, axis=-1) @ weights)
+
+
+def _gauss(nodes: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    x, weights = np.polynomial.legendre.leggauss(nodes)
+    return 0.5 * (1.0 + x), 0.5 * weights
+
+
+def measured_pieces(
+    surface: CutSurface, pieces: Pieces, size: float
+) -> tuple[Pieces, NDArray[np.float64], NDArray[np.float64]]:
+    """Halve pieces until two quadrature rules agree on each one's length.
+
+    Parameters
+    ----------
+    surface : CutSurface
+    pieces : Pieces
+        In the order in which they follow one another.
+    size : float
+        The atlas's, to which the tolerance is relative.
+
+    Returns
+    -------
+    pieces : Pieces
+        In the same order.
+    length, error : ndarray, shape (k,)
+        By the larger rule, and its difference from the smaller one.
+    """
+    order = np.arange(len(pieces), dtype=np.float64)
+    done: list[tuple[NDArray[np.float64], Pieces, NDArray[np.float64], NDArray[np.float64]]] = []
+    for halving in range(MAX_HALVINGS + 1):
+        length = surface.lengths(pieces, MORE_NODES)
+        error = np.abs(length - surface.lengths(pieces, NODES))
+        good = (error <= TOLERANCE * size) | (halving == MAX_HALVINGS)
+        done.append((order[good], pieces.take(good), length[good], error[good]))
+        if good.all():
+            break
+        rest = pieces.take(np.repeat(np.flatnonzero(~good), 2))
+        second = np.tile([0.0, 0.5], len(rest) // 2)
+        pieces = rest.between(second, second + 0.5)
+        order = np.repeat(order[~good], 2) + second * 0.5**halving
+    rank = np.argsort(np.concatenate([part[0] for part in done]))
+    joined = Pieces(
+        *(
+            np.concatenate([getattr(part[1], field.name) for part in done])[rank]
+            for field in fields(Pieces)
+        )
+    )
+    length, error = (np.concatenate([part[i] for part in done])[rank] for i in (2, 3))
+    return joined, length, error

@@ -1,0 +1,109 @@
+"""Roots of cubics in Bernstein form, and of functions that change sign once in a bracket."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.bezier import bernstein_values
+
+# Halving alone needs some 55 steps for all digits; Newton's steps make it about six.
+MAX_STEPS = 120
+
+
+def cubic_values(
+    coefficients: NDArray[np.float64], t: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Values and slopes of cubics with Bernstein coefficients (..., 4) at t, both shape (...)."""
+    b = np.moveaxis(coefficients, -1, 0)
+    value = sum(weight * b[i] for i, weight in enumerate(bernstein_values(3, t)))
+    slope = sum(3.0 * w * (b[i + 1] - b[i]) for i, w in enumerate(bernstein_values(2, t)))
+    return np.asarray(value), np.asarray(slope)
+
+
+def bracketed_roots(
+    coefficients: NDArray[np.float64], lower: NDArray[np.float64], upper: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """The root of each cubic in a bracket in which it is monotone, shape (k,).
+
+    Where the cubic has no change of sign in its bracket, the end with the smaller value.
+
+    Parameters
+    ----------
+    coefficients : ndarray, shape (k, 4)
+        In Bernstein form on [0, 1].
+    lower, upper : ndarray, shape (k,)
+
+    Notes
+    -----
+    Newton's method, with a halving wherever its step would leave the bracket.
+    """
+    low, high = lower.astype(np.float64), upper.astype(np.float64)
+    at_low, at_high = (cubic_values(coefficients, t)[0] for t in (low, high))
+    crosses = (at_low < 0.0) != (at_high < 0.0)
+    t = np.where(np.abs(at_low) <= np.abs(at_high), low, high)
+    t[crosses] = 0.5 * (low + high)[crosses]
+    rising = at_low < 0.0
+    busy = np.flatnonzero(crosses)
+    for _ in range(MAX_STEPS):
+        if not len(busy):
+            break
+        here = t[busy]
+        value, slope = cubic_values(coefficients[busy], here)
+        below = (value < 0.0) == rising[busy]
+        low[busy[below]] = here[below]
+        high[busy[~below]] = here[~below]
+        step = np.divide(value, slope, out=np.full_like(value, np.inf), where=slope != 0.0)
+        new = here - step
+        outside = ~((new > low[busy]) & (new < high[busy]))
+        new[outside] = 0.5 * (low[busy] + high[busy])[outside]
+        t[busy] = new
+        # A step that rounding swallows: nothing more to gain.
+        busy = busy[np.abs(new - here) > np.finfo(np.float64).eps * np.abs(here)]
+    return t
+
+
+def cubic_roots(coefficients: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Roots of cubics on [0, 1] at which the sign changes, shape (k, 3), upwards, NaN where none.
+
+    Their number agrees with the signs at both ends, whatever the rounding: zero counts as positive.
+
+    Parameters
+    ----------
+    coefficients : ndarray, shape (k, 4)
+        In Bernstein form.
+    """
+    stations = np.concatenate(
+        [
+            np.zeros((len(coefficients), 1)),
+            _stationary_points(coefficients),
+            np.ones((len(coefficients), 1)),
+        ],
+        axis=1,
+    )
+    value, _ = cubic_values(coefficients[:, None], stations)
+    negative = value < 0.0
+    row, place = np.nonzero(negative[:, 1:] != negative[:, :-1])
+    roots = np.full((len(coefficients), 3), np.nan)
+    roots[row, place] = bracketed_roots(
+        coefficients[row], stations[row, place], stations[row, place + 1]
+    )
+    return np.sort(roots, axis=1)
+
+
+def _stationary_points(coefficients: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Where the slope vanishes, clipped to [0, 1], upwards, shape (k, 2); 0 where nowhere.
+
+    The cancellation-free form of the quadratic formula.
+    """
+    d0, d1, d2 = np.diff(coefficients, axis=1).T
+    # The slope is a t^2 + 2 b t + c.
+    a, b, c = d0 - 2.0 * d1 + d2, d1 - d0, d0
+    discriminant = b * b - a * c
+    real = discriminant > 0.0
+    q = -(b + np.copysign(np.sqrt(np.where(real, discriminant, 0.0)), b))
+    points = np.zeros((len(coefficients), 2))
+    for column, (top, bottom) in enumerate(((q, a), (c, q))):
+        usable = real & (bottom != 0.0) & (np.abs(top) <= np.abs(bottom))
+        np.divide(top, bottom, out=points[:, column], where=usable)
+    return np.sort(np.clip(points, 0.0, 1.0), axis=1)

@@ -1,0 +1,173 @@
+"""The exact section of an atlas by a plane."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bodymeasure.atlas import Atlas, EdgeTable, edge_table
+from bodymeasure.errors import InputError
+from bodymeasure.section.arcs import Arcs, Chain, chain_arcs, pair_crossings
+from bodymeasure.section.cells import Cells, graph_cells
+from bodymeasure.section.crossings import find_crossings
+from bodymeasure.section.loop import SectionLoop
+from bodymeasure.section.pieces import CutSurface, Pieces, measured_pieces
+from bodymeasure.section.plane import Plane
+
+# Of the atlas's size. Corners so close to the plane have no safe side: rounding decides.
+NEAR = 1e-14
+# Of the size: by how much the plane is moved off corners, and off seams that lie in it. Far above
+# rounding, far below what can be measured. Uneven, so that one move's accident is not the next's.
+MOVES = (0.0, 1.0e-11, -1.0e-11, 2.7e-11, -3.1e-11)
+# Of the size: patches whose control points all lie so close to the plane lie in it.
+FLAT = 1e-12
+# Lengths change by about as much as the plane moves; ten times that for slanting surfaces.
+SAFETY = 10.0
+
+
+@dataclass(frozen=True, eq=False)
+class PlaneSection:
+    """All curves in which a plane cuts an atlas.
+
+    Parameters
+    ----------
+    plane : Plane
+        The one asked for.
+    loops : tuple of SectionLoop
+        The longest first; empty if the plane misses the atlas.
+    """
+
+    plane: Plane
+    loops: tuple[SectionLoop, ...]
+
+    def nearest(self, position: ArrayLike) -> SectionLoop:
+        """The loop that passes closest to a position.
+
+        Raises
+        ------
+        InputError
+            If the plane misses the atlas.
+        """
+        if not self.loops:
+            raise InputError(
+                f"{self.plane} misses the body; move it to where the body is, "
+                "or check the atlas's unit and axes"
+            )
+        target = np.asarray(position, dtype=np.float64)
+        gaps = [np.linalg.norm(loop.positions - target, axis=1).min() for loop in self.loops]
+        return self.loops[int(np.argmin(gaps))]
+
+
+def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
+    """Cut the smooth atlas by a plane.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    plane : Plane
+
+    Returns
+    -------
+    PlaneSection
+        Curves are joined where patches share edges by index, and end elsewhere.
+
+    Raises
+    ------
+    InputError
+        If a patch lies in the plane, the plane touches the surface without a clean cut, or more
+        than two patches share an edge that it crosses.
+
+    Notes
+    -----
+    Where corners of patches or whole seams lie in the plane, it is moved by 1e-11 of the atlas's
+    size, and the loops' error estimates say so.
+    """
+    distances = plane.distances(atlas.control_points)
+    size = float(np.abs(atlas.control_points - plane.point).max())
+    flat = np.flatnonzero(np.abs(distances).max(axis=(1, 2)) <= FLAT * size)
+    if len(flat):
+        raise InputError(
+            f"patch {atlas.patch_names[flat[0]]!r} lies in {plane}, so that the section is no "
+            "curve; move or tilt the plane"
+        )
+    table = edge_table(atlas.index)
+    for move in MOVES:
+        # Patches beside the plane are none of the section's, but share edges with those that are.
+        near = np.flatnonzero(
+            (distances.min(axis=(1, 2)) <= move * size)
+            & (distances.max(axis=(1, 2)) >= move * size)
+        )
+        joined = _joined(atlas, distances[near] - move * size, near, table, size)
+        if joined is not None:
+            surface = CutSurface(atlas.control_points, plane.moved(move * size))
+            extra = SAFETY * abs(move) * size
+            loops = [_loop(atlas, surface, chain, joined[0], size, extra) for chain in joined[1]]
+            loops.sort(key=lambda loop: -loop.length)
+            return PlaneSection(plane, tuple(loops))
+    raise InputError(
+        f"the section by {plane} cannot be joined into curves: it runs through corners of patches "
+        "wherever it is moved, or an edge belongs to more than two patches; check the atlas with "
+        "bodymeasure.check_atlas, or move the plane"
+    )
+
+
+def _joined(
+    atlas: Atlas,
+    distance: NDArray[np.float64],
+    patches: NDArray[np.int64],
+    table: EdgeTable,
+    size: float,
+) -> tuple[Arcs, list[Chain]] | None:
+    """Arcs and how they follow one another; None if the plane passes a corner too closely."""
+    cells, undecided = graph_cells(distance, size)
+    if len(undecided.patch):
+        _refuse_touching(atlas, undecided, patches)
+    if len(cells.patch) and np.abs(cells.corners).min() <= NEAR * size:
+        return None
+    own = EdgeTable(
+        table.control_index[patches], table.edge[patches], table.reversed[patches], table.sides
+    )
+    crossings = find_crossings(distance, cells, own)
+    arcs = pair_crossings(cells, crossings)
+    chains = None if arcs is None else chain_arcs(arcs, crossings.sides)
+    if arcs is None or chains is None:
+        return None
+    return arcs._replace(patch=patches[arcs.patch]), chains
+
+
+def _refuse_touching(atlas: Atlas, undecided: Cells, patches: NDArray[np.int64]) -> None:
+    patch = int(patches[undecided.patch[0]])
+    u, v = 0.5 * (undecided.lower[0] + undecided.upper[0])
+    raise InputError(
+        f"the plane touches the surface of patch {atlas.patch_names[patch]!r} at "
+        f"(u, v) = ({u:.6f}, {v:.6f}) instead of cutting it, so that the section is no clean "
+        "curve there; move the plane a little"
+    )
+
+
+def _loop(
+    atlas: Atlas, surface: CutSurface, chain: Chain, arcs: Arcs, size: float, extra: float
+) -> SectionLoop:
+    rows, backwards = chain.arc, chain.backwards
+    start, stop = arcs.start[rows], arcs.stop[rows]
+    pieces = Pieces(
+        arcs.patch[rows],
+        arcs.axis[rows],
+        np.where(backwards, stop, start),
+        np.where(backwards, start, stop),
+        arcs.low[rows],
+        arcs.high[rows],
+    )
+    pieces, length, error = measured_pieces(surface, pieces, size)
+    rounding = np.finfo(np.float64).eps * size * len(pieces)
+    return SectionLoop(
+        surface,
+        pieces,
+        length,
+        float(error.sum() + rounding + extra),
+        chain.closed,
+        atlas.unit,
+        atlas.regions,
+    )

@@ -1,0 +1,72 @@
+"""Sections of the mannequins, against tessellations of them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from mesh_sections import richardson_length
+
+from bodymeasure.errors import InputError
+from bodymeasure.samples import load_sample
+from bodymeasure.section import Plane, convex_hull, plane_section
+
+PLANES = 160
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "name", ["female_average", "female_full_bust", "female_heavy", "female_old", "male_average"]
+)
+def test_random_planes(name: str, rng: np.random.Generator) -> None:
+    atlas = load_sample(name)
+    refused = 0
+    errors = []
+    for number in range(PLANES):
+        point = atlas.points[rng.integers(len(atlas.points))]
+        normal = rng.normal(size=3) if number % 2 else atlas.axes.up_vector
+        plane = Plane(point, normal)
+        try:
+            loops = plane_section(atlas, plane).loops
+        except InputError:
+            refused += 1
+            continue
+        length = sum(loop.length for loop in loops)
+        known, move = richardson_length(atlas, plane)
+        # The mesh's own uncertainty, where it cuts almost along the surface.
+        assert abs(length - known) <= 1e-6 * known + move
+        errors.append(abs(length - known) / known)
+        for loop in loops:
+            assert loop.error_estimate <= 1e-8 * length
+            if loop.closed:
+                hull = convex_hull(loop)
+                assert hull.length <= loop.length
+    assert refused <= 1
+    assert np.mean(np.array(errors) <= 1e-6) >= 0.99
+    assert np.median(errors) <= 1e-7
+
+
+def test_both_sides_of_a_symmetric_body_agree() -> None:
+    atlas = load_sample("female_average")
+    left, right = (
+        atlas.position(atlas.landmarks[f"patella point {side}"]) for side in ("left", "right")
+    )
+    tilt = np.array([0.2, 0.1, 1.0])
+    mirrored = tilt * (-1.0, 1.0, 1.0)
+    first = plane_section(atlas, Plane(left, tilt)).nearest(left)
+    second = plane_section(atlas, Plane(right, mirrored)).nearest(right)
+    assert first.length == pytest.approx(second.length, rel=1e-12)
+    assert convex_hull(first).length == pytest.approx(convex_hull(second).length, rel=1e-12)
+    for region, length in first.length_by_region.items():
+        other = second.length_by_region[region.replace("left", "right")]
+        assert length == pytest.approx(other, rel=1e-11)
+
+
+def test_the_centre_plane_lies_in_the_seams() -> None:
+    atlas = load_sample("male_average")
+    (loop,) = plane_section(atlas, Plane(np.zeros(3), atlas.axes.left_vector)).loops
+    assert not loop.closed
+    assert loop.error_estimate < 1e-9
+    known, move = richardson_length(
+        atlas, Plane(1e-7 * atlas.axes.left_vector, atlas.axes.left_vector)
+    )
+    assert loop.length == pytest.approx(known, abs=1e-6 + move)
