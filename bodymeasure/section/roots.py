@@ -9,6 +9,8 @@ from bodymeasure.bezier import bernstein_values
 
 # Halving alone needs some 55 steps for all digits; Newton's steps make it about six.
 MAX_STEPS = 120
+# Of parameters, which lie in [0, 1]: what rounding leaves of them.
+FINEST = 4e-16
 
 
 def cubic_values(
@@ -54,12 +56,13 @@ def bracketed_roots(
         low[busy[below]] = here[below]
         high[busy[~below]] = here[~below]
         step = np.divide(value, slope, out=np.full_like(value, np.inf), where=slope != 0.0)
+        # Asked first: a root that is met exactly is an end of its bracket.
+        arrived = np.abs(step) <= FINEST
         new = here - step
-        outside = ~((new > low[busy]) & (new < high[busy]))
+        outside = ~((new > low[busy]) & (new < high[busy])) & ~arrived
         new[outside] = 0.5 * (low[busy] + high[busy])[outside]
-        t[busy] = new
-        # A step that rounding swallows: nothing more to gain.
-        busy = busy[np.abs(new - here) > np.finfo(np.float64).eps * np.abs(here)]
+        t[busy] = np.clip(new, lower[busy], upper[busy])
+        busy = busy[~arrived & (high[busy] - low[busy] > FINEST)]
     return t
 
 
