@@ -20,6 +20,8 @@ CUTS = 8
 FINEST = 1e-6
 # Of the length: hollows that save less are not worth a closer look.
 NEGLIGIBLE = 1e-14
+# Sine of an angle: rounding of the finest steps stays below, and hollows so shallow save a 1e-12th.
+STRAIGHT = 1e-6
 # Relative. By so much may corners in the loop's order go round longer than in the hull's.
 ORDER_TOLERANCE = 1e-9
 
@@ -79,7 +81,8 @@ def convex_hull(loop: SectionLoop) -> Hull:
         total = loop.length - float(saved.sum())
         hollow = saved > NEGLIGIBLE * loop.length
         ends = np.concatenate([first[hollow], last[hollow]])
-        new = _between(place, ends, float(len(loop.pieces)))
+        steps = np.concatenate([ends - 1, ends, _concave_steps(loop, place, flat, corners)])
+        new = _between(place, np.unique(steps % len(place)), float(len(loop.pieces)))
         if not len(new):
             break
         previous = total
@@ -133,11 +136,53 @@ def _saved(
     return result
 
 
+def _concave_steps(
+    loop: SectionLoop,
+    place: NDArray[np.float64],
+    flat: NDArray[np.float64],
+    corners: NDArray[np.int64],
+) -> NDArray[np.int64]:
+    """Steps from corner to next sample that may hide a hollow: the loop turns inwards in them.
+
+    Either at an end, against the chord, or at a kink between two pieces.
+    """
+    on_hull = np.zeros(len(place), dtype=np.bool_)
+    on_hull[corners] = True
+    steps = np.flatnonzero(on_hull & np.roll(on_hull, -1))
+    row = place[steps].astype(np.int64)
+    after = np.append(place[1:], float(len(loop.pieces)))[steps]
+    fraction = np.asarray(np.stack([place[steps], after], axis=1) - row[:, None], dtype=np.float64)
+    _, _, velocity = loop.surface.points(loop.pieces.take(row), fraction)
+    direction = velocity @ loop.surface.plane.frame().T
+    chord = np.roll(flat, -1, axis=0)[steps] - flat[steps]
+
+    anticlockwise = np.sign(_cross(flat, np.roll(flat, -1, axis=0)).sum())
+    into, out_of = (
+        anticlockwise * _sine(*pair)
+        for pair in ((direction[:, 0], chord), (chord, direction[:, 1]))
+    )
+    concave = (into < -STRAIGHT) | (out_of < -STRAIGHT)
+    following = np.roll(steps, -1) == (steps + 1) % len(place)
+    kink = anticlockwise * _sine(direction[:, 1], np.roll(direction[:, 0], -1, axis=0))
+    concave |= following & (kink < -STRAIGHT)
+    # The hollow of a kink reaches into the step after it, too.
+    return np.concatenate([steps[concave], steps[concave] + 1])
+
+
+def _cross(first: NDArray[np.float64], second: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.asarray(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
+
+
+def _sine(first: NDArray[np.float64], second: NDArray[np.float64]) -> NDArray[np.float64]:
+    size = np.linalg.norm(first, axis=1) * np.linalg.norm(second, axis=1)
+    sine = np.divide(_cross(first, second), size, out=np.zeros_like(size), where=size > 0.0)
+    return np.asarray(sine)
+
+
 def _between(
-    place: NDArray[np.float64], ends: NDArray[np.int64], period: float
+    place: NDArray[np.float64], steps: NDArray[np.int64], period: float
 ) -> NDArray[np.float64]:
-    """New places in the steps before and after some samples, but in those that are fine."""
-    steps = np.unique(np.concatenate([ends - 1, ends]) % len(place))
+    """New places in some steps from sample to sample, but in those that are fine."""
     start = place[steps]
     width = (place[(steps + 1) % len(place)] - start) % period
     coarse = width > FINEST
