@@ -1,14 +1,28 @@
-"""Measurements of an atlas: diagonals, boundary curves, their cross-check, the whole survey."""
+"""Measurements of an atlas: diagonals and boundary curves of patches, girths, straight measures."""
 
 from bodymeasure.measure.boundary import BoundaryLengths, boundary_lengths
 from bodymeasure.measure.diagonals import diagonals
+from bodymeasure.measure.extreme_girth import ExtremeGirth, Extremum, extreme_girth
+from bodymeasure.measure.girths import Girth, body_girth, limb_girth, plane_girth
+from bodymeasure.measure.straight import breadth, chord, depth, height
 from bodymeasure.measure.survey import Survey, measure_atlas, package_versions
 
 __all__ = [
     "BoundaryLengths",
+    "ExtremeGirth",
+    "Extremum",
+    "Girth",
     "Survey",
+    "body_girth",
     "boundary_lengths",
+    "breadth",
+    "chord",
+    "depth",
     "diagonals",
+    "extreme_girth",
+    "height",
+    "limb_girth",
     "measure_atlas",
     "package_versions",
+    "plane_girth",
 ]

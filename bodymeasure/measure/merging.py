@@ -1,0 +1,68 @@
+"""Loops that go round more than the part of the body that is to be measured."""
+
+from __future__ import annotations
+
+from bodymeasure.errors import InputError
+from bodymeasure.section import PlaneSection, SectionLoop
+
+# Beginnings of the names of regions.
+ARM = ("upper arm", "elbow", "forearm", "wrist", "hand")
+TRUNK = ("torso", "hip", "crotch")
+SIDES = ("left", "right")
+
+
+def refuse_merged(section: PlaneSection, loop: SectionLoop, *, limb: bool) -> None:
+    """Refuse a loop that goes round the trunk and an arm, or, for a limb, round both sides.
+
+    Judged by the names of the patches' regions; an atlas without regions cannot be judged.
+
+    Parameters
+    ----------
+    section : PlaneSection
+    loop : SectionLoop
+        One of its loops.
+    limb : bool
+        Whether it is to be the loop of an arm or a leg.
+
+    Raises
+    ------
+    InputError
+        Naming the regions and the remedy.
+
+    Notes
+    -----
+    Just below the armpit a loop of the trunk may cross patches that belong to the arm. It is only
+    merged with the arm if no other loop of the section is the arm's.
+    """
+    for side in SIDES:
+        arm, trunk = _length(loop, ARM, side), _length(loop, TRUNK)
+        if arm == 0.0 or trunk == 0.0 or (limb and arm > trunk):
+            continue
+        others = [other for other in section.loops if other is not loop]
+        if not limb and any(_length(other, ARM, side) > 0.5 * other.length for other in others):
+            continue
+        raise InputError(
+            f"the loop merges the trunk and the {side} arm ({_words(loop)}): the plane passes "
+            "above the armpit; choose a landmark below it, or tilt the plane until arm and trunk "
+            "are cut apart"
+        )
+    if limb and all(_length(loop, ("",), side) > 0.0 for side in SIDES):
+        raise InputError(
+            f"the loop is to go round one limb, but has parts of both sides ({_words(loop)}): "
+            "choose a place farther down the limb, or tilt the axis"
+        )
+
+
+def _length(loop: SectionLoop, beginnings: tuple[str, ...], side: str = "") -> float:
+    return sum(
+        length
+        for region, length in loop.length_by_region.items()
+        if region.startswith(beginnings) and region.endswith(side)
+    )
+
+
+def _words(loop: SectionLoop) -> str:
+    return ", ".join(
+        f"{region} {length:.3g} {loop.unit}"
+        for region, length in sorted(loop.length_by_region.items())
+    )

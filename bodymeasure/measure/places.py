@@ -1,0 +1,42 @@
+"""Places on a body, by landmark, point of the atlas or position."""
+
+from __future__ import annotations
+
+import difflib
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.errors import InputError
+
+Place = str | AtlasPoint | NDArray[np.float64]
+"""A landmark's name, a point of the atlas, or a position of shape (3,) in the atlas's unit."""
+
+
+def position_of(atlas: Atlas, place: Place) -> NDArray[np.float64]:
+    """Position of a place, shape (3,).
+
+    Raises
+    ------
+    InputError
+        If the atlas has no such landmark, or the position is not three finite numbers.
+    """
+    if isinstance(place, AtlasPoint):
+        return atlas.position(place)
+    if isinstance(place, str):
+        if place not in atlas.landmarks:
+            raise InputError(_unknown(atlas, place))
+        return atlas.position(atlas.landmarks[place])
+    position = np.asarray(place, dtype=np.float64)
+    if position.shape != (3,) or not np.isfinite(position).all():
+        raise InputError(f"the position is {place!r}; expected three finite numbers")
+    return position
+
+
+def _unknown(atlas: Atlas, name: str) -> str:
+    if not atlas.landmarks:
+        return f"the atlas has no landmark {name!r}, nor any other; add it, or give a position"
+    near = difflib.get_close_matches(name, list(atlas.landmarks), n=1)
+    hint = f"did you mean {near[0]!r}?" if near else f"it has {', '.join(sorted(atlas.landmarks))}"
+    return f"the atlas has no landmark {name!r}; {hint}"

@@ -1,0 +1,55 @@
+"""Tubes of four patches round, whose horizontal sections are all alike but for their size."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas import Atlas, Unit
+from bodymeasure.bezier import bernstein
+
+# Control points of a quarter of a nearly round, convex curve.
+QUARTER = np.array([[1.0, 0.0], [1.0, 0.55], [0.55, 1.0], [0.0, 1.0]])
+
+
+def tube(radii: Sequence[float], center: tuple[float, float] = (0.0, 0.0)) -> Atlas:
+    """A tube from z = 0 to 3 whose radius is a cubic with these Bernstein coefficients."""
+    ring = np.concatenate([_turned(quarter)[:3] for quarter in range(4)])
+    scaled = np.asarray(radii)[:, None, None] * ring + center
+    heights = np.broadcast_to(np.arange(4.0)[:, None, None], (4, 12, 1))
+    points = np.concatenate([scaled, heights], axis=-1)
+    number = np.arange(48).reshape(4, 12)
+    index = [number[:, (3 * quarter + np.arange(4)) % 12].T for quarter in range(4)]
+    return Atlas(points.reshape(-1, 3), np.array(index), Unit.CM)
+
+
+def ring_length() -> float:
+    """Length of the section of radius 1."""
+    # Smooth, and so exact with 40 Gauss points.
+    x, weights = np.polynomial.legendre.leggauss(40)
+    velocity = bernstein(3, 0.5 * (1.0 + x), order=1)[:, 1] @ QUARTER
+    return float(2.0 * weights @ np.linalg.norm(velocity, axis=1))
+
+
+def joined(atlases: Sequence[Atlas], regions: Sequence[str]) -> Atlas:
+    """Atlases side by side in one, each a region."""
+    starts = np.cumsum([0, *(len(atlas.points) for atlas in atlases)])
+    index = [atlas.index + start for atlas, start in zip(atlases, starts[:-1], strict=True)]
+    names = [
+        region for atlas, region in zip(atlases, regions, strict=True) for _ in range(len(atlas))
+    ]
+    return Atlas(
+        np.concatenate([atlas.points for atlas in atlases]),
+        np.concatenate(index),
+        Unit.CM,
+        regions=tuple(names),
+    )
+
+
+def _turned(quarter: int) -> NDArray[np.float64]:
+    points = QUARTER
+    for _ in range(quarter):
+        points = np.stack([-points[:, 1], points[:, 0]], axis=-1)
+    return points
