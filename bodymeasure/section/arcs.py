@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from bodymeasure.section.cells import Cells
 from bodymeasure.section.crossings import Crossings
+from bodymeasure.section.pieces import Pieces
 
 
 class Arcs(NamedTuple):
@@ -16,23 +17,13 @@ class Arcs(NamedTuple):
 
     Parameters
     ----------
-    patch : ndarray of int, shape (k,)
-    axis : ndarray of int, shape (k,)
-        The parameter that runs along the arc: 0 for u, 1 for v.
-    start, stop : ndarray, shape (k,)
-        Its values at the ends.
-    low, high : ndarray, shape (k,)
-        Bounds of the other parameter, between which the distance from the plane is monotone.
+    pieces : Pieces
+        One an arc, k of them.
     ends : ndarray of int, shape (k, 2)
         Numbers of the crossings at both ends.
     """
 
-    patch: NDArray[np.int64]
-    axis: NDArray[np.int64]
-    start: NDArray[np.float64]
-    stop: NDArray[np.float64]
-    low: NDArray[np.float64]
-    high: NDArray[np.float64]
+    pieces: Pieces
     ends: NDArray[np.int64]
 
 
@@ -74,15 +65,15 @@ def pair_crossings(cells: Cells, crossings: Crossings) -> Arcs | None:
     numbers = np.take_along_axis(number, order, axis=1).reshape(count, 6, 2)
     cell, pair = np.nonzero(numbers[..., 0] >= 0)
     axis = cells.axis[cell]
-    return Arcs(
+    pieces = Pieces(
         cells.patch[cell],
         axis,
         places[cell, pair, 0],
         places[cell, pair, 1],
         cells.lower[cell, 1 - axis],
         cells.upper[cell, 1 - axis],
-        numbers[cell, pair],
     )
+    return Arcs(pieces, numbers[cell, pair])
 
 
 def chain_arcs(arcs: Arcs, sides: NDArray[np.int64]) -> list[Chain] | None:

@@ -51,8 +51,8 @@ class Pieces:
     def between(self, first: NDArray[np.float64], last: NDArray[np.float64]) -> Pieces:
         """The part of each from one fraction of its parameter's range to another."""
         span = self.stop - self.start
-        start = np.where(first == 0.0, self.start, self.start + first * span)
-        stop = np.where(last == 1.0, self.stop, self.start + last * span)
+        # Their own ends to the last bit.
+        start, stop = (np.where(t == 1.0, self.stop, self.start + t * span) for t in (first, last))
         return replace(self, start=start, stop=stop)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +13,7 @@ from bodymeasure.section.arcs import Arcs, Chain, chain_arcs, pair_crossings
 from bodymeasure.section.cells import Cells, graph_cells
 from bodymeasure.section.crossings import find_crossings
 from bodymeasure.section.loop import SectionLoop
-from bodymeasure.section.pieces import CutSurface, Pieces, measured_pieces
+from bodymeasure.section.pieces import CutSurface, measured_pieces
 from bodymeasure.section.plane import Plane
 
 # Of the atlas's size. Corners so close to the plane have no safe side: rounding decides.
@@ -134,7 +134,8 @@ def _joined(
     chains = None if arcs is None else chain_arcs(arcs, crossings.sides)
     if arcs is None or chains is None:
         return None
-    return arcs._replace(patch=patches[arcs.patch]), chains
+    own_pieces = replace(arcs.pieces, patch=patches[arcs.pieces.patch])
+    return arcs._replace(pieces=own_pieces), chains
 
 
 def _refuse_touching(atlas: Atlas, undecided: Cells, patches: NDArray[np.int64]) -> None:
@@ -150,16 +151,8 @@ def _refuse_touching(atlas: Atlas, undecided: Cells, patches: NDArray[np.int64])
 def _loop(
     atlas: Atlas, surface: CutSurface, chain: Chain, arcs: Arcs, size: float, extra: float
 ) -> SectionLoop:
-    rows, backwards = chain.arc, chain.backwards
-    start, stop = arcs.start[rows], arcs.stop[rows]
-    pieces = Pieces(
-        arcs.patch[rows],
-        arcs.axis[rows],
-        np.where(backwards, stop, start),
-        np.where(backwards, start, stop),
-        arcs.low[rows],
-        arcs.high[rows],
-    )
+    backwards = chain.backwards.astype(np.float64)
+    pieces = arcs.pieces.take(chain.arc).between(backwards, 1.0 - backwards)
     pieces, length, error = measured_pieces(surface, pieces, size)
     rounding = np.finfo(np.float64).eps * size * len(pieces)
     return SectionLoop(
