@@ -25,6 +25,8 @@ MOVES = (0.0, 1.0e-11, -1.0e-11, 2.7e-11, -3.1e-11)
 FLAT = 1e-12
 # Lengths change by about as much as the plane moves; ten times that for slanting surfaces.
 SAFETY = 10.0
+# Times the move: curves so short come of the move alone.
+TRACE = 100.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,6 +95,7 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
             "curve; move or tilt the plane"
         )
     table = edge_table(atlas.index)
+    missed = False
     for move in MOVES:
         # Patches beside the plane are none of the section's, but share edges with those that are.
         near = np.flatnonzero(
@@ -100,12 +103,20 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
             & (distances.max(axis=(1, 2)) >= move * size)
         )
         joined = _joined(atlas, distances[near] - move * size, near, table, size)
-        if joined is not None:
-            surface = CutSurface(atlas.control_points, plane.moved(move * size))
-            extra = SAFETY * abs(move) * size
-            loops = [_loop(atlas, surface, chain, joined[0], size, extra) for chain in joined[1]]
-            loops.sort(key=lambda loop: -loop.length)
-            return PlaneSection(plane, tuple(loops))
+        if joined is None:
+            continue
+        arcs, chains = joined
+        surface = CutSurface(atlas.control_points, plane.moved(move * size))
+        loops = [_loop(atlas, surface, arcs, chain, size, abs(move) * size) for chain in chains]
+        # Corners that the plane only touched leave a trace when it is moved.
+        loops = [loop for loop in loops if loop.length > TRACE * abs(move) * size]
+        if not loops and move != 0.0:
+            # A boundary that lies in the plane is cut by the planes on one side of it only.
+            missed = True
+            continue
+        return PlaneSection(plane, tuple(sorted(loops, key=lambda loop: -loop.length)))
+    if missed:
+        return PlaneSection(plane, ())
     raise InputError(
         f"the section by {plane} cannot be joined into curves: it runs through corners of patches "
         "wherever it is moved, or an edge belongs to more than two patches; check the atlas with "
@@ -149,7 +160,7 @@ def _refuse_touching(atlas: Atlas, undecided: Cells, patches: NDArray[np.int64])
 
 
 def _loop(
-    atlas: Atlas, surface: CutSurface, chain: Chain, arcs: Arcs, size: float, extra: float
+    atlas: Atlas, surface: CutSurface, arcs: Arcs, chain: Chain, size: float, moved: float
 ) -> SectionLoop:
     backwards = chain.backwards.astype(np.float64)
     pieces = arcs.pieces.take(chain.arc).between(backwards, 1.0 - backwards)
@@ -159,7 +170,7 @@ def _loop(
         surface,
         pieces,
         length,
-        float(error.sum() + rounding + extra),
+        float(error.sum() + rounding + SAFETY * moved),
         chain.closed,
         atlas.unit,
         atlas.regions,

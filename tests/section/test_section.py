@@ -216,6 +216,15 @@ def test_a_plane_through_seams_and_corners() -> None:
     assert loop.length == pytest.approx(2.0 * parabola(math.sqrt(2.0)), abs=1e-9)
 
 
+@pytest.mark.parametrize("end", [0.0, 1.0])
+def test_a_boundary_that_lies_in_the_plane_is_its_section(end: float) -> None:
+    atlas = grid_atlas(2, 3)
+    (loop,) = plane_section(atlas, plane_at((2.0 * end, 0.0, 0.0), (1.0, 0.0, 0.0))).loops
+    assert loop.length == pytest.approx(3.0, abs=1e-9)
+    # And a corner that only touches it leaves nothing.
+    assert plane_section(atlas, plane_at((2.0 * end, 3.0 * end, 0.0), (1.0, 1.0, 0.0))).loops == ()
+
+
 def test_a_plane_that_touches_is_refused() -> None:
     with pytest.raises(InputError, match=r"touches the surface of patch 'patch 0'.*move the plane"):
         plane_section(quadric(1, 1.0, 1.0), plane_at((0.0, 0.0, 0.0), UP))
