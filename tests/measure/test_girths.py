@@ -43,8 +43,9 @@ def dense_hull(girth: Girth) -> float:
     """Perimeter of the hull of very many points, extrapolated from two such numbers."""
     loop = girth.loop
     perimeters = []
-    for count in (2**16, 2**17):
-        place = np.arange(count, dtype=np.float64) / count * len(loop.pieces)
+    for steps in (2048, 4096):
+        # Ends of pieces are among them: seams may have kinks.
+        place = np.arange(steps * len(loop.pieces), dtype=np.float64) / steps
         flat = loop.positions_at(place) @ loop.surface.plane.frame().T
         # In the plane, its `area` is the perimeter.
         perimeters.append(float(ConvexHull(flat).area))
