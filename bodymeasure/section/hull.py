@@ -80,7 +80,10 @@ def convex_hull(loop: SectionLoop) -> Hull:
         saved = _saved(loop, place, flat, first, last)
         total = loop.length - float(saved.sum())
         hollow = saved > NEGLIGIBLE * loop.length
-        ends = np.concatenate([first[hollow], last[hollow]])
+        # Skipped ends of pieces that save nothing may be kinks, whose hollows show on finer steps.
+        skips = (last - first) % len(place) > 1
+        skips &= hollow | (np.floor(place[first]) != np.floor(place[last]))
+        ends = np.concatenate([first[skips], last[skips]])
         steps = np.concatenate([ends - 1, ends, _concave_steps(loop, place, flat, corners)])
         new = _between(place, np.unique(steps % len(place)), float(len(loop.pieces)))
         if not len(new):
