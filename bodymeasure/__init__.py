@@ -37,8 +37,19 @@ from bodymeasure.geodesic import (
     geodesic_between,
     solve_geodesic,
 )
-from bodymeasure.measure import Survey, boundary_lengths, diagonals, measure_atlas
+from bodymeasure.measure import (
+    Girth,
+    Survey,
+    body_girth,
+    boundary_lengths,
+    diagonals,
+    extreme_girth,
+    limb_girth,
+    measure_atlas,
+    plane_girth,
+)
 from bodymeasure.samples import load_sample, sample_names
+from bodymeasure.section import Plane
 
 __all__ = [
     "SEARCHES",
@@ -55,9 +66,11 @@ __all__ = [
     "EdgeContact",
     "Finding",
     "GeodesicSolution",
+    "Girth",
     "InputError",
     "Kernel",
     "MissingExtraError",
+    "Plane",
     "PolynomialCollocation",
     "RBFCollocation",
     "Relaxation",
@@ -67,13 +80,17 @@ __all__ = [
     "Status",
     "Survey",
     "Unit",
+    "body_girth",
     "boundary_lengths",
     "check_atlas",
     "convert_length",
     "diagonals",
+    "extreme_girth",
     "geodesic_between",
+    "limb_girth",
     "load_sample",
     "measure_atlas",
+    "plane_girth",
     "read_atlas",
     "sample_names",
     "solve_geodesic",

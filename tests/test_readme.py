@@ -17,8 +17,8 @@ def blocks(language: str) -> list[str]:
     return re.findall(rf"^```{language}\n(.*?)^```", README, flags=re.MULTILINE | re.DOTALL)
 
 
-def test_the_python_example_runs(capsys: pytest.CaptureFixture[str]) -> None:
-    (example,) = blocks("python")
+def test_the_python_examples_run(capsys: pytest.CaptureFixture[str]) -> None:
+    example, across = blocks("python")
     code = [line for line in example.splitlines() if line and not line.startswith("import")]
     assert len(code) <= 10
     names: dict[str, object] = {}
@@ -28,6 +28,12 @@ def test_the_python_example_runs(capsys: pytest.CaptureFixture[str]) -> None:
     assert sentence == bm.Status.CONVERGED.sentence
     assert float(error) > 0.0
     assert re.fullmatch(r"0\.\d+ \+- \S+", oblique)
+    pytest.importorskip("pygeodesic")
+    exec(across, names)
+    path, girth = capsys.readouterr().out.splitlines()
+    assert re.match(r"0\.\d+ \+- \S+ CONVERGED \(\d+, ", path)
+    contact, taut, gap = map(float, girth.split())
+    assert contact - taut == gap > 0.0
 
 
 def test_the_atlas_of_the_format_is_valid_and_sound(tmp_path: Path) -> None:
