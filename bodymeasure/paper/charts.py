@@ -47,11 +47,14 @@ def cost_chart(table: Table, families: Sequence[str], name: str) -> bytes:
     with chart_style():
         figure, panels = _by_set(table, families, ("microseconds", "median"), joined=False)
         for axes in panels:
+            axes.set_xlabel("microseconds a patch")
+            # Of a set of which no method solved anything there are no times.
+            if not math.isfinite(axes.dataLim.minposx):
+                continue
             axes.set_xscale("log")
             axes.xaxis.set_major_locator(_ticks())
             axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
             axes.xaxis.set_minor_formatter(lambda _value, _: "")
-            axes.set_xlabel("microseconds a patch")
         panels[0].set_ylabel("relative error with correction")
         return figure_svg(figure, name)
 
