@@ -1,0 +1,41 @@
+"""A chart of body measurements: definitions as data, landmarks by rule, results with statuses."""
+
+from bodymeasure.chart.definitions import (
+    BreadthMeasure,
+    ChordMeasure,
+    ClosedMeasure,
+    Definitions,
+    DepthMeasure,
+    DropMeasure,
+    ExtremeGirthMeasure,
+    FormulaMeasure,
+    GirthMeasure,
+    HeightMeasure,
+    Iso,
+    LimbGirthMeasure,
+    Measurement,
+    PathMeasure,
+)
+from bodymeasure.chart.measured import Chart, Measured, Outcome, Tape, TapeKind
+
+__all__ = [
+    "BreadthMeasure",
+    "Chart",
+    "ChordMeasure",
+    "ClosedMeasure",
+    "Definitions",
+    "DepthMeasure",
+    "DropMeasure",
+    "ExtremeGirthMeasure",
+    "FormulaMeasure",
+    "GirthMeasure",
+    "HeightMeasure",
+    "Iso",
+    "LimbGirthMeasure",
+    "Measured",
+    "Measurement",
+    "Outcome",
+    "PathMeasure",
+    "Tape",
+    "TapeKind",
+]
