@@ -1,16 +1,18 @@
-"""Atlases of bicubic Bezier patches: what they hold, how patches meet, their tessellation."""
+"""Atlases of Bezier patches: what they hold, how patches meet, their tessellation."""
 
-from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.atlas import LARGEST_DEGREE, LEAST_DEGREE, Atlas
 from bodymeasure.atlas.axes import Axes
 from bodymeasure.atlas.check import check_atlas
 from bodymeasure.atlas.finding import Finding, FindingKind, Severity
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.seams import EDGES, Edge, EdgeTable, edge_table
+from bodymeasure.atlas.seams import EDGES, Edge, EdgeTable, edge_table, sides_of
 from bodymeasure.atlas.tessellation import Tessellation, tessellate
 from bodymeasure.atlas.units import Unit, convert_length
 
 __all__ = [
     "EDGES",
+    "LARGEST_DEGREE",
+    "LEAST_DEGREE",
     "Atlas",
     "AtlasPoint",
     "Axes",
@@ -24,5 +26,6 @@ __all__ = [
     "check_atlas",
     "convert_length",
     "edge_table",
+    "sides_of",
     "tessellate",
 ]

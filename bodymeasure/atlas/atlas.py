@@ -15,21 +15,29 @@ from numpy.typing import ArrayLike, NDArray
 from bodymeasure.atlas.axes import Axes
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.units import Unit
-from bodymeasure.bezier import evaluate
+from bodymeasure.bezier import evaluate, homogeneous, project
 from bodymeasure.errors import InputError
+
+# Lower degrees are written as this one without loss, so that one atlas has one degree.
+LEAST_DEGREE = 3
+# Polynomials of thrice this degree, as the normal of a rational patch, still have their digits.
+LARGEST_DEGREE = 9
 
 
 @dataclass(frozen=True, eq=False)
 class Atlas:
-    """A body's surface as bicubic Bezier patches that share control points by index.
+    """A body's surface as Bezier patches that share control points by index.
+
+    Bicubic ones as a rule; all of one higher degree, or rational, where they come so.
 
     Parameters
     ----------
     points : array_like, shape (n, 3)
         Control points, in `unit`.
-    index : array_like of int, shape (patches, 4, 4)
+    index : array_like of int, shape (patches, degree + 1, degree + 1)
         Number of each patch's control points; axis 1 runs with u, axis 2 with v. Neighbouring
-        patches that share an edge share its four numbers.
+        patches that share an edge share its numbers. The degree is from 3 to 9: `elevate` lower
+        ones.
     unit : Unit or str
         Unit of the control points.
     patch_names : sequence of str, optional
@@ -42,6 +50,8 @@ class Atlas:
         What the atlas shows, for titles.
     provenance : mapping of str to str
         Where it comes from: source, author, license and the like.
+    weights : array_like, shape (n,), optional
+        Of the control points, positive: patches are rational.
 
     Raises
     ------
@@ -59,6 +69,7 @@ class Atlas:
     axes: Axes = field(default_factory=Axes)
     name: str = ""
     provenance: Mapping[str, str] = field(default_factory=dict)
+    weights: NDArray[np.float64] | None = None
 
     def __post_init__(self) -> None:
         index = _checked_index(self.index)
@@ -66,6 +77,8 @@ class Atlas:
         set_field = object.__setattr__
         set_field(self, "points", points)
         set_field(self, "index", index)
+        if self.weights is not None:
+            set_field(self, "weights", _checked_weights(self.weights, len(points)))
         set_field(self, "unit", Unit.parse(self.unit))
         count = len(index)
         set_field(
@@ -85,6 +98,7 @@ class Atlas:
         Parameters
         ----------
         control_points : array_like, shape (4, 4, 3) or (patches, 4, 4, 3)
+            Or of a higher degree; or with four coordinates, those of rational patches.
         unit : Unit or str
         """
         try:
@@ -93,22 +107,44 @@ class Atlas:
             raise InputError(
                 "control points are not numbers; expected (4, 4, 3) or (patches, 4, 4, 3)"
             ) from None
-        if nets.shape[-3:] != (4, 4, 3) or nets.ndim not in (3, 4):
+        if (
+            nets.ndim not in (3, 4)
+            or nets.shape[-3] != nets.shape[-2]
+            or nets.shape[-1] not in (3, 4)
+        ):
             raise InputError(
                 f"control points have shape {nets.shape}; expected (4, 4, 3) or (patches, 4, 4, 3)"
             )
-        points = nets.reshape(-1, 3)
-        return cls(points, np.arange(len(points)).reshape(-1, 4, 4), Unit.parse(unit))
+        side, weights = nets.shape[-2], None
+        if nets.shape[-1] == 4:
+            weights = _checked_weights(nets[..., 3].ravel(), nets[..., 3].size)
+        points = project(nets).reshape(-1, 3)
+        index = np.arange(len(points)).reshape(-1, side, side)
+        return cls(points, index, Unit.parse(unit), weights=weights)
 
     def __len__(self) -> int:
         return len(self.index)
 
     @cached_property
     def control_points(self) -> NDArray[np.float64]:
-        """Control points of every patch, shape (patches, 4, 4, 3); read-only."""
-        control_points = self.points[self.index]
+        """Control points of every patch, shape (patches, degree + 1, degree + 1, 3); read-only.
+
+        Of rational patches in homogeneous coordinates, of which there are four.
+        """
+        points = self.points if self.weights is None else homogeneous(self.points, self.weights)
+        control_points = points[self.index]
         control_points.flags.writeable = False
         return control_points
+
+    @property
+    def degree(self) -> int:
+        """Of the patches, in u and in v."""
+        return int(self.index.shape[1]) - 1
+
+    @property
+    def is_rational(self) -> bool:
+        """Whether control points have weights."""
+        return self.weights is not None
 
     @cached_property
     def digest(self) -> str:
@@ -148,14 +184,15 @@ def _checked_index(index: ArrayLike) -> NDArray[np.int64]:
     except ValueError:
         raise InputError(
             "the patch index is ragged; expected (patches, 4, 4): 16 control points for each "
-            "bicubic patch"
+            "bicubic patch, or the same number for patches of another degree"
         ) from None
     if array.ndim == 3 and len(array) == 0:
         raise InputError("the atlas has no patch; expected at least one")
-    if array.ndim != 3 or array.shape[1:] != (4, 4):
+    sides = range(LEAST_DEGREE + 1, LARGEST_DEGREE + 2)
+    if array.ndim != 3 or array.shape[1] != array.shape[2] or array.shape[1] not in sides:
         raise InputError(
-            f"the patch index has shape {array.shape}; expected (patches, 4, 4): "
-            "16 control points for each bicubic patch"
+            f"the patch index has shape {array.shape}; expected (patches, 4, 4): 16 control points "
+            f"for each bicubic patch, or as many for one degree up to {LARGEST_DEGREE}"
         )
     if array.dtype.kind not in "iu":
         raise InputError(f"the patch index holds {array.dtype}; expected whole numbers")
@@ -187,6 +224,24 @@ def _checked_points(
         raise InputError(
             f"control point {bad[0]} is {array[bad[0]].tolist()}; expected finite coordinates "
             f"({len(bad)} such point{'s' if len(bad) > 1 else ''})"
+        )
+    array.flags.writeable = False
+    return array
+
+
+def _checked_weights(weights: ArrayLike, count: int) -> NDArray[np.float64]:
+    try:
+        array = np.array(weights, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError("weights are not numbers; expected one for each control point") from None
+    if array.shape != (count,):
+        raise InputError(f"weights have shape {array.shape}; expected ({count},)")
+    # `not positive` rather than `negative`, so that NaN is refused too.
+    bad = np.flatnonzero(~((array > 0.0) & (array < np.inf)))
+    if len(bad):
+        raise InputError(
+            f"control point {bad[0]} has the weight {array[bad[0]]:g}; expected positive weights, "
+            "with which a patch has no poles"
         )
     array.flags.writeable = False
     return array

@@ -20,6 +20,7 @@ from bodymeasure.atlas.gaps import (
 from bodymeasure.atlas.joins import kink_angles, parts, seams_of, turned_patches
 from bodymeasure.atlas.normals import normal_coefficients
 from bodymeasure.atlas.seams import EDGES, edge_table
+from bodymeasure.bezier import project
 from bodymeasure.errors import InputError
 
 # Degrees. Fitted bodies have seams within 2 nearly everywhere; paths bend visibly from here on.
@@ -51,7 +52,7 @@ def check_atlas(atlas: Atlas) -> tuple[Finding, ...]:
     _check_size(atlas)
     control_points = atlas.control_points
     normals = normal_coefficients(control_points)
-    degeneracy = find_degeneracy(control_points, normals)
+    degeneracy = find_degeneracy(project(control_points), normals)
     findings = degeneracy_findings(atlas, degeneracy)
     findings += fold_findings(atlas, normals, degeneracy)
 
@@ -71,7 +72,7 @@ def check_atlas(atlas: Atlas) -> tuple[Finding, ...]:
 
 
 def _check_size(atlas: Atlas) -> None:
-    points = atlas.control_points.reshape(-1, 3)
+    points = project(atlas.control_points).reshape(-1, 3)
     extent = np.abs(points).max(initial=0.0)
     if extent <= LARGEST:
         extent = np.abs(points - points[:1]).max(initial=0.0)
@@ -99,7 +100,7 @@ def _gap_findings(atlas: Atlas, free: FreeEdges, near: NearSeams) -> list[Findin
                 patches,
                 f"{first} and {second} nearly meet but leave a gap of up to "
                 f"{near.distance[pair]:.3g} {atlas.unit}; expected one shared edge; let both "
-                "patches refer to the same four control points",
+                "patches refer to the same control points",
             )
         )
     pairs = np.flatnonzero(near.coincide)
@@ -178,7 +179,7 @@ def _join_findings(atlas: Atlas, index: NDArray[np.int64], degeneracy: Degenerac
             (int(patch),),
             f"patch {names[patch]!r} faces against its neighbors: its normal points to the other "
             "side of the surface; expected all to face one way; reverse the rows of its "
-            "4 x 4 control points",
+            "control points",
         )
         for patch in turned
     ]

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.finding import Finding, FindingKind, Severity
 from bodymeasure.atlas.normals import patch_sizes
-from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.seams import EDGES, sides_of
+from bodymeasure.bezier import project
 
 # Of a patch's size: a tenth of a micrometer on a patch of 10 cm. Less than a scan or a fit can
 # mean, more than the rounding of coordinates in single precision or with seven digits.
@@ -22,9 +23,9 @@ NO_AREA = 1e-9
 # but errors of the control points are amplified a hundredfold in it.
 PARALLEL = 0.01
 
-# Control point (i, j) of each corner, and the sides, in the order of EDGES, that meet there: first
-# the one on which u is fixed.
-CORNERS = ((0, 0), (3, 0), (0, 3), (3, 3))
+# (u, v) of each corner, and the sides, in the order of EDGES, that meet there: first the one on
+# which u is fixed.
+CORNERS = ((0, 0), (1, 0), (0, 1), (1, 1))
 _CORNER_SIDES = ((0, 2), (1, 2), (0, 3), (1, 3))
 
 
@@ -48,19 +49,6 @@ class Degeneracy:
     corners: NDArray[np.bool_]
 
 
-def side_control_points(control_points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Control points of each patch's sides in the order of `EDGES`, shape (patches, 4, 4, 3)."""
-    return np.stack(
-        [
-            control_points[:, 0],
-            control_points[:, 3],
-            control_points[:, :, 0],
-            control_points[:, :, 3],
-        ],
-        axis=1,
-    )
-
-
 def find_degeneracy(
     control_points: NDArray[np.float64], normals: NDArray[np.float64]
 ) -> Degeneracy:
@@ -68,8 +56,9 @@ def find_degeneracy(
 
     Parameters
     ----------
-    control_points : ndarray, shape (patches, 4, 4, 3)
-    normals : ndarray, shape (patches, 6, 6, 3)
+    control_points : ndarray, shape (patches, degree + 1, degree + 1, 3)
+        In space: of rational patches, without their weights.
+    normals : ndarray, shape (patches, k, k, 3)
         Coefficients of the normal field.
     """
     sizes = patch_sizes(control_points)
@@ -78,15 +67,15 @@ def find_degeneracy(
     largest = np.linalg.norm(normals, axis=-1).max(axis=(1, 2))
     patches = points | (largest <= NO_AREA * sizes**2)
 
-    sides = side_control_points(control_points)
+    sides = sides_of(control_points)
     extent = np.linalg.norm(np.ptp(sides, axis=2), axis=-1)
     edges = (extent <= SAME_PLACE * sizes[:, None]) & ~patches[:, None]
 
     corners = np.empty_like(edges)
     for number, ((i, j), (fixed_u, fixed_v)) in enumerate(zip(CORNERS, _CORNER_SIDES, strict=True)):
-        corner = control_points[:, i, j]
-        along_u = control_points[:, abs(i - 1), j] - corner
-        along_v = control_points[:, i, abs(j - 1)] - corner
+        # From the corner inwards.
+        net = control_points[:, :: 1 - 2 * i, :: 1 - 2 * j]
+        along_u, along_v = net[:, 1, 0] - net[:, 0, 0], net[:, 0, 1] - net[:, 0, 0]
         corners[:, number] = _parallel(along_u, along_v, sizes)
         corners[:, number] &= ~(edges[:, fixed_u] | edges[:, fixed_v] | patches)
     return Degeneracy(patches, edges, corners)
@@ -103,13 +92,14 @@ def _parallel(
 
 def degeneracy_findings(atlas: Atlas, degeneracy: Degeneracy) -> list[Finding]:
     """The findings on what collapses."""
-    sizes = patch_sizes(atlas.control_points)
+    sizes = patch_sizes(project(atlas.control_points))
+    count = atlas.index[0].size
     findings = [
         Finding(
             Severity.ERROR,
             FindingKind.COLLAPSED_PATCH,
             (int(patch),),
-            f"patch {atlas.patch_names[patch]!r} has no area: its 16 control points span "
+            f"patch {atlas.patch_names[patch]!r} has no area: its {count} control points span "
             f"{sizes[patch]:.3g} {atlas.unit} and lie on one point or line; expected a surface; "
             "remove the patch or correct its control points",
         )
@@ -132,7 +122,7 @@ def degeneracy_findings(atlas: Atlas, degeneracy: Degeneracy) -> list[Finding]:
             FindingKind.SINGULAR_CORNER,
             (int(patch),),
             f"the edges of patch {atlas.patch_names[patch]!r} that meet at its corner "
-            f"(u, v) = ({CORNERS[corner][0] // 3}, {CORNERS[corner][1] // 3}) have tangents there "
+            f"(u, v) = ({CORNERS[corner][0]}, {CORNERS[corner][1]}) have tangents there "
             "that vanish or are parallel, so the surface has no normal; expected an angle between "
             "0.6 and 179.4 degrees; move the control points next to the corner",
         )

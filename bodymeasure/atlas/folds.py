@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.degeneracy import CORNERS, Degeneracy
 from bodymeasure.atlas.finding import Finding, FindingKind, Severity
-from bodymeasure.atlas.normals import NORMAL_DEGREE, normal_vectors
+from bodymeasure.atlas.normals import normal_vectors
 from bodymeasure.bezier import split
 
 # Cells of a 2**-6-th of the patch's side, sampled with half a cell around them: a fold may run
@@ -39,7 +39,7 @@ def fold_findings(
     Parameters
     ----------
     atlas : Atlas
-    normals : ndarray, shape (patches, 6, 6, 3)
+    normals : ndarray, shape (patches, k, k, 3)
         Coefficients of the normal field.
     degeneracy : Degeneracy
         What is known to collapse, and is not reported again.
@@ -82,7 +82,7 @@ def _unproven_cells(
     corners = np.zeros((len(coefficients), 2))
     quadrants = np.stack(np.meshgrid([0.0, 1.0], [0.0, 1.0], indexing="ij"), axis=-1)
     for level in range(1, FINEST_LEVEL + 1):
-        parts = split(coefficients).reshape(-1, NORMAL_DEGREE + 1, NORMAL_DEGREE + 1, 3)
+        parts = split(coefficients).reshape(-1, *coefficients.shape[1:])
         numbers = np.repeat(numbers, 4)
         corners = (corners[:, None, None] + quadrants * 0.5**level).reshape(-1, 2)
         unproven = ~_regular(parts)
@@ -103,7 +103,7 @@ def _judge(
     offsets = np.stack(np.meshgrid(steps, steps, indexing="ij"), axis=-1).reshape(-1, 2)
     nets = atlas.control_points[patches]
     places = np.clip(corners[:, None] + offsets, 0.0, 1.0)
-    normals = normal_vectors(nets - nets[:, :1, :1], places)
+    normals = normal_vectors(nets, places)
     lengths = np.linalg.norm(normals, axis=-1, keepdims=True)
     vanishing = lengths <= NO_NORMAL * largest[patches, None, None]
     directions = np.where(vanishing, 0.0, normals / np.where(vanishing, 1.0, lengths))
@@ -139,7 +139,7 @@ def _near_known(
     for side, column in enumerate((0, 2, 1, 3)):
         near |= degeneracy.edges[patches, side] & touches[:, column]
     for number, (i, j) in enumerate(CORNERS):
-        column_u, column_v = (0, 2)[i // 3], (1, 3)[j // 3]
+        column_u, column_v = (0, 2)[i], (1, 3)[j]
         near |= degeneracy.corners[patches, number] & touches[:, column_u] & touches[:, column_v]
     return near
 

@@ -9,9 +9,9 @@ import scipy
 from numpy.typing import NDArray
 
 from bodymeasure.atlas.components import connected_components
-from bodymeasure.atlas.degeneracy import SAME_PLACE, side_control_points
-from bodymeasure.atlas.seams import edge_table
-from bodymeasure.bezier import bernstein
+from bodymeasure.atlas.degeneracy import SAME_PLACE
+from bodymeasure.atlas.seams import edge_table, sides_of
+from bodymeasure.bezier import bernstein, project
 
 # Of the shorter edge's length, and of the patches' width across it: two free edges that run so
 # close were meant to be one seam (9 mm at an edge of 9 cm). The width tells the two long sides of a
@@ -19,7 +19,8 @@ from bodymeasure.bezier import bernstein
 NEAR = 0.1
 # Of an edge's length: an edge that another's end touches fits it far better than that, by intent.
 TOUCHES = 0.01
-# Points along an edge at which two are compared: cubics that agree at four agree everywhere.
+# Points along an edge at which two are compared: cubics that agree at four agree everywhere, and
+# of higher degrees hardly less.
 _ALONG = np.linspace(0.0, 1.0, 9)
 # Segments of an edge when a point's distance to it is taken; on a quarter circle their error is
 # 2e-4 of its length, well under TOUCHES.
@@ -37,8 +38,9 @@ class FreeEdges(NamedTuple):
     ----------
     patch, side : ndarray of int, shape (edges,)
         Whose they are; sides in the order of `EDGES`.
-    control_index : ndarray of int, shape (edges, 4)
-    control_points : ndarray, shape (edges, 4, 3)
+    control_index : ndarray of int, shape (edges, degree + 1)
+    control_points : ndarray, shape (edges, degree + 1, 3)
+        Of rational patches, with their weights: (edges, degree + 1, 4).
     length, width : ndarray, shape (edges,)
         Of the control polygon, and of the patch across the side.
     """
@@ -81,20 +83,20 @@ def free_edges(
     """Sides with one patch only, without the `collapsed` ones (patches, 4)."""
     table = edge_table(index)
     patch, side = np.nonzero((table.sides[table.edge] == 1) & ~collapsed)
-    points = side_control_points(control_points)[patch, side]
-    steps = np.linalg.norm(np.diff(control_points, axis=1), axis=-1).sum(axis=1)
-    steps_v = np.linalg.norm(np.diff(control_points, axis=2), axis=-1).sum(axis=2)
-    # Sides 0 and 1 run with v, so that u leads across the patch; the median of four lines across.
+    points = sides_of(control_points)[patch, side]
+    in_space = project(control_points)
+    steps = np.linalg.norm(np.diff(in_space, axis=1), axis=-1).sum(axis=1)
+    steps_v = np.linalg.norm(np.diff(in_space, axis=2), axis=-1).sum(axis=2)
+    # Sides 0 and 1 run with v, so that u leads across the patch; the median of the lines across.
     width = np.where(side < 2, np.median(steps, axis=1)[patch], np.median(steps_v, axis=1)[patch])
-    length = np.linalg.norm(np.diff(points, axis=1), axis=-1).sum(axis=1)
+    length = np.linalg.norm(np.diff(project(points), axis=1), axis=-1).sum(axis=1)
     return FreeEdges(patch, side, table.control_index[patch, side], points, length, width)
 
 
 def near_seams(edges: FreeEdges) -> NearSeams:
     """Pairs of free edges that run close together along their whole length."""
     first, second = _neighbors(edges)
-    basis = bernstein(3, _ALONG)[:, 0]
-    curves = basis @ edges.control_points
+    curves = _points(edges.control_points, _ALONG)
     reach = NEAR * np.minimum(edges.length, edges.width)
     tolerance = np.minimum(reach[first], reach[second])
 
@@ -105,7 +107,8 @@ def near_seams(edges: FreeEdges) -> NearSeams:
     backwards = largest(curves[first], curves[second, ::-1])
     turned = backwards < forwards
     distance = np.where(turned, backwards, forwards)
-    net = edges.control_points
+    # With weights that differ, a curve runs through the same points at other parameters.
+    net = project(edges.control_points)
     other = np.where(turned[:, None, None], net[second, ::-1], net[second])
     coincide = largest(net[first], other) <= SAME_PLACE * edges.length[first]
     near = distance <= tolerance
@@ -118,7 +121,7 @@ def _neighbors(edges: FreeEdges) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     none = np.empty(0, dtype=np.int64)
     if count < 2:
         return none, none
-    middles = bernstein(3, 0.5)[0] @ edges.control_points
+    middles = _points(edges.control_points, np.array([0.5]))[:, 0]
     reach = NEAR * np.minimum(edges.length, edges.width)
     _, found = scipy.spatial.KDTree(middles).query(
         middles, k=min(_NEIGHBORS, count), distance_upper_bound=float(reach.max()) * (1 + 1e-12)
@@ -151,17 +154,17 @@ def t_junctions(edges: FreeEdges) -> tuple[NDArray[np.int64], NDArray[np.int64]]
     none = np.empty(0, dtype=np.int64)
     if len(edges.patch) < 2:
         return none, none
-    vertices, where = np.unique(edges.control_index[:, [0, 3]].ravel(), return_index=True)
-    owner, positions = where // 2, edges.control_points[:, [0, 3]].reshape(-1, 3)[where]
+    vertices, where = np.unique(edges.control_index[:, [0, -1]].ravel(), return_index=True)
+    owner, positions = where // 2, project(edges.control_points[:, [0, -1]]).reshape(-1, 3)[where]
     # An end inside an edge is nearer to one of eight points along it than the edge's own ends are.
     along = np.arange(1, 8) / 8
-    samples = bernstein(3, along)[:, 0] @ edges.control_points
+    samples = _points(edges.control_points, along)
     distance, nearest = scipy.spatial.KDTree(positions).query(samples, k=min(3, len(positions)))
     edge = np.broadcast_to(np.arange(len(samples))[:, None, None], distance.shape)
     # Curves are shorter than their control polygons, but their speed varies: hence 1/8, not 1/16.
     near = distance <= (1 / 8 + TOUCHES) * edges.length[edge]
     edge, vertex = np.unique(np.stack([edge[near], nearest[near]], axis=1), axis=0).T
-    own = (vertices[vertex, None] == edges.control_index[edge][:, [0, 3]]).any(axis=1)
+    own = (vertices[vertex, None] == edges.control_index[edge][:, [0, -1]]).any(axis=1)
     edge, vertex = edge[~own], vertex[~own]
     separation = np.concatenate(
         [
@@ -176,8 +179,8 @@ def t_junctions(edges: FreeEdges) -> tuple[NDArray[np.int64], NDArray[np.int64]]
 def _distance_inside(
     curves: NDArray[np.float64], points: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Distance of points (n, 3) from the curves (n, 4, 3), infinite where an end is nearest."""
-    polyline = bernstein(3, np.linspace(0.0, 1.0, _SEGMENTS + 1))[:, 0] @ curves
+    """Distance of points (n, 3) from curves (n, k, 3 or 4), infinite where an end is nearest."""
+    polyline = _points(curves, np.linspace(0.0, 1.0, _SEGMENTS + 1))
     start, step = polyline[:, :-1], np.diff(polyline, axis=1)
     squared = np.einsum("nsc,nsc->ns", step, step)
     along = np.einsum("nsc,nsc->ns", points[:, None] - start, step)
@@ -189,3 +192,8 @@ def _distance_inside(
     # Within a segment of an end, two edges merely share a corner that is not joined.
     at_end = (nearest == 0) | (nearest == _SEGMENTS - 1)
     return np.where(at_end, np.inf, distance[row, nearest])
+
+
+def _points(curves: NDArray[np.float64], t: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Points (n, len(t), 3) of curves with control points (n, k, 3 or 4)."""
+    return project(bernstein(curves.shape[1] - 1, t)[:, 0] @ curves)

@@ -102,7 +102,7 @@ def kink_angles(control_points: NDArray[np.float64], seams: Seams) -> NDArray[np
     across = np.broadcast_to(fixed_value[..., None], along.shape)
     parameters[..., 0] = np.where(fixed_axis[..., None] == 0, across, along)
     parameters[..., 1] = np.where(fixed_axis[..., None] == 0, along, across)
-    normals = normal_vectors(nets - nets[:, :1, :1, :1], parameters)
+    normals = normal_vectors(nets, parameters)
     normals[~seams.consistent, 1] *= -1.0
     left, right = normals[:, 0], normals[:, 1]
     sine = np.linalg.norm(np.cross(left, right), axis=-1)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,8 +34,8 @@ class EdgeTable:
 
     Parameters
     ----------
-    control_index : ndarray of int, shape (patches, 4, 4)
-        The four control point numbers along each side (in the order of `EDGES`), upwards.
+    control_index : ndarray of int, shape (patches, 4, degree + 1)
+        The control point numbers along each side (in the order of `EDGES`), upwards.
     edge : ndarray of int, shape (patches, 4)
         Number of the distinct edge that each side lies on.
     reversed : ndarray of bool, shape (patches, 4)
@@ -52,14 +52,14 @@ class EdgeTable:
 
 
 def edge_table(index: NDArray[np.int64]) -> EdgeTable:
-    """Group the sides of patches by their four control points, in either direction.
+    """Group the sides of patches by their control points, in either direction.
 
     Parameters
     ----------
-    index : ndarray of int, shape (patches, 4, 4)
+    index : ndarray of int, shape (patches, degree + 1, degree + 1)
     """
-    control_index = np.stack([index[:, 0], index[:, 3], index[:, :, 0], index[:, :, 3]], axis=1)
-    rows = control_index.reshape(-1, 4)
+    control_index = sides_of(index)
+    rows = control_index.reshape(-1, index.shape[-1])
     backwards = rows[:, ::-1]
     # Lexicographic comparison of each side with its reverse: the first difference decides.
     difference = rows - backwards
@@ -71,3 +71,11 @@ def edge_table(index: NDArray[np.int64]) -> EdgeTable:
     return EdgeTable(
         control_index, edge.reshape(shape), is_reversed.reshape(shape), sides.astype(np.int64)
     )
+
+
+def sides_of(nets: NDArray[Any]) -> NDArray[Any]:
+    """The four sides of nets (patches, k, k, ...), upwards, in the order of `EDGES`.
+
+    Shape (patches, 4, k, ...).
+    """
+    return np.stack([nets[:, 0], nets[:, -1], nets[:, :, 0], nets[:, :, -1]], axis=1)

@@ -69,7 +69,7 @@ def tessellate(atlas: Atlas, segments: int) -> Tessellation:
     """A triangle mesh of the whole atlas, every patch edge cut into equal parameter steps.
 
     Patches that share an edge or a corner by index share its vertices; nothing is welded because
-    it happens to be near. An edge whose four control points are one becomes one vertex.
+    it happens to be near. An edge whose control points are one becomes one vertex.
 
     Parameters
     ----------
@@ -159,6 +159,6 @@ def _welded_grids(index: NDArray[np.int64], segments: int) -> NDArray[np.int64]:
 
     for i in (0, 1):
         for j in (0, 1):
-            grid[:, i * segments, j * segments] = index[:, 3 * i, 3 * j]
+            grid[:, i * segments, j * segments] = index[:, -i, -j]
     grid[:, 1:-1, 1:-1] = offset + np.arange(count * inside**2).reshape(count, inside, inside)
     return grid

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure.bezier.bernstein import bernstein
+from bodymeasure.bezier.rational import divide
 
 
 def evaluate(control_points: ArrayLike, parameters: ArrayLike) -> NDArray[np.float64]:
@@ -14,6 +15,7 @@ def evaluate(control_points: ArrayLike, parameters: ArrayLike) -> NDArray[np.flo
     Parameters
     ----------
     control_points : array_like, shape (*batch, m + 1, n + 1, 3)
+        With a last axis of 4, those of rational patches (see `homogeneous`).
     parameters : array_like, shape (*batch, ..., 2)
         (u, v) pairs; their leading axes must broadcast with the patches' batch axes.
 
@@ -32,6 +34,7 @@ def derivatives(
     Parameters
     ----------
     control_points : array_like, shape (*batch, m + 1, n + 1, 3)
+        With a last axis of 4, those of rational patches (see `homogeneous`).
     parameters : array_like, shape (*batch, ..., 2)
         (u, v) pairs; their leading axes must broadcast with the patches' batch axes.
     order : int
@@ -63,4 +66,5 @@ def derivatives(
     # One axis per point axis between the batch axes and the net.
     net = net.reshape(*net.shape[:batch], *(1,) * points_axes, *net.shape[batch:])
     along_u = np.einsum("...ai,...ijc->...ajc", basis_u, net)
-    return np.asarray(basis_v[..., None, :, :] @ along_u)
+    result = np.asarray(basis_v[..., None, :, :] @ along_u)
+    return divide(result) if net.shape[-1] == 4 else result

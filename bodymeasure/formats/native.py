@@ -10,21 +10,21 @@ from typing import Annotated, Any
 
 import msgspec
 import numpy as np
+from numpy.typing import NDArray
 
-from bodymeasure.atlas import Atlas, AtlasPoint, Axes, Unit
+from bodymeasure.atlas import LARGEST_DEGREE, LEAST_DEGREE, Atlas, AtlasPoint, Axes, Unit
 from bodymeasure.errors import InputError
 
 FORMAT = "bodymeasure atlas"
 VERSION = 1
 
 _Number = Annotated[int, msgspec.Meta(ge=0, le=2**31 - 1)]
-_Row = tuple[_Number, _Number, _Number, _Number]
 _Point = tuple[float, float, float]
 
 
 class _PatchRecord(msgspec.Struct, forbid_unknown_fields=True):
     name: str
-    points: tuple[_Row, _Row, _Row, _Row]
+    points: list[list[_Number]]
     region: str = ""
 
 
@@ -49,6 +49,8 @@ class _AtlasRecord(msgspec.Struct, forbid_unknown_fields=True):
     name: str = ""
     provenance: dict[str, str] = {}
     landmarks: dict[str, _LandmarkRecord] = {}
+    degree: int = LEAST_DEGREE
+    weights: list[float] | None = None
 
 
 class _Header(msgspec.Struct):
@@ -95,6 +97,8 @@ def write(atlas: Atlas) -> bytes:
     members = {
         "format": _line(FORMAT),
         "version": _line(VERSION),
+        # What is the rule is not said.
+        **({} if atlas.degree == LEAST_DEGREE else {"degree": _line(atlas.degree)}),
         "name": _line(atlas.name),
         "unit": _line(atlas.unit.value),
         "axes": _line({"up": atlas.axes.up, "front": atlas.axes.front}),
@@ -103,6 +107,8 @@ def write(atlas: Atlas) -> bytes:
         "patches": _block("[]", [_line(patch) for patch in patches]),
         "points": _block("[]", [_line(point) for point in atlas.points.tolist()]),
     }
+    if atlas.weights is not None:
+        members["weights"] = _block("[]", [_line(weight) for weight in atlas.weights.tolist()])
     body = ",\n".join(f"{_line(key)}: {value}" for key, value in members.items())
     try:
         return f"{{\n{body}\n}}\n".encode()
@@ -139,9 +145,7 @@ def _atlas(record: _AtlasRecord) -> Atlas:
         landmarks[name] = AtlasPoint(number[place.patch], place.u, place.v)
     return Atlas(
         points=np.array(record.points, dtype=np.float64).reshape(-1, 3),
-        index=np.array([patch.points for patch in record.patches], dtype=np.int64).reshape(
-            -1, 4, 4
-        ),
+        index=_index(record),
         unit=Unit.parse(record.unit),
         patch_names=tuple(names),
         regions=tuple(patch.region for patch in record.patches),
@@ -149,7 +153,27 @@ def _atlas(record: _AtlasRecord) -> Atlas:
         axes=Axes(record.axes.up, record.axes.front),
         name=record.name,
         provenance=record.provenance,
+        weights=None if record.weights is None else np.array(record.weights),
     )
+
+
+def _index(record: _AtlasRecord) -> NDArray[np.int64]:
+    """Numbers of the control points, shape (patches, degree + 1, degree + 1)."""
+    if not LEAST_DEGREE <= record.degree <= LARGEST_DEGREE:
+        raise InputError(
+            f"the degree is {record.degree}; expected {LEAST_DEGREE} to {LARGEST_DEGREE}"
+        )
+    side = record.degree + 1
+    for number, patch in enumerate(record.patches):
+        counts = [len(patch.points), *(len(row) for row in patch.points)]
+        wrong = [count for count in counts if count != side]
+        if wrong:
+            raise InputError(
+                f"patch {number} ({patch.name!r}): expected {side} rows of {side} numbers, of "
+                f"degree {record.degree}: an array has length {side}, got {wrong[0]}"
+            )
+    rows = [patch.points for patch in record.patches]
+    return np.array(rows, dtype=np.int64).reshape(-1, side, side)
 
 
 def _place_of_misfit(content: bytes) -> str | None:

@@ -9,6 +9,7 @@ import array_api_compat
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure.bezier import project
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.arrays import constant, to_numpy
 
@@ -25,7 +26,7 @@ def checked_control_points(value: Any) -> Any:
 
     Parameters
     ----------
-    value : array_like, shape (..., m + 1, n + 1, 3)
+    value : array_like, shape (..., m + 1, n + 1, 3), or 4 for rational patches
         Arrays of other libraries than numpy (torch, CuPy, JAX) stay what and where they are.
 
     Raises
@@ -34,11 +35,13 @@ def checked_control_points(value: Any) -> Any:
         If a shape or value is wrong, or a patch is collapsed to a point.
     """
     nets = _as_array(value)
-    if nets.ndim < 3 or nets.shape[-1] != 3 or min(nets.shape[-3:-1]) < 2:
+    if nets.ndim < 3 or nets.shape[-1] not in (3, 4) or min(nets.shape[-3:-1]) < 2:
         raise InputError(
             f"control points have shape {tuple(nets.shape)}; expected (..., m + 1, n + 1, 3), "
-            "such as (4, 4, 3) for one bicubic patch"
+            "such as (4, 4, 3) for one bicubic patch, or 4 coordinates for rational ones"
         )
+    if nets.shape[-1] == 4:
+        nets = _with_weights(nets)
     # Extremes of numbers that are not finite are not finite.
     low, high = extremes(nets)
     largest = np.maximum(np.abs(low), np.abs(high)).max(axis=1, initial=0.0)
@@ -57,6 +60,20 @@ def checked_control_points(value: Any) -> Any:
             f"patch {collapsed[0]} is degenerate: all its control points are equal; remove it"
         )
     return nets
+
+
+def _with_weights(nets: Any) -> _Array:
+    """Rational patches whose weights are known to be positive, as numpy's."""
+    array = to_numpy(nets)
+    weights = array[..., 3].reshape(-1, array.shape[-3] * array.shape[-2])
+    # `not positive` rather than `negative`, so that NaN is refused too.
+    bad = np.flatnonzero(~((weights > 0.0) & (weights < np.inf)).all(axis=1))
+    if len(bad):
+        raise InputError(
+            f"patch {bad[0]} has a weight of {weights[bad[0]].min():g}; expected positive weights, "
+            "with which a patch has no poles"
+        )
+    return array
 
 
 def _as_array(value: Any) -> Any:
@@ -104,7 +121,10 @@ def of_size_one(nets: Any) -> tuple[Any, _Array]:
         low, high = extremes(nets)
         exact = np.frexp((high - low).max(axis=1))[1].astype(np.int64) - 1
         power = np.clip(exact, -MOST, MOST)
-        nets = nets * constant(np.ldexp(1.0, -power), nets, xp)[:, None, None, None]
+        factor = np.repeat(np.ldexp(1.0, -power)[:, None], nets.shape[-1], axis=1)
+        # Weights have no unit.
+        factor[:, 3:] = 1.0
+        nets = nets * constant(factor, nets, xp)[:, None, None, :]
         exponents += power
         if (power == exact).all():
             break
@@ -113,6 +133,8 @@ def of_size_one(nets: Any) -> tuple[Any, _Array]:
 
 def extremes(control_points: Any) -> tuple[_Array, _Array]:
     """Least and greatest coordinates of each patch, two arrays of shape (patches, 3)."""
+    if control_points.shape[-1] == 4:
+        control_points = project(control_points)
     xp = array_api_compat.array_namespace(control_points)
     points = xp.reshape(control_points, (-1, int(np.prod(control_points.shape[-3:-1])), 3))
     return to_numpy(_folded(points, xp.minimum)), to_numpy(_folded(points, xp.maximum))

@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.seams import EDGES
+from bodymeasure.bezier import scaled
 from bodymeasure.geodesic.energy import Functional, expand
 from bodymeasure.geodesic.route import Route
-from bodymeasure.geodesic.surface import BezierSurfaces
+from bodymeasure.geodesic.surfaces_of import surfaces_of
 from bodymeasure.geodesic.trial_space import TrialSpace
 
 _Array = NDArray[np.float64]
@@ -65,7 +66,7 @@ class RouteProblem:
     def __init__(self, atlas: Atlas, route: Route, space: TrialSpace, size: float) -> None:
         self.route, self.space, self.size = route, space, size
         self.pieces = len(route.patches)
-        self.surface = BezierSurfaces(atlas.control_points[list(route.patches)] / size)
+        self.surface = surfaces_of(scaled(atlas.control_points[list(route.patches)], 1.0 / size))
         self.inner = 2 * (space.size - 1)
         self.count = self.pieces * (self.inner + 1) + 1
         # Where the seams' unknowns stand; the first and last are idle.

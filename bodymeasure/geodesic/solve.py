@@ -18,7 +18,8 @@ from bodymeasure.geodesic.rbf import RBFCollocation
 from bodymeasure.geodesic.search import SEARCHES, Search, is_outside, search_further
 from bodymeasure.geodesic.solution import GeodesicSolution
 from bodymeasure.geodesic.status import Status, have_length
-from bodymeasure.geodesic.surface import BezierSurfaces, Surface
+from bodymeasure.geodesic.surface import Surface
+from bodymeasure.geodesic.surfaces_of import surfaces_of
 
 _Array = NDArray[np.float64]
 
@@ -64,9 +65,10 @@ def solve_geodesic(
     Parameters
     ----------
     surface : array_like of shape (*batch, m + 1, n + 1, 3), or object with ``derivatives``
-        Control points of Bezier patches, or one parametric surface over [0, 1] x [0, 1]. Control
-        points may be an array of torch, CuPy or JAX: then most of the work is done by that library,
-        on the device where they are. The solution is numpy's.
+        Control points of Bezier patches, or one parametric surface over [0, 1] x [0, 1]. With four
+        coordinates, those of rational patches (see `bodymeasure.homogeneous`). Control points may
+        be an array of torch, CuPy or JAX: then most of the work is done by that library, on the
+        device where they are. The solution is numpy's.
     start, end : array_like, shape (*batch, 2)
         Points (u, v) in [0, 1]; they broadcast with each other and with the patches.
     method : Method, optional
@@ -123,7 +125,7 @@ def solve_geodesic(
         patches = np.arange(int(np.prod(nets.shape[:-3]))).reshape(nets.shape[:-3])
         patch_of = np.broadcast_to(patches, batch).ravel()
         nets, sizes = of_size_one(nets.reshape((-1, *nets.shape[-3:])))
-        surfaces, scale = BezierSurfaces(nets), sizes[patch_of]
+        surfaces, scale = surfaces_of(nets), sizes[patch_of]
         count = len(patch_of)
     starts = np.broadcast_to(start, (*batch, 2)).reshape(-1, 2).copy()
     ends = np.broadcast_to(end, (*batch, 2)).reshape(-1, 2).copy()

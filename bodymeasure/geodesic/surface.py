@@ -68,37 +68,43 @@ class BezierSurfaces:
     Parameters
     ----------
     control_points : array, shape (problems, m + 1, n + 1, 3)
-        Of any library that keeps to the Python array API standard; the jets are numpy's.
+        Of any library that keeps to the Python array API standard; the jets are numpy's. The last
+        axis may have any number of coordinates.
     """
 
     def __init__(self, control_points: Any) -> None:
         self.control_points = control_points
+        self.coordinates = control_points.shape[-1]
         self.degrees = (control_points.shape[1] - 1, control_points.shape[2] - 1)
 
     @cached_property
     def _nets(self) -> _Array:
-        """Control points of all derivatives, shape (problems, basis functions, 3 * derivatives).
+        """Control points of all derivatives, shape (problems, basis functions, c * derivatives).
 
         Made when first needed, since they take thirty times the place of the patches.
         """
         points = to_numpy(self.control_points)
         problems, size = len(points), (self.degrees[0] + 1) * (self.degrees[1] + 1)
-        nets = np.empty((size, 3 * len(JET), problems))
-        centered = points - points.mean(axis=(1, 2), keepdims=True)
-        nets[:, :3] = centered.reshape(problems, size, 3).transpose(1, 2, 0)
+        c = self.coordinates
+        nets = np.empty((size, c * len(JET), problems))
+        nets[:, :c] = self._positions(points).reshape(problems, size, c).transpose(1, 2, 0)
         along_u, along_v = _edge_maps(*self.degrees)
         for maps, axis, which in ((along_u, 1, _BY_U), (along_v, 2, _BY_V)):
-            edges = np.diff(points, axis=axis).reshape(problems, maps.shape[1], 3)
+            edges = np.diff(points, axis=axis).reshape(problems, maps.shape[1], c)
             # One large matrix product for all patches.
-            columns = edges.transpose(1, 2, 0).reshape(maps.shape[1], 3 * problems)
-            found = (maps @ columns).reshape(len(which), size, 3, problems)
+            columns = edges.transpose(1, 2, 0).reshape(maps.shape[1], c * problems)
+            found = (maps @ columns).reshape(len(which), size, c, problems)
             for number, net in zip(which, found, strict=True):
-                nets[:, 3 * number : 3 * number + 3] = net
+                nets[:, c * number : c * number + c] = net
         return np.ascontiguousarray(nets.transpose(2, 0, 1))
 
+    def _positions(self, points: _Array) -> _Array:
+        """Control points of the positions, whose origin is any: near it, they have more digits."""
+        return np.asarray(points - points.mean(axis=(1, 2), keepdims=True))
+
     def jet(self, parameters: _Array, order: int) -> _Array:
-        """Derivatives in the order of `JET`, shape (derivatives, 3, problems, k)."""
-        return self._evaluated(self._nets[:, :, : 3 * JET_SIZE[order]], parameters)
+        """Derivatives in the order of `JET`, shape (derivatives, c, problems, k)."""
+        return self._evaluated(self._nets[:, :, : self.coordinates * JET_SIZE[order]], parameters)
 
     def positions(self, parameters: _Array) -> _Array:
         """Points, shape (problems, k, 3), without the control points of any derivatives."""
@@ -106,7 +112,8 @@ class BezierSurfaces:
 
     def magnitude(self, parameters: _Array) -> _Array:
         """Size of what S_u and S_v are calculated from, shape (2, problems, k)."""
-        terms = self._evaluated(np.abs(self._nets[:, :, 3 : 3 * JET_SIZE[2]]), parameters)
+        columns = slice(self.coordinates, self.coordinates * JET_SIZE[2])
+        terms = self._evaluated(np.abs(self._nets[:, :, columns]), parameters)
         s_u, s_v, s_uu, s_uv, s_vv = np.linalg.norm(terms, axis=1)
         u, v = np.abs(np.moveaxis(parameters, -1, 0))
         return np.stack([s_u + s_uu * u + s_uv * v, s_v + s_uv * u + s_vv * v])
@@ -121,7 +128,7 @@ class BezierSurfaces:
         values = basis.reshape(problems, count, nets.shape[1]) @ nets
         columns = values.shape[-1]
         return np.ascontiguousarray(values.reshape(-1, columns).T).reshape(
-            columns // 3, 3, problems, count
+            columns // self.coordinates, self.coordinates, problems, count
         )
 
     def take(self, problems: NDArray[np.int64]) -> BezierSurfaces:

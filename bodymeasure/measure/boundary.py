@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.atlas import Atlas
+from bodymeasure.atlas import Atlas, sides_of
 from bodymeasure.bezier import bernstein
 
 _Array = NDArray[np.float64]
@@ -48,8 +48,7 @@ def boundary_lengths(atlas: Atlas) -> BoundaryLengths:
     agree to rounding. The paper's section 6.3 makes the same lengths equal to the physical ones.
     """
     nets = atlas.control_points
-    curves = np.stack([nets[:, 0], nets[:, 3], nets[:, :, 0], nets[:, :, 3]], axis=1)
-    flat = curves.reshape(-1, *curves.shape[-2:])
+    flat = sides_of(nets).reshape(-1, *nets.shape[-2:])
     length, error = curve_lengths(flat)
     return BoundaryLengths(length.reshape(-1, 4), error.reshape(-1, 4))
 
@@ -60,6 +59,7 @@ def curve_lengths(control_points: _Array) -> tuple[_Array, _Array]:
     Parameters
     ----------
     control_points : ndarray, shape (curves, degree + 1, 3)
+        With a last axis of 4, those of rational curves.
 
     Returns
     -------
@@ -84,7 +84,17 @@ def curve_lengths(control_points: _Array) -> tuple[_Array, _Array]:
 def _composite(control_points: _Array, parts: int) -> _Array:
     nodes, weights = np.polynomial.legendre.leggauss(POINTS)
     t = ((np.arange(parts)[:, None] + (nodes + 1.0) / 2.0) / parts).ravel()
-    slopes = bernstein(control_points.shape[1] - 1, t, order=1)[:, 1]
-    speed = np.linalg.norm(slopes @ control_points, axis=-1)
+    speed = np.linalg.norm(_slopes(control_points, t), axis=-1)
     result: _Array = speed @ np.tile(weights / (2.0 * parts), parts)
     return result
+
+
+def _slopes(control_points: _Array, t: _Array) -> _Array:
+    """Derivatives of curves (curves, degree + 1, 3 or 4) at t, shape (curves, len(t), 3)."""
+    basis = bernstein(control_points.shape[1] - 1, t, order=1)
+    slopes = np.asarray(basis[:, 1] @ control_points)
+    if control_points.shape[-1] == 3:
+        return slopes
+    points = basis[:, 0] @ control_points
+    weight = points[..., 3:]
+    return np.asarray((slopes[..., :3] - slopes[..., 3:] * points[..., :3] / weight) / weight)

@@ -195,9 +195,15 @@ def _checked(
     control_points: ArrayLike, start: ArrayLike, end: ArrayLike
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     nets = np.asarray(control_points, dtype=np.float64)
-    if nets.ndim != 4 or nets.shape[3] != 3 or min(nets.shape[:3]) < 1 or min(nets.shape[1:3]) < 2:
+    if (
+        nets.ndim != 4
+        or nets.shape[3] not in (3, 4)
+        or min(nets.shape[:3]) < 1
+        or min(nets.shape[1:3]) < 2
+    ):
         raise InputError(
-            f"control points have shape {nets.shape}; expected (patches, 4, 4, 3), or other degrees"
+            f"control points have shape {nets.shape}; expected (patches, 4, 4, 3), other degrees, "
+            "or four coordinates for rational patches"
         )
     broken = np.flatnonzero(~np.isfinite(nets).all(axis=(1, 2, 3)))
     if len(broken):

@@ -50,7 +50,7 @@ def graph_cells(distance: NDArray[np.float64], size: float) -> tuple[Cells, Cell
 
     Parameters
     ----------
-    distance : ndarray, shape (patches, 4, 4)
+    distance : ndarray, shape (patches, degree + 1, degree + 1)
         Bernstein coefficients of the distance from the plane.
     size : float
         The atlas's, in the unit of the distances.
@@ -76,7 +76,7 @@ def graph_cells(distance: NDArray[np.float64], size: float) -> tuple[Cells, Cell
         crossed = (distance.min(axis=(1, 2)) <= 0.0) & (distance.max(axis=(1, 2)) >= 0.0)
         distance, patch, lower, upper = (x[crossed] for x in (distance, patch, lower, upper))
         axis = _graph_axis(distance, ROUNDING * size)
-        cells = Cells(patch, lower, upper, distance[:, ::3, ::3], axis)
+        cells = Cells(patch, lower, upper, distance[:, [0, -1]][:, :, [0, -1]], axis)
         done = axis >= 0
         found.append(_taken(cells, done))
         rest = ~done
@@ -111,8 +111,11 @@ def _taken(cells: Cells, mask: NDArray[np.bool_]) -> Cells:
 
 def _graph_axis(distance: NDArray[np.float64], least: float) -> NDArray[np.int64]:
     """0 or 1 where the section is surely a graph over u or v, else -1, shape (k,)."""
-    along_u = elevate(3.0 * np.diff(distance, axis=1)[..., None], 3, 3)[..., 0]
-    along_v = elevate(3.0 * np.diff(distance, axis=2)[..., None], 3, 3)[..., 0]
+    degree = distance.shape[1] - 1
+    along_u, along_v = (
+        elevate(degree * np.diff(distance, axis=axis)[..., None], degree, degree)[..., 0]
+        for axis in (1, 2)
+    )
     over_u = _dominates(along_v, along_u / STEEPEST, least)
     over_v = _dominates(along_u, along_v / STEEPEST, least)
     # Where both hold, the flatter graph.
@@ -125,8 +128,9 @@ def _dominates(
     large: NDArray[np.float64], small: NDArray[np.float64], least: float
 ) -> NDArray[np.bool_]:
     """Whether |large| > |small| with one sign of large all over, by Bernstein coefficients."""
-    both = np.stack([large - small, large + small], axis=1).reshape(-1, 32)
-    return np.asarray((both.min(axis=1) > least) | (both.max(axis=1) < -least))
+    both = np.stack([large - small, large + small], axis=1)
+    low, high = both.min(axis=(1, 2, 3)), both.max(axis=(1, 2, 3))
+    return np.asarray((low > least) | (high < -least))
 
 
 def _quarters(
@@ -141,7 +145,7 @@ def _quarters(
     corner = np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
     axes = np.arange(2)
     return (
-        parts.reshape(-1, 4, 4),
+        parts.reshape(-1, *distance.shape[1:]),
         np.repeat(patch, 4),
         bounds[:, corner, axes].reshape(-1, 2),
         bounds[:, corner + 1, axes].reshape(-1, 2),

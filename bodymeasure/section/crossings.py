@@ -7,10 +7,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.atlas import EdgeTable
+from bodymeasure.atlas import EdgeTable, sides_of
 from bodymeasure.bezier import bernstein
 from bodymeasure.section.cells import Cells
-from bodymeasure.section.roots import cubic_roots
+from bodymeasure.section.roots import roots_of_polynomials
 
 
 class Crossings(NamedTuple):
@@ -18,10 +18,10 @@ class Crossings(NamedTuple):
 
     Parameters
     ----------
-    number : ndarray of int, shape (cells, 4, 3)
+    number : ndarray of int, shape (cells, 4, degree)
         The crossings of each side (u lower, u upper, v lower, v upper); -1 fills up. Rectangles
         that share a point, also those of two patches, share its number.
-    along : ndarray, shape (cells, 4, 3)
+    along : ndarray, shape (cells, 4, degree)
         The parameter that varies on the side, at each crossing.
     sides : ndarray of int, shape (crossings,)
         How many patches meet in each: 0 inside a patch, else as in `EdgeTable.sides`.
@@ -37,7 +37,7 @@ def find_crossings(distance: NDArray[np.float64], cells: Cells, table: EdgeTable
 
     Parameters
     ----------
-    distance : ndarray, shape (patches, 4, 4)
+    distance : ndarray, shape (patches, degree + 1, degree + 1)
         Bernstein coefficients of the distance from the plane.
     cells : Cells
     table : EdgeTable
@@ -50,7 +50,7 @@ def find_crossings(distance: NDArray[np.float64], cells: Cells, table: EdgeTable
     """
     line, flipped, low, high = _lines_of_sides(distance, cells, table)
     coefficients, row, sides = line
-    roots = cubic_roots(coefficients)
+    roots = roots_of_polynomials(coefficients)
     exists = np.isfinite(roots)
     numbers = np.where(exists, np.cumsum(exists).reshape(roots.shape) - 1, -1)
 
@@ -69,7 +69,7 @@ _Lines = tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.int64]]
 def _lines_of_sides(
     distance: NDArray[np.float64], cells: Cells, table: EdgeTable
 ) -> tuple[_Lines, NDArray[np.bool_], NDArray[np.float64], NDArray[np.float64]]:
-    """Cubics of all lines with each side's row of them and their sides; turned; interval."""
+    """Polynomials of all lines with each side's row of them and their sides; turned; interval."""
     bounds = np.stack([cells.lower, cells.upper], axis=-1)
     value = bounds.reshape(-1, 4)
     # The parameter along the sides of fixed u is v, and the other way round.
@@ -89,26 +89,24 @@ def _lines_of_sides(
     lines, place = np.unique(keys, axis=0, return_inverse=True)
     row[inner] = edge_count + place.ravel()
 
-    coefficients = np.concatenate([_edge_cubics(distance, table), _inner_cubics(distance, lines)])
+    coefficients = np.concatenate([_along_edges(distance, table), _along_lines(distance, lines)])
     sides = np.concatenate([table.sides, np.zeros(len(lines), dtype=np.int64)])
     return (coefficients, row, sides), flipped, low, high
 
 
-def _edge_cubics(distance: NDArray[np.float64], table: EdgeTable) -> NDArray[np.float64]:
+def _along_edges(distance: NDArray[np.float64], table: EdgeTable) -> NDArray[np.float64]:
     """Coefficients along each edge of the atlas, in the edge's own direction."""
-    cubics = np.stack(
-        [distance[:, 0], distance[:, 3], distance[:, :, 0], distance[:, :, 3]], axis=1
-    )
-    cubics = np.where(table.reversed[..., None], cubics[..., ::-1], cubics)
-    result = np.ones((len(table.sides), 4))
-    result[table.edge.ravel()] = cubics.reshape(-1, 4)
+    sides = sides_of(distance)
+    sides = np.where(table.reversed[..., None], sides[..., ::-1], sides)
+    result = np.ones((len(table.sides), distance.shape[1]))
+    result[table.edge.ravel()] = sides.reshape(-1, distance.shape[1])
     return result
 
 
-def _inner_cubics(distance: NDArray[np.float64], lines: NDArray[np.float64]) -> NDArray[np.float64]:
+def _along_lines(distance: NDArray[np.float64], lines: NDArray[np.float64]) -> NDArray[np.float64]:
     """Coefficients along the lines (patch, axis, value)."""
     patch, axis = lines[:, 0].astype(np.int64), lines[:, 1]
-    weights = bernstein(3, lines[:, 2])[:, 0]
+    weights = bernstein(distance.shape[1] - 1, lines[:, 2])[:, 0]
     nets = distance[patch]
     turned = np.where((axis == 0.0)[:, None, None], nets, nets.swapaxes(1, 2))
     return np.asarray(np.einsum("ki,kij->kj", weights, turned))

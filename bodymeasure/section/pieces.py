@@ -62,7 +62,7 @@ class CutSurface:
 
     Parameters
     ----------
-    control_points : ndarray, shape (patches, 4, 4, 3)
+    control_points : ndarray, shape (patches, m + 1, m + 1, 3) or (patches, m + 1, m + 1, 4)
     plane : Plane
     """
 
@@ -75,12 +75,12 @@ class CutSurface:
         distance = self.plane.distances(self.control_points[pieces.patch])
         over_v = (pieces.axis == 1)[:, None, None]
         turned = np.where(over_v, distance.swapaxes(1, 2), distance)
-        cubics = bernstein(3, along)[..., 0, :] @ turned
+        across = bernstein(turned.shape[1] - 1, along)[..., 0, :] @ turned
         shape = along.shape
         low, high = (
             np.broadcast_to(bound[:, None], shape).ravel() for bound in (pieces.low, pieces.high)
         )
-        other = bracketed_roots(cubics.reshape(-1, 4), low, high).reshape(shape)
+        other = bracketed_roots(across.reshape(-1, across.shape[-1]), low, high).reshape(shape)
         first = np.where(over_v[..., 0], other, along)
         second = np.where(over_v[..., 0], along, other)
         return np.stack([first, second], axis=-1)

@@ -53,8 +53,14 @@ class Plane:
         return replace(self, point=self.point + distance * self.normal)
 
     def distances(self, positions: ArrayLike) -> NDArray[np.float64]:
-        """Signed distances of positions (..., 3) from the plane, shape (...)."""
-        return np.asarray((np.asarray(positions, dtype=np.float64) - self.point) @ self.normal)
+        """Signed distances of positions (..., 3) from the plane, shape (...).
+
+        Of homogeneous coordinates (..., 4), times their weights.
+        """
+        given = np.asarray(positions, dtype=np.float64)
+        if given.shape[-1] == 4:
+            return np.asarray((given[..., :3] - given[..., 3:] * self.point) @ self.normal)
+        return np.asarray((given - self.point) @ self.normal)
 
     def frame(self) -> NDArray[np.float64]:
         """Two unit vectors in the plane, perpendicular to each other, shape (2, 3)."""

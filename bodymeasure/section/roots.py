@@ -1,4 +1,4 @@
-"""Roots of cubics in Bernstein form, and of functions that change sign once in a bracket."""
+"""Roots of polynomials in Bernstein form, and of functions that change sign once in a bracket."""
 
 from __future__ import annotations
 
@@ -13,26 +13,28 @@ MAX_STEPS = 120
 FINEST = 4e-16
 
 
-def cubic_values(
+def polynomial_values(
     coefficients: NDArray[np.float64], t: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Values and slopes of cubics with Bernstein coefficients (..., 4) at t, both shape (...)."""
+    """Values and slopes at t, both shape (...), for Bernstein coefficients (..., degree + 1)."""
     b = np.moveaxis(coefficients, -1, 0)
-    value = sum(weight * b[i] for i, weight in enumerate(bernstein_values(3, t)))
-    slope = sum(3.0 * w * (b[i + 1] - b[i]) for i, w in enumerate(bernstein_values(2, t)))
+    degree = len(b) - 1
+    value = sum(weight * b[i] for i, weight in enumerate(bernstein_values(degree, t)))
+    lower = bernstein_values(degree - 1, t)
+    slope = sum(degree * weight * (b[i + 1] - b[i]) for i, weight in enumerate(lower))
     return np.asarray(value), np.asarray(slope)
 
 
 def bracketed_roots(
     coefficients: NDArray[np.float64], lower: NDArray[np.float64], upper: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """The root of each cubic in a bracket in which it is monotone, shape (k,).
+    """The root of each polynomial in a bracket in which it is monotone, shape (k,).
 
-    Where the cubic has no change of sign in its bracket, the end with the smaller value.
+    Where it has no change of sign in its bracket, the end with the smaller value.
 
     Parameters
     ----------
-    coefficients : ndarray, shape (k, 4)
+    coefficients : ndarray, shape (k, degree + 1)
         In Bernstein form on [0, 1].
     lower, upper : ndarray, shape (k,)
 
@@ -41,7 +43,7 @@ def bracketed_roots(
     Newton's method, with a halving wherever its step would leave the bracket.
     """
     low, high = lower.astype(np.float64), upper.astype(np.float64)
-    at_low, at_high = (cubic_values(coefficients, t)[0] for t in (low, high))
+    at_low, at_high = (polynomial_values(coefficients, t)[0] for t in (low, high))
     crosses = (at_low < 0.0) != (at_high < 0.0)
     t = np.where(np.abs(at_low) <= np.abs(at_high), low, high)
     t[crosses] = 0.5 * (low + high)[crosses]
@@ -51,7 +53,7 @@ def bracketed_roots(
         if not len(busy):
             break
         here = t[busy]
-        value, slope = cubic_values(coefficients[busy], here)
+        value, slope = polynomial_values(coefficients[busy], here)
         below = (value < 0.0) == rising[busy]
         low[busy[below]] = here[below]
         high[busy[~below]] = here[~below]
@@ -66,15 +68,19 @@ def bracketed_roots(
     return t
 
 
-def cubic_roots(coefficients: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Roots of cubics on [0, 1] at which the sign changes, shape (k, 3), upwards, NaN where none.
+def roots_of_polynomials(coefficients: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Roots on [0, 1] at which the sign changes, shape (k, degree), upwards, NaN where none.
 
     Their number agrees with the signs at both ends, whatever the rounding: zero counts as positive.
 
     Parameters
     ----------
-    coefficients : ndarray, shape (k, 4)
-        In Bernstein form.
+    coefficients : ndarray, shape (k, degree + 1)
+        In Bernstein form; the degree is at least 2.
+
+    Notes
+    -----
+    Between stationary points, which are the roots of the slope, a polynomial is monotone.
     """
     stations = np.concatenate(
         [
@@ -84,10 +90,10 @@ def cubic_roots(coefficients: NDArray[np.float64]) -> NDArray[np.float64]:
         ],
         axis=1,
     )
-    value, _ = cubic_values(coefficients[:, None], stations)
+    value, _ = polynomial_values(coefficients[:, None], stations)
     negative = value < 0.0
     row, place = np.nonzero(negative[:, 1:] != negative[:, :-1])
-    roots = np.full((len(coefficients), 3), np.nan)
+    roots = np.full((len(coefficients), coefficients.shape[1] - 1), np.nan)
     roots[row, place] = bracketed_roots(
         coefficients[row], stations[row, place], stations[row, place + 1]
     )
@@ -95,10 +101,20 @@ def cubic_roots(coefficients: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _stationary_points(coefficients: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Where the slope vanishes, clipped to [0, 1], upwards, shape (k, 2); 0 where nowhere.
+    """Where the slope changes its sign, in [0, 1], upwards, shape (k, degree - 1); else 0."""
+    if coefficients.shape[1] == 4:
+        return _stationary_points_of_cubics(coefficients)
+    slopes = np.diff(coefficients, axis=1)
+    if slopes.shape[1] == 2:
+        # One root of a line.
+        change = slopes[:, :1] - slopes[:, 1:]
+        points = np.divide(slopes[:, :1], change, out=np.zeros_like(change), where=change != 0.0)
+        return np.clip(points, 0.0, 1.0)
+    return np.sort(np.nan_to_num(roots_of_polynomials(slopes)), axis=1)
 
-    The cancellation-free form of the quadratic formula.
-    """
+
+def _stationary_points_of_cubics(coefficients: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The cancellation-free form of the quadratic formula; clipped to [0, 1]."""
     d0, d1, d2 = np.diff(coefficients, axis=1).T
     # The slope is a t^2 + 2 b t + c.
     a, b, c = d0 - 2.0 * d1 + d2, d1 - d0, d0

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure.atlas import Atlas, EdgeTable, edge_table
+from bodymeasure.bezier import project
 from bodymeasure.errors import InputError
 from bodymeasure.section.arcs import Arcs, Chain, chain_arcs, pair_crossings
 from bodymeasure.section.cells import Cells, graph_cells
@@ -86,8 +87,9 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
     Where corners of patches or whole seams lie in the plane, it is moved by 1e-11 of the atlas's
     size, and the loops' error estimates say so.
     """
-    distances = plane.distances(atlas.control_points)
-    size = float(np.abs(atlas.control_points - plane.point).max())
+    nets = _of_weight_one(atlas.control_points)
+    distances = plane.distances(nets)
+    size = float(np.abs(project(nets) - plane.point).max())
     flat = np.flatnonzero(np.abs(distances).max(axis=(1, 2)) <= FLAT * size)
     if len(flat):
         raise InputError(
@@ -98,15 +100,15 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
     missed = False
     for move in MOVES:
         # Patches beside the plane are none of the section's, but share edges with those that are.
+        distances = plane.moved(move * size).distances(nets)
         near = np.flatnonzero(
-            (distances.min(axis=(1, 2)) <= move * size)
-            & (distances.max(axis=(1, 2)) >= move * size)
+            (distances.min(axis=(1, 2)) <= 0.0) & (distances.max(axis=(1, 2)) >= 0.0)
         )
-        joined = _joined(atlas, distances[near] - move * size, near, table, size)
+        joined = _joined(atlas, distances[near], near, table, size)
         if joined is None:
             continue
         arcs, chains = joined
-        surface = CutSurface(atlas.control_points, plane.moved(move * size))
+        surface = CutSurface(nets, plane.moved(move * size))
         loops = [_loop(atlas, surface, arcs, chain, size, abs(move) * size) for chain in chains]
         # Corners that the plane only touched leave a trace when it is moved.
         loops = [loop for loop in loops if loop.length > TRACE * abs(move) * size]
@@ -122,6 +124,13 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
         "wherever it is moved, or an edge belongs to more than two patches; check the atlas with "
         "bodymeasure.check_atlas, or move the plane"
     )
+
+
+def _of_weight_one(nets: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The patches, the weights of rational ones scaled to at most 1."""
+    if nets.shape[-1] == 3:
+        return nets
+    return np.asarray(nets / nets[..., 3].max())
 
 
 def _joined(

@@ -279,13 +279,13 @@ def test_the_nearest_loop_is_chosen() -> None:
 
 
 def test_roots_of_cubics_keep_their_number() -> None:
-    from bodymeasure.section.roots import cubic_roots
+    from bodymeasure.section.roots import roots_of_polynomials
 
     wanted = np.array([[0.2, 0.5, 0.9], [0.1, 0.1 + 1e-7, 0.7]])
     t = np.linspace(0.0, 1.0, 4)
     basis = bernstein(3, t)[:, 0]
     values = np.prod(t[:, None] - wanted[:, None], axis=-1)
-    found = cubic_roots(np.linalg.solve(basis, values.T).T)
+    found = roots_of_polynomials(np.linalg.solve(basis, values.T).T)
     np.testing.assert_allclose(found[0], wanted[0], atol=1e-14)
     np.testing.assert_allclose(found[1], wanted[1], atol=1e-9)
-    assert np.isnan(cubic_roots(np.ones((1, 4)))).all()
+    assert np.isnan(roots_of_polynomials(np.ones((1, 4)))).all()

@@ -1,0 +1,83 @@
+"""Rational Bezier patches: control points in homogeneous coordinates."""
+
+from __future__ import annotations
+
+from math import comb
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+_Array = NDArray[np.float64]
+
+
+def homogeneous(control_points: ArrayLike, weights: ArrayLike) -> _Array:
+    """Control points of rational patches.
+
+    Parameters
+    ----------
+    control_points : array_like, shape (..., m + 1, n + 1, 3)
+    weights : array_like, shape (..., m + 1, n + 1)
+        They broadcast with the control points.
+
+    Returns
+    -------
+    ndarray, shape (..., m + 1, n + 1, 4)
+        ``(w x, w y, w z, w)``: wherever control points are taken, four coordinates mean a rational
+        patch.
+    """
+    points = np.asarray(control_points, dtype=np.float64)
+    weight = np.broadcast_to(np.asarray(weights, dtype=np.float64), points.shape[:-1])[..., None]
+    return np.concatenate([points * weight, weight], axis=-1)
+
+
+def project(control_points: ArrayLike) -> _Array:
+    """Control points in space: those of three coordinates as they are, of four over their weights.
+
+    Parameters
+    ----------
+    control_points : array_like, shape (..., 3) or (..., 4)
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+    """
+    points = np.asarray(control_points, dtype=np.float64)
+    return points if points.shape[-1] == 3 else points[..., :3] / points[..., 3:]
+
+
+def scaled(control_points: _Array, factor: float) -> _Array:
+    """Patches (..., 3 or 4) scaled about the origin; weights stay."""
+    result = control_points * factor
+    result[..., 3:] = control_points[..., 3:]
+    return result
+
+
+def divide(jet: _Array) -> _Array:
+    """Derivatives of a rational patch from those of its homogeneous coordinates.
+
+    Parameters
+    ----------
+    jet : ndarray, shape (..., k + 1, k + 1, 4)
+        ``[..., i, j, :]`` is the derivative taken i times by u and j times by v.
+
+    Returns
+    -------
+    ndarray, shape (..., k + 1, k + 1, 3)
+
+    Notes
+    -----
+    Leibniz's rule for ``A = w S``, solved for the highest derivative of S: L. Piegl and W. Tiller,
+    The NURBS Book, equation (4.20).
+    """
+    numerator, weight = jet[..., :3], jet[..., 3]
+    result = np.empty(numerator.shape)
+    for i in range(jet.shape[-3]):
+        for j in range(jet.shape[-2]):
+            value = numerator[..., i, j, :].copy()
+            for k in range(i + 1):
+                for m in range(j + 1):
+                    if k or m:
+                        factor = comb(i, k) * comb(j, m) * weight[..., k, m]
+                        value -= factor[..., None] * result[..., i - k, j - m, :]
+            result[..., i, j, :] = value / weight[..., :1, 0]
+    return result
