@@ -10,6 +10,7 @@ from bodymeasure.atlas import (
     convert_length,
     tessellate,
 )
+from bodymeasure.bezier import homogeneous
 from bodymeasure.errors import (
     BodymeasureError,
     ConvergenceError,
@@ -87,6 +88,7 @@ __all__ = [
     "diagonals",
     "extreme_girth",
     "geodesic_between",
+    "homogeneous",
     "limb_girth",
     "load_sample",
     "measure_atlas",

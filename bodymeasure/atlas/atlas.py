@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure.atlas.axes import Axes
 from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.seams import EDGES, edge_table, sides_of
 from bodymeasure.atlas.units import Unit
 from bodymeasure.bezier import evaluate, homogeneous, project
 from bodymeasure.errors import InputError
@@ -22,6 +23,8 @@ from bodymeasure.errors import InputError
 LEAST_DEGREE = 3
 # Polynomials of thrice this degree, as the normal of a rational patch, still have their digits.
 LARGEST_DEGREE = 9
+# Ratios of weights that differ by less differ by rounding.
+SAME_RATIO = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,8 +53,9 @@ class Atlas:
         What the atlas shows, for titles.
     provenance : mapping of str to str
         Where it comes from: source, author, license and the like.
-    weights : array_like, shape (n,), optional
-        Of the control points, positive: patches are rational.
+    weights : array_like, shape (patches, degree + 1, degree + 1), optional
+        Of each patch's control points, positive: patches are rational. Of an edge that two patches
+        share, the weights of one are a multiple of the other's.
 
     Raises
     ------
@@ -78,7 +82,7 @@ class Atlas:
         set_field(self, "points", points)
         set_field(self, "index", index)
         if self.weights is not None:
-            set_field(self, "weights", _checked_weights(self.weights, len(points)))
+            set_field(self, "weights", _checked_weights(self.weights, index))
         set_field(self, "unit", Unit.parse(self.unit))
         count = len(index)
         set_field(
@@ -115,12 +119,12 @@ class Atlas:
             raise InputError(
                 f"control points have shape {nets.shape}; expected (4, 4, 3) or (patches, 4, 4, 3)"
             )
-        side, weights = nets.shape[-2], None
+        count = int(np.prod(nets.shape[:-1]))
+        index = np.arange(count).reshape(-1, *nets.shape[-3:-1])
+        weights = None
         if nets.shape[-1] == 4:
-            weights = _checked_weights(nets[..., 3].ravel(), nets[..., 3].size)
-        points = project(nets).reshape(-1, 3)
-        index = np.arange(len(points)).reshape(-1, side, side)
-        return cls(points, index, Unit.parse(unit), weights=weights)
+            weights = _checked_weights(nets[..., 3].reshape(index.shape), index)
+        return cls(project(nets).reshape(-1, 3), index, Unit.parse(unit), weights=weights)
 
     def __len__(self) -> int:
         return len(self.index)
@@ -131,8 +135,9 @@ class Atlas:
 
         Of rational patches in homogeneous coordinates, of which there are four.
         """
-        points = self.points if self.weights is None else homogeneous(self.points, self.weights)
-        control_points = points[self.index]
+        control_points = self.points[self.index]
+        if self.weights is not None:
+            control_points = homogeneous(control_points, self.weights)
         control_points.flags.writeable = False
         return control_points
 
@@ -229,22 +234,42 @@ def _checked_points(
     return array
 
 
-def _checked_weights(weights: ArrayLike, count: int) -> NDArray[np.float64]:
+def _checked_weights(weights: ArrayLike, index: NDArray[np.int64]) -> NDArray[np.float64]:
     try:
         array = np.array(weights, dtype=np.float64)
     except (TypeError, ValueError):
         raise InputError("weights are not numbers; expected one for each control point") from None
-    if array.shape != (count,):
-        raise InputError(f"weights have shape {array.shape}; expected ({count},)")
+    if array.shape != index.shape:
+        raise InputError(f"weights have shape {array.shape}; expected that of index, {index.shape}")
     # `not positive` rather than `negative`, so that NaN is refused too.
-    bad = np.flatnonzero(~((array > 0.0) & (array < np.inf)))
+    bad = np.argwhere(~((array > 0.0) & (array < np.inf)))
     if len(bad):
+        patch, i, j = bad[0].tolist()
         raise InputError(
-            f"control point {bad[0]} has the weight {array[bad[0]]:g}; expected positive weights, "
-            "with which a patch has no poles"
+            f"patch {patch} has the weight {array[patch, i, j]:g}; expected positive weights, with "
+            "which a patch has no poles"
         )
+    _check_weights_of_seams(index, array)
     array.flags.writeable = False
     return array
+
+
+def _check_weights_of_seams(index: NDArray[np.int64], weights: NDArray[np.float64]) -> None:
+    table = edge_table(index)
+    along = sides_of(weights)
+    along = np.where(table.reversed[..., None], along[..., ::-1], along)
+    ratio = (along / along[..., :1]).reshape(-1, along.shape[-1])
+    _, first = np.unique(table.edge, return_index=True)
+    differ = np.abs(ratio - ratio[first[table.edge.ravel()]]).max(axis=1) > SAME_RATIO
+    collapsed = (table.control_index == table.control_index[..., :1]).all(axis=-1).ravel()
+    bad = np.flatnonzero(differ & ~collapsed)
+    if len(bad):
+        patches = first[table.edge.ravel()[bad[0]]] // len(EDGES), bad[0] // len(EDGES)
+        raise InputError(
+            f"patches {patches[0]} and {patches[1]} share the control points of an edge, but not "
+            "the ratios of its weights, so that points with equal parameters on it differ; give "
+            "both the same weights there"
+        )
 
 
 def _check_names(atlas: Atlas) -> None:

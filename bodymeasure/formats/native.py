@@ -26,6 +26,7 @@ class _PatchRecord(msgspec.Struct, forbid_unknown_fields=True):
     name: str
     points: list[list[_Number]]
     region: str = ""
+    weights: list[list[float]] | None = None
 
 
 class _LandmarkRecord(msgspec.Struct, forbid_unknown_fields=True):
@@ -50,7 +51,6 @@ class _AtlasRecord(msgspec.Struct, forbid_unknown_fields=True):
     provenance: dict[str, str] = {}
     landmarks: dict[str, _LandmarkRecord] = {}
     degree: int = LEAST_DEGREE
-    weights: list[float] | None = None
 
 
 class _Header(msgspec.Struct):
@@ -83,12 +83,15 @@ def read(content: bytes, source: str) -> Atlas:
 
 def write(atlas: Atlas) -> bytes:
     """An atlas as the content of a file: one patch, landmark or point a line."""
-    patches = [
+    patches: list[dict[str, Any]] = [
         {"name": name, "region": region, "points": points}
         for name, region, points in zip(
             atlas.patch_names, atlas.regions, atlas.index.tolist(), strict=True
         )
     ]
+    if atlas.weights is not None:
+        for patch, weights in zip(patches, atlas.weights.tolist(), strict=True):
+            patch["weights"] = weights
     landmarks = [
         f"{_line(name)}: "
         + _line({"patch": atlas.patch_names[point.patch], "u": point.u, "v": point.v})
@@ -107,8 +110,6 @@ def write(atlas: Atlas) -> bytes:
         "patches": _block("[]", [_line(patch) for patch in patches]),
         "points": _block("[]", [_line(point) for point in atlas.points.tolist()]),
     }
-    if atlas.weights is not None:
-        members["weights"] = _block("[]", [_line(weight) for weight in atlas.weights.tolist()])
     body = ",\n".join(f"{_line(key)}: {value}" for key, value in members.items())
     try:
         return f"{{\n{body}\n}}\n".encode()
@@ -153,27 +154,40 @@ def _atlas(record: _AtlasRecord) -> Atlas:
         axes=Axes(record.axes.up, record.axes.front),
         name=record.name,
         provenance=record.provenance,
-        weights=None if record.weights is None else np.array(record.weights),
+        weights=_weights(record),
     )
 
 
 def _index(record: _AtlasRecord) -> NDArray[np.int64]:
     """Numbers of the control points, shape (patches, degree + 1, degree + 1)."""
+    return np.array(_squares(record, "numbers", [p.points for p in record.patches]), dtype=np.int64)
+
+
+def _weights(record: _AtlasRecord) -> NDArray[np.float64] | None:
+    """Weights of the same shape; 1 for patches without."""
+    if all(patch.weights is None for patch in record.patches):
+        return None
+    ones = [[1.0] * (record.degree + 1)] * (record.degree + 1)
+    given = [ones if patch.weights is None else patch.weights for patch in record.patches]
+    return np.array(_squares(record, "weights", given), dtype=np.float64)
+
+
+def _squares(record: _AtlasRecord, what: str, values: list[list[list[Any]]]) -> Any:
+    """Checks that each patch has as many rows and columns as its degree wants."""
     if not LEAST_DEGREE <= record.degree <= LARGEST_DEGREE:
         raise InputError(
             f"the degree is {record.degree}; expected {LEAST_DEGREE} to {LARGEST_DEGREE}"
         )
     side = record.degree + 1
-    for number, patch in enumerate(record.patches):
-        counts = [len(patch.points), *(len(row) for row in patch.points)]
+    for number, (patch, rows) in enumerate(zip(record.patches, values, strict=True)):
+        counts = [len(rows), *(len(row) for row in rows)]
         wrong = [count for count in counts if count != side]
         if wrong:
             raise InputError(
-                f"patch {number} ({patch.name!r}): expected {side} rows of {side} numbers, of "
+                f"patch {number} ({patch.name!r}): expected {side} rows of {side} {what}, of "
                 f"degree {record.degree}: an array has length {side}, got {wrong[0]}"
             )
-    rows = [patch.points for patch in record.patches]
-    return np.array(rows, dtype=np.int64).reshape(-1, side, side)
+    return np.array(values).reshape(-1, side, side)
 
 
 def _place_of_misfit(content: bytes) -> str | None:
