@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from bodymeasure.section.loop import SectionLoop
+from bodymeasure.section.curve import Curve
 
 SAMPLES = 12
 CUTS = 8
@@ -13,12 +13,12 @@ CUTS = 8
 ROUNDS = 7
 
 
-def extent(loop: SectionLoop, direction: ArrayLike) -> float:
+def extent(loop: Curve, direction: ArrayLike) -> float:
     """Width of a loop along a direction, in the loop's unit.
 
     Parameters
     ----------
-    loop : SectionLoop
+    loop : Curve
     direction : array_like, shape (3,)
         A unit vector.
 
@@ -32,10 +32,10 @@ def extent(loop: SectionLoop, direction: ArrayLike) -> float:
     return _farthest(loop, direction) + _farthest(loop, -direction)
 
 
-def _farthest(loop: SectionLoop, direction: NDArray[np.float64]) -> float:
+def _farthest(loop: Curve, direction: NDArray[np.float64]) -> float:
     """Largest coordinate along a direction: each sampled maximum is looked at ever closer."""
-    end = float(len(loop.pieces))
-    place = np.linspace(0.0, end, SAMPLES * len(loop.pieces) + 1)
+    end = float(loop.count)
+    place = np.linspace(0.0, end, SAMPLES * loop.count + 1)
     value = loop.positions_at(place) @ direction
     before, after = np.roll(value, 1), np.roll(value, -1)
     if loop.closed:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -9,6 +10,8 @@ import scipy
 from numpy.typing import NDArray
 
 from bodymeasure.errors import InputError
+from bodymeasure.section.bridged import BridgedLoop
+from bodymeasure.section.curve import Curve
 from bodymeasure.section.loop import SectionLoop
 
 # Samples a piece to begin with: they have to tell hollows apart, not to measure them.
@@ -24,31 +27,36 @@ NEGLIGIBLE = 1e-14
 STRAIGHT = 1e-6
 # Relative. By so much may corners in the loop's order go round longer than in the hull's.
 ORDER_TOLERANCE = 1e-9
+# Of the chord: an arc that crosses its line so near to its end starts there, but for rounding.
+BEYOND = 1e-9
 
 
 class Hull(NamedTuple):
-    """The convex hull of a closed loop.
+    """The convex hull of a closed curve, or the outer side of an open one's.
 
     Parameters
     ----------
     length : float
-        Its perimeter: at most the loop's length.
+        Its perimeter: at most the curve's length.
     error_estimate : float
     bridges : ndarray, shape (k, 2, 3)
         Ends of the straight parts that span hollows.
+    spans : ndarray, shape (k, 2)
+        Their places on the curve.
     """
 
     length: float
     error_estimate: float
     bridges: NDArray[np.float64]
+    spans: NDArray[np.float64]
 
 
-def convex_hull(loop: SectionLoop) -> Hull:
+def convex_hull(loop: Curve) -> Hull:
     """Convex hull of a closed loop in its plane, from the smooth curve.
 
     Parameters
     ----------
-    loop : SectionLoop
+    loop : Curve
 
     Returns
     -------
@@ -70,12 +78,73 @@ def convex_hull(loop: SectionLoop) -> Hull:
             "the section is open: it ends on the boundary of the atlas, so a tape around it has no "
             "length; choose a plane that cuts the body all round, or join the patches' edges"
         )
-    frame = loop.surface.plane.frame()
-    place = np.arange(SAMPLES * len(loop.pieces)) / SAMPLES
+
+    def corners(_: NDArray[np.float64], flat: NDArray[np.float64]) -> NDArray[np.int64]:
+        return _hull_corners(flat, np.arange(len(flat)))
+
+    frame = loop.plane.frame()
+    flat = loop.positions_at(np.arange(SAMPLES * loop.count) / SAMPLES) @ frame.T
+    return _refined(loop, corners, signed_area(flat))
+
+
+def outer_hull(arc: SectionLoop, turn: float) -> Hull:
+    """The shortest curve in its plane from an arc's start to its end, beside the arc.
+
+    Parameters
+    ----------
+    arc : SectionLoop
+        An open curve.
+    turn : float
+        Positive if the body lies to the left of the arc, seen in the plane's frame, else negative.
+
+    Raises
+    ------
+    InputError
+        If the arc winds about one of its ends, or crosses itself.
+
+    Notes
+    -----
+    What of the arc lies outwards of its chord, its convex hull on that side; see `convex_hull`.
+    """
+    loop = BridgedLoop((arc,))
+
+    def corners(
+        place: NDArray[np.float64], flat: NDArray[np.float64]
+    ) -> NDArray[np.int64]:
+        # The line back from the end to the start comes last.
+        end = int(np.searchsorted(place, float(arc.count)))
+        return _outer_corners(flat, end, turn)
+
+    hull = _refined(loop, corners, turn)
+    chord = float(np.linalg.norm(loop.bridges[0, 1] - loop.bridges[0, 0]))
+    return hull._replace(length=hull.length - chord)
+
+
+def signed_area(flat: NDArray[np.float64]) -> float:
+    """Twice the area that a closed polygon (n, 2) goes round, negative if clockwise."""
+    return float(_cross(flat, np.roll(flat, -1, axis=0)).sum())
+
+
+_Corners = Callable[[NDArray[np.float64], NDArray[np.float64]], NDArray[np.int64]]
+
+
+def _refined(loop: Curve, corners_of: _Corners, turn: float) -> Hull:
+    """A hull from the corners that it has among samples, refined where it leaves the curve.
+
+    Parameters
+    ----------
+    loop : Curve
+    corners_of : callable
+        From places (n,) and positions in the plane (n, 2) to the rows of the corners, in order.
+    turn : float
+        Positive if the curve goes anticlockwise round what it is the outer side of.
+    """
+    frame = loop.plane.frame()
+    place = np.arange(SAMPLES * loop.count) / SAMPLES
     flat = loop.positions_at(place) @ frame.T
     previous = np.inf
     for _ in range(20):
-        corners = _hull_corners(flat)
+        corners = corners_of(place, flat)
         first, last = corners, np.roll(corners, -1)
         saved = _saved(loop, place, flat, first, last)
         total = loop.length - float(saved.sum())
@@ -84,8 +153,8 @@ def convex_hull(loop: SectionLoop) -> Hull:
         skips = (last - first) % len(place) > 1
         skips &= hollow | (np.floor(place[first]) != np.floor(place[last]))
         ends = np.concatenate([first[skips], last[skips]])
-        steps = np.concatenate([ends - 1, ends, _concave_steps(loop, place, flat, corners)])
-        new = _between(place, np.unique(steps % len(place)), float(len(loop.pieces)))
+        steps = np.concatenate([ends - 1, ends, _concave_steps(loop, place, flat, corners, turn)])
+        new = _between(place, np.unique(steps % len(place)), float(loop.count))
         if not len(new):
             break
         previous = total
@@ -94,19 +163,41 @@ def convex_hull(loop: SectionLoop) -> Hull:
     change = abs(previous - total) if np.isfinite(previous) else 0.0
     spans = np.stack([place[first[hollow]], place[last[hollow]]], axis=1)
     bridges = loop.positions_at(spans.ravel()).reshape(-1, 2, 3)
-    return Hull(total, loop.error_estimate + change, bridges)
+    return Hull(total, loop.error_estimate + change, bridges, spans)
 
 
-def _hull_corners(flat: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Samples on the convex hull, in the loop's order."""
+def _outer_corners(flat: NDArray[np.float64], end: int, turn: float) -> NDArray[np.int64]:
+    """Samples on the hull of what lies outwards of the chord from the first to the one at `end`."""
+    chord = flat[end] - flat[0]
+    length = np.linalg.norm(chord)
+    along = (flat[: end + 1] - flat[0]) @ chord / length**2
+    outwards = np.sign(turn) / length * _cross(flat[: end + 1] - flat[0], chord[None])
+    rows = np.flatnonzero((outwards[1:] > 0.0) != (outwards[:-1] > 0.0))
+    step = outwards[rows] / (outwards[rows] - outwards[rows + 1])
+    crossed = along[rows] + step * (along[rows + 1] - along[rows])
+    if ((crossed < -BEYOND) | (crossed > 1.0 + BEYOND)).any():
+        raise InputError(
+            "the surface winds about an end of the tape, so that a taut tape has no clear way out; "
+            "choose ends that lie open, or measure along the skin"
+        )
+    outside = np.flatnonzero(outwards > 0.0)
+    kept = np.union1d(outside, [0, end])
+    # Inwards of the chord, so that the hull has an inside even if nothing lies outwards.
+    apex = 0.5 * (flat[0] + flat[end]) + np.sign(turn) * np.array([-chord[1], chord[0]])
+    corners = _hull_corners(np.concatenate([flat, apex[None]]), np.append(kept, len(flat)))
+    return np.union1d(corners[:-1], [0, end])
+
+
+def _hull_corners(flat: NDArray[np.float64], rows: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Which of some rows of samples are on their convex hull, in the curve's order."""
     try:
-        corners = scipy.spatial.ConvexHull(flat).vertices.astype(np.int64)
+        corners = rows[scipy.spatial.ConvexHull(flat[rows]).vertices]
     except scipy.spatial.QhullError:
         raise InputError(
             "the section is as flat as a line, so it has no convex hull; move or tilt the plane"
         ) from None
     ordered = np.sort(corners)
-    around, along = (_perimeter(flat[rows]) for rows in (corners, ordered))
+    around, along = (_perimeter(flat[order]) for order in (corners, ordered))
     if along > around * (1.0 + ORDER_TOLERANCE):
         raise InputError(
             "the section crosses itself, so that a tape around it has no clear path; check the "
@@ -120,7 +211,7 @@ def _perimeter(corners: NDArray[np.float64]) -> float:
 
 
 def _saved(
-    loop: SectionLoop,
+    loop: Curve,
     place: NDArray[np.float64],
     flat: NDArray[np.float64],
     first: NDArray[np.int64],
@@ -140,10 +231,11 @@ def _saved(
 
 
 def _concave_steps(
-    loop: SectionLoop,
+    loop: Curve,
     place: NDArray[np.float64],
     flat: NDArray[np.float64],
     corners: NDArray[np.int64],
+    turn: float,
 ) -> NDArray[np.int64]:
     """Steps from corner to next sample that may hide a hollow: the loop turns inwards in them.
 
@@ -153,13 +245,12 @@ def _concave_steps(
     on_hull[corners] = True
     steps = np.flatnonzero(on_hull & np.roll(on_hull, -1))
     row = place[steps].astype(np.int64)
-    after = np.append(place[1:], float(len(loop.pieces)))[steps]
+    after = np.append(place[1:], float(loop.count))[steps]
     fraction = np.asarray(np.stack([place[steps], after], axis=1) - row[:, None], dtype=np.float64)
-    _, _, velocity = loop.surface.points(loop.pieces.take(row), fraction)
-    direction = velocity @ loop.surface.plane.frame().T
+    direction = loop.velocities(row, fraction) @ loop.plane.frame().T
     chord = np.roll(flat, -1, axis=0)[steps] - flat[steps]
 
-    anticlockwise = np.sign(_cross(flat, np.roll(flat, -1, axis=0)).sum())
+    anticlockwise = np.sign(turn)
     into, out_of = (
         anticlockwise * _sine(*pair)
         for pair in ((direction[:, 0], chord), (chord, direction[:, 1]))

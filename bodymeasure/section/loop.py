@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from bodymeasure.atlas import Unit
 from bodymeasure.section.pieces import MORE_NODES, CutSurface, Pieces
+from bodymeasure.section.plane import Plane
 
 # Fractions of a piece at which a loop is sampled, each piece's start included.
 STEPS = 8
@@ -47,6 +48,16 @@ class SectionLoop:
     def length(self) -> float:
         """Length of the curve, in `unit`."""
         return float(self.piece_length.sum())
+
+    @property
+    def plane(self) -> Plane:
+        """The plane that cuts."""
+        return self.surface.plane
+
+    @property
+    def count(self) -> int:
+        """How many pieces the curve has."""
+        return len(self.pieces)
 
     @cached_property
     def _samples(self) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
@@ -90,6 +101,20 @@ class SectionLoop:
         pieces = self.pieces.take(row).between(np.zeros(len(row)), fraction)
         before = np.concatenate([[0.0], np.cumsum(self.piece_length)])
         return np.asarray(before[row] + self.surface.lengths(pieces, MORE_NODES))
+
+    def velocities(
+        self, row: NDArray[np.int64], fraction: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Derivatives (n, k, 3) by the fraction, at fractions (n, k) of pieces (n,)."""
+        return self.surface.points(self.pieces.take(row), fraction)[2]
+
+    def surface_points_at(
+        self, place: NDArray[np.float64]
+    ) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+        """Patches (n,) and (u, v) on them (n, 2) at places (n,)."""
+        row, fraction = self._split(place)
+        pieces = self.pieces.take(row)
+        return pieces.patch, self.surface.parameters(pieces, fraction[:, None])[:, 0]
 
     def _split(self, place: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
         row = np.minimum(place.astype(np.int64), len(self.pieces) - 1)
