@@ -16,6 +16,7 @@ from bodymeasure.chart.definitions import (
     Measurement,
     PathMeasure,
 )
+from bodymeasure.chart.derive import Derived, derive_landmarks
 from bodymeasure.chart.measured import Chart, Measured, Outcome, Tape, TapeKind
 
 __all__ = [
@@ -25,6 +26,7 @@ __all__ = [
     "ClosedMeasure",
     "Definitions",
     "DepthMeasure",
+    "Derived",
     "DropMeasure",
     "ExtremeGirthMeasure",
     "FormulaMeasure",
@@ -38,4 +40,5 @@ __all__ = [
     "PathMeasure",
     "Tape",
     "TapeKind",
+    "derive_landmarks",
 ]
