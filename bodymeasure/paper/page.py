@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from importlib.resources import files
 from typing import Any
 
-from bodymeasure.errors import MissingExtraError
 from bodymeasure.paper import charts
 from bodymeasure.paper.random_patches import GROUP_SIZE
 from bodymeasure.paper.reproduce import BODY, CHOSEN, Reproduction
 from bodymeasure.paper.sections import CHOICES, LONG, sections_of, tiles
 from bodymeasure.paper.shown import shown
-from bodymeasure.report import numbers
-from bodymeasure.report.html import data_uri
+from bodymeasure.report import templating
 
 
 def render_page(found: Reproduction) -> bytes:
@@ -23,19 +20,13 @@ def render_page(found: Reproduction) -> bytes:
     MissingExtraError
         If jinja2 or matplotlib is not installed.
     """
-    try:
-        import jinja2
-    except ImportError:
-        raise MissingExtraError("the HTML page", "jinja2", "report") from None
-    own = files("bodymeasure.paper").joinpath("templates", "paper.html.j2")
-    css = files("bodymeasure.report").joinpath("templates", "report.css").read_text("utf-8")
-    environment = jinja2.Environment(
-        autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    return templating.render_page(
+        "bodymeasure.paper",
+        "paper.html.j2",
+        _context(found),
+        feature="the HTML page",
+        filters={"shown": shown},
     )
-    environment.filters["shown"] = shown
-    environment.filters["unbroken"] = numbers.unbroken
-    template = environment.from_string(own.read_text("utf-8"))
-    return template.render(**_context(found), css=css).encode()
 
 
 def _context(found: Reproduction) -> dict[str, Any]:
@@ -92,6 +83,6 @@ def _pictures(found: Reproduction) -> dict[str, list[tuple[str, str]]]:
         ],
     }
     return {
-        anchor: [(data_uri(svg), caption) for svg, caption in pictures]
+        anchor: [(templating.data_uri(svg), caption) for svg, caption in pictures]
         for anchor, pictures in made.items()
     }

@@ -1,0 +1,91 @@
+"""Pages from templates: each one file that loads nothing else."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Callable, Mapping, Sequence
+from datetime import datetime
+from importlib.resources import files
+from typing import Any, TypeVar
+
+from bodymeasure.errors import MissingExtraError
+from bodymeasure.report import numbers
+
+Key = TypeVar("Key")
+
+FILTERS: Mapping[str, Callable[..., object]] = {
+    "scientific": numbers.scientific,
+    "percent": numbers.percent,
+    "unbroken": numbers.unbroken,
+    "with_code": numbers.with_code,
+}
+
+
+def render_page(
+    package: str,
+    template: str,
+    context: Mapping[str, Any],
+    *,
+    feature: str = "the HTML report",
+    filters: Mapping[str, Callable[..., object]] | None = None,
+    styles: Sequence[str] = (),
+) -> bytes:
+    """A template filled in; names and words are escaped.
+
+    Parameters
+    ----------
+    package : str
+        In whose folder ``templates`` the template and its style sheets are.
+    template : str
+        Name of its file.
+    context : mapping of str to object
+        What the template may name; ``css`` is put in.
+    feature : str
+        What the page is, for the message if jinja2 is missing.
+    filters : mapping of str to function, optional
+        Beside `FILTERS`.
+    styles : sequence of str
+        Style sheets after that of the report.
+
+    Raises
+    ------
+    MissingExtraError
+        If jinja2 is not installed.
+    """
+    try:
+        import jinja2
+    except ImportError:
+        raise MissingExtraError(feature, "jinja2", "report") from None
+    environment = jinja2.Environment(
+        autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
+    environment.filters.update({**FILTERS, **(filters or {})})
+    css = [_text("bodymeasure.report", "report.css"), *(_text(package, name) for name in styles)]
+    page = environment.from_string(_text(package, template))
+    return page.render(**context, css="\n".join(css)).encode()
+
+
+def _text(package: str, name: str) -> str:
+    return files(package).joinpath("templates", name).read_text("utf-8")
+
+
+def moment(created: str) -> str:
+    """A time in ISO 8601 as people read it."""
+    when = datetime.fromisoformat(created)
+    return f"{when:%Y-%m-%d %H:%M} {when.tzname() or ''}".strip()
+
+
+def data_uri(content: bytes) -> str:
+    """A PNG or SVG picture as the value of an ``src`` attribute."""
+    kind = "image/png" if content.startswith(b"\x89PNG") else "image/svg+xml"
+    return f"data:{kind};base64,{base64.b64encode(content).decode()}"
+
+
+def images(pictures: Mapping[Key, bytes]) -> dict[Key, dict[str, Any]]:
+    """PNG pictures by key, each with its address, width and height."""
+    found = {}
+    for key, content in pictures.items():
+        # The header chunk of a PNG comes first: width and height as big-endian words.
+        width, height = (int.from_bytes(content[at : at + 4], "big") for at in (16, 20))
+        found[key] = {"uri": data_uri(content), "width": width, "height": height}
+    return found
