@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Sequence
 from typing import Annotated, Any, Final, Literal
 
-import msgspec
 from msgspec import Meta, Struct
+
+from bodymeasure.report.serial import csv_bytes, json_bytes, struct_schema
 
 SCHEMA: Final = "bodymeasure measurements"
 VERSION: Final = 1
@@ -154,24 +153,12 @@ class Document(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 def json_schema() -> dict[str, Any]:
     """JSON Schema (draft 2020-12) of ``measurements.json``."""
-    schema = msgspec.json.schema(Document)
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": SCHEMA, **schema}
+    return struct_schema(Document, SCHEMA)
 
 
 def to_json(document: Document) -> bytes:
     """A document as JSON, one finding or measurement a line; every float round-trips."""
-    members = []
-    for field in document.__struct_fields__:
-        value = getattr(document, field)
-        content = _lines(value) if isinstance(value, list) else msgspec.json.encode(value)
-        members.append(msgspec.json.encode(field) + b": " + content)
-    return b"{\n" + b",\n".join(members) + b"\n}\n"
-
-
-def _lines(items: Sequence[Struct]) -> bytes:
-    if not items:
-        return b"[]"
-    return b"[\n" + b",\n".join(msgspec.json.encode(item) for item in items) + b"\n]"
+    return json_bytes(document)
 
 
 def to_csv(measurements: Sequence[Measurement]) -> bytes:
@@ -180,12 +167,7 @@ def to_csv(measurements: Sequence[Measurement]) -> bytes:
     The columns are the fields of `Measurement` in their order, with the ends' parameters as
     ``start_u``, ``start_v``, ``end_u`` and ``end_v``. Null is an empty field.
     """
-    text = io.StringIO(newline="")
-    writer = csv.writer(text, lineterminator="\r\n")
-    writer.writerow(CSV_COLUMNS)
-    for measurement in measurements:
-        writer.writerow(_flat(measurement))
-    return text.getvalue().encode()
+    return csv_bytes(CSV_COLUMNS, map(_flat, measurements))
 
 
 def _flat(measurement: Measurement) -> list[object]:

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import msgspec
-
 from bodymeasure.files import make_folder, write_all
 from bodymeasure.report.html import Pictures, render_html
 from bodymeasure.report.records import Document, json_schema, to_csv, to_json
+from bodymeasure.report.serial import schema_bytes
 
 
 def write_report(
@@ -46,10 +45,7 @@ def write_report(
         folder / "report.html": render_html(document, pictures),
         folder / "measurements.json": to_json(document),
         folder / "measurements.csv": to_csv(document.measurements),
-        folder / "measurements.schema.json": msgspec.json.format(
-            msgspec.json.encode(json_schema()), indent=2
-        )
-        + b"\n",
+        folder / "measurements.schema.json": schema_bytes(json_schema()),
     }
     make_folder(folder)
     write_all(contents)
