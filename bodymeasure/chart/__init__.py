@@ -1,5 +1,6 @@
 """A chart of body measurements: definitions as data, landmarks by rule, results with statuses."""
 
+from bodymeasure.chart.accuracy import AccuracyClass, accuracy_class
 from bodymeasure.chart.definitions import (
     BreadthMeasure,
     ChordMeasure,
@@ -20,6 +21,7 @@ from bodymeasure.chart.derive import Derived, derive_landmarks
 from bodymeasure.chart.measured import Chart, Measured, Outcome, Tape, TapeKind
 
 __all__ = [
+    "AccuracyClass",
     "BreadthMeasure",
     "Chart",
     "ChordMeasure",
@@ -40,5 +42,6 @@ __all__ = [
     "PathMeasure",
     "Tape",
     "TapeKind",
+    "accuracy_class",
     "derive_landmarks",
 ]

@@ -42,7 +42,9 @@ def saddles_between(atlas: Atlas, low: float, high: float, near: _Array) -> list
     inside = (heights.min(axis=(1, 2)) <= high) & (heights.max(axis=(1, 2)) >= low)
     patches = np.flatnonzero(inside)
     found = [*_in_patches(heights, patches), *_on_seams(heights, patches, edge_table(atlas.index))]
-    corners = [AtlasPoint(int(p), float(u), float(v)) for p in patches for u in (0, 1) for v in (0, 1)]
+    corners = [
+        AtlasPoint(int(p), float(u), float(v)) for p in patches for u in (0, 1) for v in (0, 1)
+    ]
     for candidates in (found, corners):
         points = [p for p in candidates if low <= atlas.position(p) @ atlas.axes.up_vector <= high]
         if points:

@@ -57,7 +57,12 @@ def render_page(
     except ImportError:
         raise MissingExtraError(feature, "jinja2", "report") from None
     environment = jinja2.Environment(
-        autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        # For the macros that several pages share.
+        loader=jinja2.FunctionLoader(lambda name: _text("bodymeasure.report", name)),
     )
     environment.filters.update({**FILTERS, **(filters or {})})
     css = [_text("bodymeasure.report", "report.css"), *(_text(package, name) for name in styles)]

@@ -108,9 +108,7 @@ def outer_hull(arc: SectionLoop, turn: float) -> Hull:
     """
     loop = BridgedLoop((arc,))
 
-    def corners(
-        place: NDArray[np.float64], flat: NDArray[np.float64]
-    ) -> NDArray[np.int64]:
+    def corners(place: NDArray[np.float64], flat: NDArray[np.float64]) -> NDArray[np.int64]:
         # The line back from the end to the start comes last.
         end = int(np.searchsorted(place, float(arc.count)))
         return _outer_corners(flat, end, turn)
