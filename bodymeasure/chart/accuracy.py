@@ -5,18 +5,7 @@ from __future__ import annotations
 import re
 from enum import StrEnum
 
-from bodymeasure.chart.definitions import (
-    BreadthMeasure,
-    ChordMeasure,
-    ClosedMeasure,
-    DepthMeasure,
-    ExtremeGirthMeasure,
-    FormulaMeasure,
-    GirthMeasure,
-    HeightMeasure,
-    LimbGirthMeasure,
-    Measurement,
-)
+from bodymeasure.chart.definitions import Measurement
 
 
 class AccuracyClass(StrEnum):
@@ -47,6 +36,9 @@ _MAXIMUM_ERROR_MM = {
     AccuracyClass.SMALL_GIRTH: 4.0,
 }
 
+# Kinds of which every one is a girth.
+GIRTHS = ("girth", "tilted girth", "extreme girth", "closed")
+
 # The standard's examples are the chest for large girths and the neck for small ones. Those of the
 # trunk are taken as large here, all others as small: the stricter reading.
 _NOT_TRUNK = re.compile(
@@ -68,29 +60,20 @@ def accuracy_class(definition: Measurement) -> AccuracyClass | None:
     AccuracyClass or None
         None for angles, which the standard has no class for.
     """
-    name = definition.name
-    match definition:
-        case FormulaMeasure(angle=True):
-            return None
-        case LimbGirthMeasure() | ExtremeGirthMeasure(limb=True):
-            return AccuracyClass.SMALL_GIRTH
-        case GirthMeasure() | ExtremeGirthMeasure() | ClosedMeasure():
-            return _girth_class(name)
-        case HeightMeasure(above=above):
-            # From one landmark to another it is the length of a segment.
-            return AccuracyClass.HEIGHT if above is None else AccuracyClass.SEGMENT_LENGTH
-        case BreadthMeasure():
-            return AccuracyClass.BREADTH
-        case DepthMeasure():
-            return AccuracyClass.DEPTH
-        case ChordMeasure() if _BREADTH.search(name):
-            return AccuracyClass.BREADTH
-        case _ if _GIRTH.search(name):
-            # Through landmarks round the body, or the sum of arcs.
-            return _girth_class(name)
-        case _:
-            return AccuracyClass.SEGMENT_LENGTH
-
-
-def _girth_class(name: str) -> AccuracyClass:
-    return AccuracyClass.SMALL_GIRTH if _NOT_TRUNK.search(name) else AccuracyClass.LARGE_GIRTH
+    kind, name = definition.__struct_config__.tag, definition.name
+    if getattr(definition, "angle", False):
+        return None
+    if kind == "limb girth" or getattr(definition, "limb", False):
+        return AccuracyClass.SMALL_GIRTH
+    # A formula may be the sum of arcs, and a path may lead round the body through landmarks.
+    if kind in GIRTHS or _GIRTH.search(name):
+        small = _NOT_TRUNK.search(name)
+        return AccuracyClass.SMALL_GIRTH if small else AccuracyClass.LARGE_GIRTH
+    if kind == "height" and getattr(definition, "above", None) is None:
+        return AccuracyClass.HEIGHT
+    if kind == "breadth" or (kind == "chord" and _BREADTH.search(name)):
+        return AccuracyClass.BREADTH
+    if kind == "depth":
+        return AccuracyClass.DEPTH
+    # Among them heights above another landmark than the floor.
+    return AccuracyClass.SEGMENT_LENGTH

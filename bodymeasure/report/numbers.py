@@ -17,8 +17,8 @@ DECIMALS = {Unit.M: 4, Unit.CM: 2, Unit.MM: 1, Unit.INCH: 2}
 SMALLEST_MILLIMETERS = 0.0001
 
 NONE = "\N{EN DASH}"
-_SPACE = "\N{NO-BREAK SPACE}"
-_MINUS = "\N{MINUS SIGN}"
+SPACE = "\N{NO-BREAK SPACE}"
+MINUS = "\N{MINUS SIGN}"
 _TIMES = "\N{MULTIPLICATION SIGN}"
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -35,13 +35,13 @@ def scientific(value: float | None, *, signed: bool = False) -> str:
     if value == 0.0:
         return "0"
     mantissa, exponent = f"{abs(value):.1e}".split("e")
-    sign = _MINUS if value < 0 else "+" if signed else ""
-    return f"{sign}{mantissa}{_SPACE}{_TIMES}{_SPACE}10{str(int(exponent)).translate(_SUPERSCRIPT)}"
+    sign = MINUS if value < 0 else "+" if signed else ""
+    return f"{sign}{mantissa}{SPACE}{_TIMES}{SPACE}10{str(int(exponent)).translate(_SUPERSCRIPT)}"
 
 
 def percent(value: float | None, decimals: int = 2) -> str:
     """A signed ratio in percent; a dash for none."""
-    return NONE if value is None else f"{100.0 * value:+.{decimals}f}{_SPACE}%".replace("-", _MINUS)
+    return NONE if value is None else f"{100.0 * value:+.{decimals}f}{SPACE}%".replace("-", MINUS)
 
 
 def millimeters(length: float | None, unit: Unit | str) -> str:
@@ -50,14 +50,18 @@ def millimeters(length: float | None, unit: Unit | str) -> str:
         return NONE
     value = abs(convert_length(length, Unit.parse(unit), Unit.MM))
     if value < SMALLEST_MILLIMETERS:
-        return f"<{_SPACE}{SMALLEST_MILLIMETERS}{_SPACE}mm"
+        return f"<{SPACE}{SMALLEST_MILLIMETERS}{SPACE}mm"
     decimals = 4 if value < 0.01 else 3 if value < 1.0 else 1
-    return f"{value:.{decimals}f}{_SPACE}mm"
+    return f"{value:.{decimals}f}{SPACE}mm"
 
 
 def at_most(length: float | None, unit: Unit | str) -> str:
     """A bound in words: ``at most 0.012 mm`` or ``less than 0.0001 mm``."""
-    size = millimeters(length, unit)
+    return as_bound(millimeters(length, unit))
+
+
+def as_bound(size: str) -> str:
+    """The size of a small length as a bound in words."""
     return size.replace("<", "less than") if size.startswith("<") else f"at most {size}"
 
 

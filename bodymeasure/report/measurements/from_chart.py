@@ -6,8 +6,6 @@ import math
 from collections import Counter
 from datetime import UTC, datetime
 
-import msgspec
-
 from bodymeasure.atlas import Unit, convert_length
 from bodymeasure.chart import Chart, Measured, Measurement, accuracy_class
 from bodymeasure.report.measurements.records import (

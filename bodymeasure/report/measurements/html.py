@@ -1,0 +1,73 @@
+"""A chart of body measurements as one self-contained page."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Protocol
+
+from bodymeasure.report.measurements import views
+from bodymeasure.report.measurements.records import ChartDocument
+from bodymeasure.report.measurements.tape import small_text
+from bodymeasure.report.templating import images, moment, render_page
+from bodymeasure.report.views import UNIT_NAMES
+
+
+class TapePictures(Protocol):
+    """Pictures of a chart's tapes, as `bodymeasure.scene.tape_pictures` returns them."""
+
+    @property
+    def body(self) -> Mapping[str, bytes]:
+        """PNG of the body with all tapes, numbered, by side: front, back, left, right."""
+
+    @property
+    def closeups(self) -> Mapping[str, bytes]:
+        """PNG of a tape from close by, by key of the measurement."""
+
+    @property
+    def numbers(self) -> Mapping[str, int]:
+        """The numbers drawn, by key of the measurement."""
+
+    @property
+    def note(self) -> str:
+        """What there is to say about how they were drawn; may be empty."""
+
+
+def render_chart(document: ChartDocument, pictures: TapePictures | None = None) -> bytes:
+    """A chart and its pictures as one HTML page that loads nothing else.
+
+    Parameters
+    ----------
+    document : ChartDocument
+    pictures : TapePictures, optional
+        The page has none if not given.
+
+    Raises
+    ------
+    MissingExtraError
+        If jinja2 is not installed.
+    """
+    return render_page(
+        "bodymeasure.report",
+        "measurements.html.j2",
+        _context(document, pictures),
+        feature="the page of measurements",
+        styles=("measurements.css",),
+    )
+
+
+def _context(document: ChartDocument, pictures: TapePictures | None) -> dict[str, Any]:
+    return {
+        "document": document,
+        "groups": views.groups(document, None if pictures is None else pictures.numbers),
+        "tiles": views.tiles(document),
+        "sentences": views.summary_sentences(document),
+        "unmeasured": views.unmeasured(document),
+        "remarked": views.remarked(document),
+        "inches": document.unit == "inch",
+        "unit_name": UNIT_NAMES[document.unit],
+        "created": moment(document.created),
+        "body": {} if pictures is None else images(pictures.body),
+        "closeups": {} if pictures is None else images(pictures.closeups),
+        "picture_note": "" if pictures is None else pictures.note,
+        "text": {"small": small_text},
+    }

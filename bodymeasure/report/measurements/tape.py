@@ -1,0 +1,72 @@
+"""Lengths as a tape shows them: to the millimeter, or in inches and fractions of one."""
+
+from __future__ import annotations
+
+from math import floor
+
+from bodymeasure.report.numbers import MINUS, NONE, SPACE, millimeters
+
+# A tape is read to a millimeter (0.01 inch is a quarter of one), an angle to a tenth of a degree.
+TAPE_DECIMALS = {"m": 3, "cm": 1, "mm": 0, "inch": 2, "deg": 1}
+
+# Marks on a tape in inches.
+SIXTEENTHS = 16
+
+# Below this many inches no garment or scan knows anything.
+SMALLEST_INCHES = 0.0001
+
+
+def tape_text(value: float | None, unit: str, error: float | None = None) -> str:
+    """A value without its unit, to as many digits as a tape shows and its error leaves sure.
+
+    Parameters
+    ----------
+    value : float or None
+        A dash stands for None.
+    unit : str
+        m, cm, mm, inch or deg.
+    error : float, optional
+        Of `value`; digits are left out while it is more than half a unit of the last one.
+    """
+    if value is None:
+        return NONE
+    decimals = TAPE_DECIMALS[unit]
+    while decimals > 0 and error is not None and error > 0.5 * 10.0**-decimals:
+        decimals -= 1
+    text = f"{value:.{decimals}f}"
+    # No minus sign before a zero.
+    return text.removeprefix("-") if float(text) == 0.0 else text.replace("-", MINUS)
+
+
+def small_text(length: float | None, unit: str) -> str:
+    """The size of a small length with its unit: in inches if `unit` is, else in millimeters."""
+    if unit != "inch" or length is None:
+        return millimeters(length, unit)
+    if abs(length) < SMALLEST_INCHES:
+        return f"<{SPACE}{SMALLEST_INCHES}{SPACE}in"
+    return f"{abs(length):.{4 if abs(length) < 0.1 else 2}f}{SPACE}in"
+
+
+def tailor_inches(value: float | None, error: float | None = None) -> str:
+    """A length in inches as tailors write it: ``33 1/8``, to the nearest sixteenth.
+
+    Parameters
+    ----------
+    value : float or None
+        In inches; a dash stands for None.
+    error : float, optional
+        Of `value`, in inches; eighths, quarters or halves are given if it leaves no more sure.
+    """
+    if value is None:
+        return NONE
+    marks = SIXTEENTHS
+    while marks > 1 and error is not None and error > 0.5 / marks:
+        marks //= 2
+    # Halves go up, away from zero, as on a tape that is read from either end.
+    total = floor(abs(value) * marks + 0.5)
+    whole, rest = divmod(total, marks)
+    while rest and rest % 2 == 0:
+        rest, marks = rest // 2, marks // 2
+    words = [str(whole)] if whole or not rest else []
+    words += [f"{rest}/{marks}"] if rest else []
+    return (MINUS if value < 0 and total else "") + SPACE.join(words)

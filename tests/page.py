@@ -1,0 +1,70 @@
+"""A page, parsed strictly."""
+
+from __future__ import annotations
+
+import re
+from html.parser import HTMLParser
+
+VOID = {"meta", "img", "br", "link", "input", "hr"}
+
+
+class Page(HTMLParser):
+    """Parses strictly: every element that needs an end tag must have it, in order."""
+
+    def __init__(self, content: bytes) -> None:
+        super().__init__(convert_charrefs=True)
+        self.source = content.decode()
+        self.open: list[str] = []
+        self.elements: list[tuple[str, dict[str, str | None]]] = []
+        self.words: list[str] = []
+        self.feed(self.source)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        names = [name for name, _ in attrs]
+        assert len(names) == len(set(names)), f"<{tag}> repeats an attribute"
+        self.elements.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.elements.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open, f"</{tag}> closes nothing"
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        if not {"style", "title"} & set(self.open):
+            self.words.append(data)
+
+    @property
+    def text(self) -> str:
+        return re.sub(r"[\s\u00a0]+", " ", "".join(self.words))
+
+    def all(self, tag: str) -> list[dict[str, str | None]]:
+        return [attributes for name, attributes in self.elements if name == tag]
+
+    def check_links(self) -> None:
+        """Identifiers are unique, and every reference leads to one."""
+        identifiers = [a["id"] for _, a in self.elements if "id" in a]
+        assert len(identifiers) == len(set(identifiers))
+        targets = [(a["href"] or "").removeprefix("#") for a in self.all("a")]
+        assert targets
+        assert set(targets) <= set(identifiers)
+        referred = [a["aria-labelledby"] for _, a in self.elements if "aria-labelledby" in a]
+        assert set(referred) <= set(identifiers)
+        scopes = {header.get("scope") for header in self.all("th")}
+        assert scopes <= {"col", "row", "colgroup", "rowgroup"}
+
+    def check_self_contained(self) -> None:
+        """Nothing is loaded from elsewhere."""
+        for tag, attributes in self.elements:
+            assert tag not in {"link", "script", "iframe", "object", "base"}
+            for name in ("src", "href", "srcset", "data", "action", "poster"):
+                value = attributes.get(name)
+                assert value is None or value.startswith(("data:image/", "#")), (tag, name)
+        style = self.source.split("<style>")[1].split("</style>")[0]
+        assert "url(" not in style
+        assert "@import" not in style

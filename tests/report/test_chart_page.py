@@ -1,0 +1,133 @@
+from __future__ import annotations
+
+import math
+import re
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hand_made_chart import HOSTILE, MEASURED, hand_made_chart, tape_pictures
+from page import Page
+
+from bodymeasure.errors import InputError, MissingExtraError
+from bodymeasure.report.measurements import chart_document, render_chart, write_chart
+
+
+def page_of(unit: str = "cm", pictures: Any = None, **changes: Any) -> Page:
+    return Page(render_chart(chart_document(hand_made_chart(**changes), unit), pictures))
+
+
+@pytest.fixture
+def page() -> Page:
+    return page_of(pictures=tape_pictures())
+
+
+def test_the_page_is_well_formed_and_stands_alone(page: Page) -> None:
+    page.check_links()
+    page.check_self_contained()
+
+
+def test_names_are_escaped(page: Page) -> None:
+    assert "<script" not in page.source
+    assert "<b>Lengths" not in page.source
+    assert HOSTILE in page.text
+    assert "Body measurements of Anna <Muster>" in page.text
+    assert "Drawn without <OpenGL>." in page.text
+    assert "the points are <close>" in page.text
+
+
+def test_every_tape_has_its_picture_and_its_number(page: Page) -> None:
+    images = page.all("img")
+    assert len(images) == 4 + 5
+    assert all(len(image["alt"] or "") > 20 for image in images)
+    assert {(i["width"], i["height"]) for i in images} == {("300", "500"), ("64", "48")}
+    # The numbers are those drawn, not the places in the chart.
+    assert "5. Shoulder slope" in page.text
+    assert "7. Shoulder slope" in page_of().text
+    # What was not drawn has none.
+    assert re.search(rf"\d\. {re.escape(HOSTILE)}", page.text) is None
+
+
+def test_values_have_the_digits_of_a_tape(page: Page) -> None:
+    for shown in ("91.3", "92.3", "10.2 mm", "30.2", "23.6°", "torso front 50.0", "elsewhere 42.3"):
+        assert shown in page.text
+    # The left arm is known to 4 mm only.
+    assert "30.1" not in page.text
+    assert "91.32" not in page.text
+    assert re.search(r"\b(nan|None|inf)\b", page.text) is None
+
+
+def test_inches_stand_beside_fractions() -> None:
+    text = page_of("inch").text
+    assert "35.95 (35 15/16)" in text
+    assert "0.40 in" in text
+    assert re.search(r"\bmm\b", text) is None
+    # Angles have no fractions.
+    assert "23.6°" in text
+    assert "23.6° (" not in text
+
+
+def test_what_is_missing_is_told_with_its_reason(page: Page) -> None:
+    assert "5 of 7" in page.text
+    assert "2 could not and have no value here (not converged: 1; missing landmark: 1)" in page.text
+    assert "no route <here>; run bodymeasure check" in page.text
+    assert "lacks the landmark 'waist'; set it on the atlas" in page.text
+    assert "no rule for it" in page.text
+    whole = page_of(
+        measured=tuple(item for item in MEASURED if math.isfinite(item.value)),
+        missing_landmarks={},
+    )
+    assert "All could be measured." in whole.text
+    assert "Not measured" not in whole.text.partition("Summary")[0]
+    whole.check_links()
+
+
+def test_a_chart_of_nothing_is_a_page_too() -> None:
+    page = page_of(measured=(), landmarks={}, missing_landmarks={})
+    page.check_links()
+    assert "0 of 0" in page.text
+
+
+def test_the_sheet_for_the_hand_has_a_blank_for_each(page: Page) -> None:
+    blanks = [a for a in page.all("td") if a.get("class") == "blank"]
+    assert len(blanks) == len(MEASURED)
+    assert "@media print" in page.source
+
+
+def test_each_measurement_tells_words_landmarks_and_regions(page: Page) -> None:
+    for told in ("Horizontal, over the bust points", "Landmarks: bust point left.", "(5.3.4)"):
+        assert told in page.text
+    assert "shoulder <length>" in page.text
+
+
+def test_without_jinja2_the_message_names_the_extra(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "jinja2", None)
+    with pytest.raises(MissingExtraError, match=r"bodymeasure\[report\]"):
+        page_of()
+
+
+FILES = {
+    "chart.html",
+    "measurements.json",
+    "measurements.csv",
+    "measurements.schema.json",
+    "anna.smis",
+    "freesewing.json",
+}
+
+
+def test_all_files_are_written_or_none(tmp_path: Path) -> None:
+    document = chart_document(hand_made_chart(), "cm")
+    folder = tmp_path / "new" / "chart"
+    paths = write_chart(document, folder, stem="anna", pictures=tape_pictures())
+    assert paths[0] == folder / "chart.html"
+    assert {path.name for path in folder.iterdir()} == {path.name for path in paths} == FILES
+    (folder / "freesewing.json").unlink()
+    (folder / "freesewing.json").mkdir()
+    before = (folder / "measurements.csv").read_bytes()
+    other = chart_document(replace(hand_made_chart(), measured=()), "cm")
+    with pytest.raises(InputError, match=r"freesewing\.json: cannot be written"):
+        write_chart(other, folder, stem="anna")
+    assert (folder / "measurements.csv").read_bytes() == before
