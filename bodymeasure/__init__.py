@@ -35,6 +35,7 @@ from bodymeasure.geodesic import (
     SeamCrossing,
     Shooting,
     Status,
+    geodesic_alternatives,
     geodesic_between,
     solve_geodesic,
 )
@@ -87,6 +88,7 @@ __all__ = [
     "convert_length",
     "diagonals",
     "extreme_girth",
+    "geodesic_alternatives",
     "geodesic_between",
     "homogeneous",
     "limb_girth",

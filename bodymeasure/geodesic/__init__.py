@@ -1,5 +1,6 @@
 """Geodesics on one patch and across patches: trial spaces, methods, routes, solutions."""
 
+from bodymeasure.geodesic.alternatives import geodesic_alternatives
 from bodymeasure.geodesic.atlas_path import AtlasPath, PathPiece, SeamCrossing
 from bodymeasure.geodesic.between import geodesic_between
 from bodymeasure.geodesic.kernels import WU_C2, WU_C4, WU_C6, WU_C10, Kernel
@@ -35,6 +36,7 @@ __all__ = [
     "Search",
     "Shooting",
     "Status",
+    "geodesic_alternatives",
     "geodesic_between",
     "solve_geodesic",
 ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,30 +24,62 @@ ON_SIDE = 1e-7
 ON_EDGE = 1e-9
 
 
+class Segments(NamedTuple):
+    """A path over a triangle mesh, segment by segment.
+
+    Parameters
+    ----------
+    places : list of pair of Place
+        Both ends of each segment, on the patch of a face that holds it. None for a path that stays
+        where it is.
+    points : ndarray, shape (segments + 1, 3)
+        Positions on the mesh.
+    """
+
+    places: list[tuple[Place, Place]]
+    points: _Array
+
+
 def first_route(
     atlas: Atlas, neighbors: Neighbors, ends: tuple[Place, Place], segments: int = SEGMENTS
 ) -> Route | None:
     """The route of the shortest path over a tessellation; None if none is found."""
-    start, end = ends
+    found = mesh_segments(atlas, *ends, segments)
+    return None if found is None else route_along(neighbors, ends, found.places)
+
+
+def mesh_segments(
+    atlas: Atlas, start: Place, end: Place, segments: int = SEGMENTS
+) -> Segments | None:
+    """The shortest path over a tessellation; None if no path joins the two."""
     found = polyhedral_path(atlas, start, end, segments)
     if found is None:
         return None
     mesh, points, first = found
-    legs = list(_legs(mesh, points, first)) if len(points) > 1 else []
-    if not legs:
+    moves = (np.diff(points, axis=0) != 0.0).any(axis=1)
+    points = points[np.append(True, moves)]
+    return Segments(list(_legs(mesh, points, first)), points)
+
+
+def route_along(
+    neighbors: Neighbors, ends: tuple[Place, Place], segments: list[tuple[Place, Place]]
+) -> Route | None:
+    """The route of a path over a mesh, given by its segments; None if they hang not together."""
+    start, end = ends
+    if not segments:
         ways = neighbors.ways(start, end) if start.patch != end.patch else [()]
         return _route(start, end, ways[0]) if ways else None
-    start = _nearest(neighbors.same(start), legs[0][0])
-    end = _nearest(neighbors.same(end), legs[-1][1])
+    start = _nearest(neighbors.same(start), segments[0][0])
+    end = _nearest(neighbors.same(end), segments[-1][1])
     steps: list[Step] = []
-    for (_, leave), (enter, _) in pairwise(legs):
+    for (_, leave), (enter, _) in pairwise(segments):
         if leave.patch == enter.patch and _apart(leave, enter) < ON_SIDE:
             continue
         ways = neighbors.ways(leave, enter)
         if not ways:
             return None
         steps += ways[0]
-    if (start.patch, end.patch) != (legs[0][0].patch, legs[-1][1].patch):
+    if (start.patch, end.patch) != (segments[0][0].patch, segments[-1][1].patch):
         return None
     return _route(start, end, tuple(steps))
 
@@ -81,8 +114,6 @@ def _legs(mesh: RouteMesh, points: _Array, first: int) -> Iterator[tuple[Place, 
 
     corners, patch = np.array([first]), -1
     for here, there in pairwise(points):
-        if np.array_equal(here, there):
-            continue
         faces = faces_about(corners)
         weights = np.clip(barycentric(mesh.vertices[mesh.faces[faces]], there), 0.0, None)
         weights /= weights.sum(axis=1, keepdims=True)

@@ -23,7 +23,8 @@ ROOM = 1e-9
 
 
 @lru_cache(maxsize=4)
-def _whole_mesh(atlas: Atlas, segments: int) -> RouteMesh:
+def whole_mesh(atlas: Atlas, segments: int) -> RouteMesh:
+    """An atlas's tessellation; kept for the next path."""
     return RouteMesh.of(tessellate(atlas, segments))
 
 
@@ -61,7 +62,7 @@ def polyhedral_path(
     (1987). No path that is as short as the shortest along the edges leaves the ellipsoid about the
     two points whose axis is that long; what is outside is left out.
     """
-    mesh, source = inserted(_whole_mesh(atlas, segments), atlas, start)
+    mesh, source = inserted(whole_mesh(atlas, segments), atlas, start)
     mesh, target = inserted(mesh, atlas, end)
     if source == target:
         return mesh, mesh.vertices[[source]], source

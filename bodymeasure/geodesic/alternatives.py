@@ -1,0 +1,175 @@
+"""The shortest of really different ways between two points of an atlas."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.neighbors import Neighbors, Place
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.errors import ConvergenceError, InputError
+from bodymeasure.geodesic.atlas_ends import checked_places, topology
+from bodymeasure.geodesic.atlas_leg import join_legs, leg_along, shortest_leg
+from bodymeasure.geodesic.atlas_path import AtlasPath
+from bodymeasure.geodesic.patch_graph import patch_graph
+from bodymeasure.geodesic.route_reading import route_along
+from bodymeasure.geodesic.route_search import SHORTER
+from bodymeasure.geodesic.via_pairs import via_pairs
+from bodymeasure.geodesic.way_pull import along_way, pulled_way
+
+_Array = NDArray[np.float64]
+
+# Two paths are one if they are nowhere further apart, at equal parts of their lengths, than this
+# part of the shorter one. Ways a few micrometers to the left and right of a seam are no choice for
+# anyone.
+SAME = 0.02
+# A way on the mesh this near to a known path, likewise, would be pulled onto it.
+NEAR = 0.05
+# Where paths are compared.
+PARTS = np.linspace(0.0, 1.0, 33)
+# What is searched, in parts of the shortest way: more and more, until enough is found, or ways are
+# this many times as long as the longest that is the shortest to somewhere and on.
+FIRST_REACH, FURTHER, FARTHEST = 1.5, 2.0, 2.0
+# Rough ways are too long by less than this part; a longer one is worth no look if enough is found.
+SLACK = 0.1
+# Ways that are looked at in a region, at most.
+MOST_WAYS = 16
+
+
+def geodesic_alternatives(
+    atlas: Atlas, start: AtlasPoint, end: AtlasPoint, count: int = 3
+) -> tuple[AtlasPath, ...]:
+    """The shortest different ways between two points: round the front or the back, and so on.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    start, end : AtlasPoint
+    count : int
+        How many are wanted, at least 1.
+
+    Returns
+    -------
+    tuple of AtlasPath
+        The shortest first; fewer than `count` if no more are found. Each is shorter than all paths
+        close to it, and its length can be trusted. Any two are somewhere further apart, at equal
+        parts of their lengths, than 2 % of the shorter one's length.
+
+    Raises
+    ------
+    InputError
+        If a point is not on the atlas, the two are on parts that no seam joins, or `count` is not a
+        whole number above 0.
+    ConvergenceError
+        If there is no path whose length can be trusted.
+    MissingExtraError
+        If pygeodesic is not installed.
+
+    Notes
+    -----
+    Looked for are paths each third of which is the shortest between its own ends, as in
+    `bodymeasure.geodesic.via_pairs`: about a limb, those on either side and those that go round
+    little more than once. Each is pulled straight on the mesh and refined as by `geodesic_between`.
+    That none was missed is not proven.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> sides = (body.landmarks[f"side waist point {side}"] for side in ("left", "right"))
+    >>> paths = geodesic_alternatives(body, *sides, count=2)
+    >>> [f"{path.length:.4f} {body.unit}" for path in paths]
+    ['0.3036 m', '0.3852 m']
+    """
+    if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < 1:
+        raise InputError(f"count is {count!r}; expected how many paths, a whole number above 0")
+    neighbors = topology(atlas).neighbors
+    ends = checked_places(atlas, (start, end), ("the start", "the end"))
+    shortest = join_legs(atlas, (start, end), [shortest_leg(atlas, neighbors, *ends)])
+    # Of what has a length, each is shorter than all close to it.
+    found = [shortest] if shortest.converged else []
+    if not found or (count > 1 and shortest.length > 0.0):
+        _search(atlas, neighbors, (start, end), count, found)
+    if not found:
+        raise ConvergenceError(shortest.status.sentence)
+    return tuple(sorted(found, key=lambda path: path.length)[:count])
+
+
+def _search(
+    atlas: Atlas,
+    neighbors: Neighbors,
+    points: tuple[AtlasPoint, AtlasPoint],
+    count: int,
+    found: list[AtlasPath],
+) -> None:
+    """Add the other paths to those that are known, until there are enough."""
+    ends = tuple(Place(point.patch, point.u, point.v) for point in points)
+    for ways in _ways(atlas, (ends[0], ends[1])):
+        for length, vias in ways:
+            lengths = sorted(path.length for path in found)
+            if len(found) >= count and length > lengths[count - 1] * (1.0 + SLACK):
+                break
+            path = _path(atlas, neighbors, points, vias, found)
+            if path is None:
+                continue
+            same = [other for other in found if _are_one(path, other)]
+            if all(path.length < other.length * (1.0 - SHORTER) for other in same):
+                for other in same:
+                    found.remove(other)
+                found.append(path)
+        if len(found) >= count:
+            return
+
+
+def _ways(
+    atlas: Atlas, ends: tuple[Place, Place]
+) -> Iterator[list[tuple[float, tuple[Place, Place]]]]:
+    """Rough ways: their lengths and what they lead through, in wider and wider regions."""
+    graph = patch_graph(atlas)
+    to_start, to_end = (graph.distances(atlas, place) for place in ends)
+    through = to_start + to_end
+    farthest = FARTHEST * through[np.isfinite(through)].max()
+    reach = FIRST_REACH * through.min()
+    while True:
+        pairs = via_pairs(graph, to_start, to_end, reach)
+        yield [
+            (length, (graph.places[first], graph.places[second]))
+            for length, first, second in pairs[:MOST_WAYS]
+        ]
+        if reach >= farthest:
+            return
+        reach *= FURTHER
+
+
+def _path(
+    atlas: Atlas,
+    neighbors: Neighbors,
+    points: tuple[AtlasPoint, AtlasPoint],
+    vias: tuple[Place, Place],
+    known: list[AtlasPath],
+) -> AtlasPath | None:
+    """The shortest path near a way; None if there is none, or it is known without a look."""
+    start, end = (Place(point.patch, point.u, point.v) for point in points)
+    way = pulled_way(atlas, (start, *vias, end))
+    if way is None or not way.places:
+        return None
+    course = along_way(way.points, PARTS)
+    if any(_apart(course, path.position(PARTS)) <= NEAR * path.length for path in known):
+        return None
+    route = route_along(neighbors, (start, end), way.places)
+    if route is None:
+        return None
+    path = join_legs(atlas, points, [leg_along(atlas, neighbors, route)])
+    return path if path.converged else None
+
+
+def _are_one(path: AtlasPath, other: AtlasPath) -> bool:
+    apart = _apart(path.position(PARTS), other.position(PARTS))
+    return apart <= SAME * min(path.length, other.length)
+
+
+def _apart(points: _Array, others: _Array) -> float:
+    return float(np.linalg.norm(points - others, axis=1).max())
