@@ -8,6 +8,7 @@ from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, Edge, EdgeTable, edge_table, sides_of
 from bodymeasure.atlas.tessellation import Tessellation, tessellate
 from bodymeasure.atlas.units import Unit, convert_length
+from bodymeasure.atlas.weld import weld
 
 __all__ = [
     "EDGES",
@@ -28,4 +29,5 @@ __all__ = [
     "edge_table",
     "sides_of",
     "tessellate",
+    "weld",
 ]

@@ -20,13 +20,11 @@ from bodymeasure.atlas.gaps import (
 from bodymeasure.atlas.joins import kink_angles, parts, seams_of, turned_patches
 from bodymeasure.atlas.normals import normal_coefficients
 from bodymeasure.atlas.seams import EDGES, edge_table
+from bodymeasure.atlas.size import require_size
 from bodymeasure.bezier import project
-from bodymeasure.errors import InputError
 
 # Degrees. Fitted bodies have seams within 2 nearly everywhere; paths bend visibly from here on.
 KINK = 15.0
-# Sizes and coordinates beyond this, and sizes below its inverse, are mistakes.
-LARGEST = 1e60
 
 
 def check_atlas(atlas: Atlas) -> tuple[Finding, ...]:
@@ -49,8 +47,8 @@ def check_atlas(atlas: Atlas) -> tuple[Finding, ...]:
     InputError
         If the atlas is so large or so small that squares of its areas are no numbers.
     """
-    _check_size(atlas)
     control_points = atlas.control_points
+    require_size(project(control_points).reshape(-1, 3), atlas.unit)
     normals = normal_coefficients(control_points)
     degeneracy = find_degeneracy(project(control_points), normals)
     findings = degeneracy_findings(atlas, degeneracy)
@@ -69,18 +67,6 @@ def check_atlas(atlas: Atlas) -> tuple[Finding, ...]:
     return tuple(
         sorted(findings, key=lambda f: (f.severity != Severity.ERROR, order[f.kind], f.patches))
     )
-
-
-def _check_size(atlas: Atlas) -> None:
-    points = project(atlas.control_points).reshape(-1, 3)
-    extent = np.abs(points).max(initial=0.0)
-    if extent <= LARGEST:
-        extent = np.abs(points - points[:1]).max(initial=0.0)
-    if extent > LARGEST or 0.0 < extent < 1.0 / LARGEST:
-        raise InputError(
-            f"the atlas extends over {extent:.3g} {atlas.unit}; expected a size between "
-            f"{1.0 / LARGEST:g} and {LARGEST:g}: choose another unit"
-        )
 
 
 def _side(atlas: Atlas, patch: int, side: int) -> str:

@@ -49,6 +49,12 @@ class Degeneracy:
     corners: NDArray[np.bool_]
 
 
+def collapsed_sides(control_points: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Sides, in the order of `EDGES`, that are a point beside their patch; shape (patches, 4)."""
+    extent = np.linalg.norm(np.ptp(sides_of(control_points), axis=2), axis=-1)
+    return np.asarray(extent <= SAME_PLACE * patch_sizes(control_points)[:, None])
+
+
 def find_degeneracy(
     control_points: NDArray[np.float64], normals: NDArray[np.float64]
 ) -> Degeneracy:
@@ -67,9 +73,7 @@ def find_degeneracy(
     largest = np.linalg.norm(normals, axis=-1).max(axis=(1, 2))
     patches = points | (largest <= NO_AREA * sizes**2)
 
-    sides = sides_of(control_points)
-    extent = np.linalg.norm(np.ptp(sides, axis=2), axis=-1)
-    edges = (extent <= SAME_PLACE * sizes[:, None]) & ~patches[:, None]
+    edges = collapsed_sides(control_points) & ~patches[:, None]
 
     corners = np.empty_like(edges)
     for number, ((i, j), (fixed_u, fixed_v)) in enumerate(zip(CORNERS, _CORNER_SIDES, strict=True)):

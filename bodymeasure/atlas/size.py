@@ -1,0 +1,36 @@
+"""How large and how small an atlas may be."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.errors import InputError
+
+# Sizes and coordinates beyond this, and sizes below its inverse, are mistakes.
+LARGEST = 1e60
+
+
+def require_size(points: NDArray[np.float64], unit: str = "") -> None:
+    """Refuse points so far or so close that squares of their areas are no numbers.
+
+    Parameters
+    ----------
+    points : ndarray, shape (n, 3)
+    unit : str
+        For the message.
+
+    Raises
+    ------
+    InputError
+        The extent, and what was expected.
+    """
+    extent = np.abs(points).max(initial=0.0)
+    if extent <= LARGEST:
+        extent = np.abs(points - points[:1]).max(initial=0.0)
+    if extent > LARGEST or 0.0 < extent < 1.0 / LARGEST:
+        over = f"{extent:.3g} {unit}".rstrip()
+        raise InputError(
+            f"the atlas extends over {over}; expected a size between "
+            f"{1.0 / LARGEST:g} and {LARGEST:g}: choose another unit"
+        )

@@ -1,0 +1,83 @@
+"""Welding: patches that are given without topology are joined where their edges coincide."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas.components import connected_components
+from bodymeasure.atlas.degeneracy import collapsed_sides
+from bodymeasure.atlas.gaps import free_edges, near_seams, welded_index
+from bodymeasure.atlas.seams import EdgeTable, edge_table
+from bodymeasure.atlas.size import require_size
+
+_Points = NDArray[np.float64]
+_Index = NDArray[np.int64]
+
+
+def weld(control_points: _Points, tolerance: float | None = None) -> tuple[_Points, _Index]:
+    """Join patches by their edges, in either direction.
+
+    Parameters
+    ----------
+    control_points : ndarray, shape (patches, 4, 4, 3)
+        Finite.
+    tolerance : float, optional
+        Edges that run no farther apart than this are joined too, if that is little beside their
+        length and their patches' width (`gaps.NEAR`). Without it, those are whose control points
+        differ by no more than rounding (`degeneracy.SAME_PLACE` of the edge's length).
+
+    Returns
+    -------
+    points : ndarray, shape (n, 3)
+        Of control points that are joined, the place of the first.
+    index : ndarray of int, shape (patches, 4, 4)
+
+    Raises
+    ------
+    InputError
+        If the patches are so large or so small that their areas are no numbers.
+
+    Notes
+    -----
+    Of an edge that is a single point, the four control points become one. T-junctions and wider
+    gaps stay as they are: `check_atlas` tells of them.
+    """
+    require_size(control_points.reshape(-1, 3))
+    own = np.arange(control_points[..., 0].size, dtype=np.int64).reshape(-1, 4, 4)
+    places = same_places(control_points.reshape(-1, 3)).reshape(own.shape)
+    collapsed = collapsed_sides(control_points)
+    # Nearly always the coordinates are the same to the last bit; only the rest needs a tolerance.
+    index = _join_same(own, edge_table(places), collapsed)
+    free = free_edges(control_points, places, collapsed)
+    numbers = edge_table(index).control_index[free.patch, free.side]
+    near = near_seams(free)
+    if tolerance is not None:
+        near = near._replace(coincide=near.coincide | (near.distance <= tolerance))
+    index = welded_index(index, free._replace(control_index=numbers), near)
+    _, first, index = np.unique(index, return_index=True, return_inverse=True)
+    # In the order in which patches first name them.
+    rank = np.empty_like(first)
+    rank[np.argsort(first)] = np.arange(len(first))
+    return control_points.reshape(-1, 3)[np.sort(first)], rank[index].reshape(own.shape)
+
+
+def same_places(points: _Points) -> _Index:
+    """A number for each point, the same for those whose coordinates are; shape (n,)."""
+    number = np.zeros(len(points), dtype=np.int64)
+    for axis in range(points.shape[1]):
+        values, rank = np.unique(points[:, axis], return_inverse=True)
+        _, number = np.unique(number * len(values) + rank, return_inverse=True)
+    return number
+
+
+def _join_same(own: _Index, table: EdgeTable, collapsed: NDArray[np.bool_]) -> _Index:
+    """The index with sides joined that lie on one edge, and collapsed sides made one point."""
+    rows = edge_table(own).control_index.reshape(-1, 4)
+    backwards = table.reversed.reshape(-1, 1)
+    along = np.where(backwards, rows[:, ::-1], rows)
+    _, first = np.unique(table.edge.ravel(), return_index=True)
+    leader = along[first][table.edge.ravel()]
+    # A collapsed side is no edge that could be shared, but its ends are shared with other sides.
+    leader = np.where(collapsed.reshape(-1, 1), along[:, :1], leader)
+    return connected_components(leader.ravel(), along.ravel(), own.size)[own]
