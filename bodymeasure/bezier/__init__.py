@@ -5,14 +5,17 @@ Those of rational patches have four coordinates, ``(w x, w y, w z, w)``.
 """
 
 from bodymeasure.bezier.bernstein import bernstein, bernstein_values
+from bodymeasure.bezier.bspline import BezierPieces, bezier_pieces
 from bodymeasure.bezier.degree import elevate
 from bodymeasure.bezier.evaluate import derivatives, evaluate
 from bodymeasure.bezier.rational import homogeneous, project, scaled
 from bodymeasure.bezier.split import restrict, split
 
 __all__ = [
+    "BezierPieces",
     "bernstein",
     "bernstein_values",
+    "bezier_pieces",
     "derivatives",
     "elevate",
     "evaluate",

@@ -34,7 +34,7 @@ def turned(nets: _Array, rng: np.random.Generator) -> _Array:
     """Each patch with its parameters swapped or reversed at random."""
     result = nets.copy()
     for net in result:
-        net[:] = np.rot90(net, rng.integers(4))
+        net[:] = np.rot90(net, int(rng.integers(4)))
         if rng.random() < 0.5:
             net[:] = net.transpose(1, 0, 2)
     return result
