@@ -52,6 +52,7 @@ from bodymeasure.measure import (
 )
 from bodymeasure.samples import load_sample, sample_names
 from bodymeasure.section import Plane
+from bodymeasure.taut import TautStatus, TautTape, taut_tape
 
 __all__ = [
     "SEARCHES",
@@ -81,6 +82,8 @@ __all__ = [
     "Shooting",
     "Status",
     "Survey",
+    "TautStatus",
+    "TautTape",
     "Unit",
     "body_girth",
     "boundary_lengths",
@@ -98,6 +101,7 @@ __all__ = [
     "read_atlas",
     "sample_names",
     "solve_geodesic",
+    "taut_tape",
     "tessellate",
     "write_atlas",
 ]

@@ -18,6 +18,11 @@ _ALONG = np.linspace(0.0, 1.0, 9)
 _WITH_THE_ROUND = np.array([False, True, True, False])
 
 
+def round_of_side(side: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Whether sides, numbered as in `EDGES`, run with the round that has the patch on its left."""
+    return _WITH_THE_ROUND[side]
+
+
 class Seams(NamedTuple):
     """Edges that two patches share.
 

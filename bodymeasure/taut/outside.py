@@ -1,0 +1,135 @@
+"""On which side of each patch the body's outside lies."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.components import connected_components
+from bodymeasure.atlas.joins import parts, round_of_side, seams_of, turned_patches
+from bodymeasure.atlas.seams import EdgeTable
+from bodymeasure.errors import InputError
+
+_Array = NDArray[np.float64]
+
+Outside = Literal["told", "along normals", "against normals"]
+"""Told from what the surface encloses, or the side to which S_u x S_v points, or the other."""
+
+# Of a part's area: openings that together are larger leave no body to speak of. A body trimmed at
+# neck and wrists has 1 %, a torso cut at neck, arms and thighs some 20 %, a bowl 50 %, a sheet all.
+LARGEST_OPENING = 0.25
+# Volume over area to the power 1.5: 0.094 for a ball, 0.02 for a body, 0 for what folds flat.
+LEAST_VOLUME = 1e-3
+
+
+def outward_signs(atlas: Atlas, samples: _Array, table: EdgeTable, outside: Outside) -> _Array:
+    """By what S_u x S_v is multiplied to point out of the body, 1 or -1 for each patch.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    samples : ndarray, shape (patches, k, k, 3)
+        Positions on an even grid over each patch, edges included.
+    table : EdgeTable
+        Of the atlas.
+    outside : {"told", "along normals", "against normals"}
+
+    Raises
+    ------
+    InputError
+        If a part of the atlas has only one side, or is so open that its inside cannot be told.
+
+    Notes
+    -----
+    Patches of a part are first made to face the same way. The part's openings are closed by cones;
+    the outside is where the volume so enclosed, by the divergence theorem, is positive.
+    """
+    seams = seams_of(table, _collapsed(table))
+    turned, one_sided = turned_patches(seams, len(atlas))
+    if one_sided:
+        name = atlas.patch_names[one_sided[0][0]]
+        raise InputError(
+            f"the part of the atlas with patch {name!r} has only one side, like a Moebius band, so "
+            "that no tape lies outside it; check the atlas with bodymeasure.check_atlas"
+        )
+    signs = np.ones(len(atlas))
+    signs[turned] = -1.0
+    if outside == "along normals":
+        return signs
+    if outside == "against normals":
+        return -signs
+    part = parts(seams, len(atlas))
+    area, volume = _triangle_sums(samples)
+    cap_area, cap_volume = _caps(samples, table, signs, part)
+    count = int(part.max()) + 1
+    total_area = np.bincount(part, weights=area, minlength=count)
+    total_volume = np.bincount(part, weights=signs * volume, minlength=count) + cap_volume
+    unknown = (cap_area > LARGEST_OPENING * total_area) | (
+        np.abs(total_volume) < LEAST_VOLUME * total_area**1.5
+    )
+    if unknown.any():
+        first = int(np.flatnonzero(unknown)[0])
+        raise InputError(_unknown(atlas, np.flatnonzero(part == first)))
+    return np.asarray(signs * np.sign(total_volume)[part])
+
+
+def _unknown(atlas: Atlas, patches: NDArray[np.int64]) -> str:
+    others = f" and {len(patches) - 1} more" if len(patches) > 1 else ""
+    return (
+        f"the outside of patch {atlas.patch_names[patches[0]]!r}{others} cannot be told: the part "
+        "encloses no body, or its openings are too large; say outside='along normals' (where "
+        "S_u x S_v points) or outside='against normals', or join the patches' edges"
+    )
+
+
+def _collapsed(table: EdgeTable) -> NDArray[np.bool_]:
+    control = table.control_index
+    return np.asarray((control == control[:, :, :1]).all(axis=2))
+
+
+def _triangle_sums(samples: _Array) -> tuple[_Array, _Array]:
+    """Area and signed volume (seen from the samples' center) of each patch, shapes (patches,)."""
+    local = samples - samples.mean(axis=(0, 1, 2))
+    a, b = local[:, :-1, :-1], local[:, 1:, :-1]
+    c, d = local[:, 1:, 1:], local[:, :-1, 1:]
+    area, volume = np.zeros(len(samples)), np.zeros(len(samples))
+    for corners in ((a, b, c), (a, c, d)):
+        first, second, third = corners
+        normal = np.cross(second - first, third - first)
+        area += 0.5 * np.linalg.norm(normal, axis=-1).sum(axis=(1, 2))
+        volume += (first * normal).sum(axis=-1).sum(axis=(1, 2)) / 6.0
+    return area, volume
+
+
+def _caps(
+    samples: _Array, table: EdgeTable, signs: _Array, part: NDArray[np.int64]
+) -> tuple[_Array, _Array]:
+    """Area and signed volume of the cones that close each part's openings, shapes (parts,)."""
+    count = int(part.max()) + 1
+    area, volume = np.zeros(count), np.zeros(count)
+    open_sides = (table.sides[table.edge] == 1) & ~_collapsed(table)
+    patch, side = np.nonzero(open_sides)
+    if not len(patch):
+        return area, volume
+    local = samples - samples.mean(axis=(0, 1, 2))
+    edges = np.stack([local[:, 0], local[:, -1], local[:, :, 0], local[:, :, -1]], axis=1)
+    lines = edges[patch, side]
+    # The cap's round runs against the patch's own.
+    backwards = round_of_side(side) == (signs[patch] > 0.0)
+    lines[backwards] = lines[backwards, ::-1]
+    ends = table.control_index[patch, side][:, [0, 3]]
+    nodes, corner = np.unique(ends, return_inverse=True)
+    corner = corner.reshape(-1, 2)
+    loop = connected_components(corner[:, 0], corner[:, 1], len(nodes))[corner[:, 0]]
+    for number in np.unique(loop):
+        chosen = lines[loop == number]
+        apex = chosen.mean(axis=(0, 1))
+        first, second = chosen[:, :-1] - apex, chosen[:, 1:] - apex
+        vector_area = 0.5 * np.cross(first, second).sum(axis=(0, 1))
+        owner = part[patch[loop == number][0]]
+        area[owner] += np.linalg.norm(vector_area)
+        volume[owner] += apex @ vector_area / 3.0
+    return area, volume

@@ -1,0 +1,86 @@
+"""The length of a taut string: nodes where they are needed, arcs for segments that touch."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.taut.skin import Skin
+from bodymeasure.taut.string import String, relax
+
+_Array = NDArray[np.float64]
+
+# Of the length: segments whose length is in doubt by more are divided.
+SEGMENT_TOLERANCE = 3e-9
+# Parts of a segment in one go.
+MOST_PARTS = 8
+# Of the largest pressure: marks a node that is guessed to touch.
+TINY_PRESSURE = 1e-6
+
+
+class Measured(NamedTuple):
+    """A string's segments, measured over the skin.
+
+    Parameters
+    ----------
+    length, doubt : ndarray, shape (n,)
+        Of each segment: its arc's length, and by how much that is uncertain.
+    depth : ndarray, shape (n,)
+        How deep the segment's middle lies inside the skin; 0 outside.
+    """
+
+    length: _Array
+    doubt: _Array
+    depth: _Array
+
+
+def measured(skin: Skin, nodes: _Array) -> Measured:
+    """Lengths of the arcs over the skin that a string's segments cut short.
+
+    Notes
+    -----
+    An arc that rises by s over its chord c is c + 8 s^2 / (3 c) long, up to the fourth order in
+    s / c; two such arcs over the halves, and extrapolation, leave the sixth.
+    """
+    chords = np.diff(nodes, axis=0)
+    c = np.linalg.norm(chords, axis=1)
+    fractions = np.array([0.25, 0.5, 0.75])
+    inner = nodes[:-1, None] + fractions[:, None] * chords[:, None]
+    gap = skin.feet(inner.reshape(-1, 3)).gap.reshape(-1, 3)
+    depth = np.maximum(0.0, -gap)
+    middle = depth[:, 1]
+    size = np.maximum(c, np.finfo(np.float64).tiny)
+    one = c + 8.0 * middle**2 / (3.0 * size)
+    half = np.hypot(0.5 * c, middle)
+    rise = np.maximum(0.0, depth[:, [0, 2]] - 0.5 * middle[:, None])
+    two = 2.0 * half + (8.0 * rise**2 / 3.0).sum(axis=1) / np.maximum(half, 0.5 * size)
+    return Measured(two + (two - one) / 15.0, np.abs(two - one), middle)
+
+
+def divided(string: String, now: Measured, parts: NDArray[np.int64], skin: Skin) -> String:
+    """The string with each segment divided into a number of parts, settled again."""
+    segment = np.repeat(np.arange(len(parts)), parts)
+    fraction = np.concatenate([np.arange(count) / count for count in parts])
+    nodes = string.nodes[segment] + fraction[:, None] * np.diff(string.nodes, axis=0)[segment]
+    nodes = np.concatenate([nodes, string.nodes[-1:]])
+    weights = string.weights[segment] / parts[segment]
+    # The force on a node is its share of the string's turn.
+    old = np.concatenate([[0.0], string.pressure, [0.0]])
+    start = fraction == 0.0
+    presses = now.depth > 0.0
+    share = np.maximum(0.5 * (old[:-1] + old[1:]), TINY_PRESSURE * (old.max() + 1e-300))
+    pressure = np.where(start, old[:-1][segment], (presses * share)[segment]) / parts[segment]
+    return relax(skin, nodes, weights, pressure[1:])
+
+
+def doubtful_parts(now: Measured, least: int) -> NDArray[np.int64]:
+    """Into how many parts to divide each segment: `least`, or more where its length is in doubt.
+
+    Those are the segments over kinks, and those in which the string leaves the skin. The doubt of
+    a kink falls with the square of the parts.
+    """
+    doubt = now.doubt / (SEGMENT_TOLERANCE * now.length.sum())
+    parts = np.ceil(np.sqrt(doubt)).astype(np.int64)
+    return np.asarray(np.clip(parts, least, MOST_PARTS))

@@ -1,0 +1,71 @@
+"""One leg of a taut tape: strings of more and more points, and the error of their length."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.taut.refine import divided, doubtful_parts, measured
+from bodymeasure.taut.skin import Skin
+from bodymeasure.taut.string import relax
+
+_Array = NDArray[np.float64]
+
+# Of the length: error estimates below need no finer string.
+TOLERANCE = 1e-6
+# Strings that are tried: the first, one with more points where they count, and then twice as many
+# each time.
+LEVELS = 4
+# Of the length: rounding of the feet and of the string's rest.
+ROUNDING = 1e-10
+
+
+class Drawn(NamedTuple):
+    """A leg drawn taut.
+
+    Parameters
+    ----------
+    nodes : ndarray, shape (n, 3)
+    normals : ndarray, shape (n, 3)
+        Out of the body where the leg touches it, its ends included; 0 where it stands free.
+    length, error : float
+    settled : bool
+        Whether the string came to rest.
+    """
+
+    nodes: _Array
+    normals: _Array
+    length: float
+    error: float
+    settled: bool
+
+
+def draw_taut(skin: Skin, nodes: _Array) -> Drawn:
+    """Draw a leg taut.
+
+    Parameters
+    ----------
+    skin : Skin
+    nodes : ndarray, shape (n, 3)
+        Evenly spaced points of a path outside the body or on its skin, from which it slides.
+    """
+    count = len(nodes) - 1
+    if np.ptp(nodes, axis=0).max() <= ROUNDING * skin.size:
+        ends = nodes[[0, -1]]
+        return Drawn(ends, skin.feet(ends).normal, 0.0, 0.0, True)
+    string = relax(skin, nodes, np.full(count, 1.0 / count))
+    now = measured(skin, string.nodes)
+    length, error = float(now.length.sum()), np.inf
+    for level in range(1, LEVELS):
+        string = divided(string, now, doubtful_parts(now, min(level, 2)), skin)
+        now = measured(skin, string.nodes)
+        before, length = length, float(now.length.sum())
+        error = abs(length - before) + float(now.doubt.sum()) + ROUNDING * length
+        if level > 1 and error <= TOLERANCE * length:
+            break
+    ends = skin.feet(string.nodes[[0, -1]]).normal
+    inner = np.where(string.touching[:, None], string.feet.normal, 0.0)
+    normals = np.concatenate([ends[:1], inner, ends[1:]])
+    return Drawn(string.nodes, normals, length, error, string.settled)

@@ -1,0 +1,208 @@
+"""The taut tape: the shortest way outside the body between two of its points."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.units import Unit
+from bodymeasure.errors import ConvergenceError, InputError
+from bodymeasure.geodesic import AtlasPath, geodesic_between
+from bodymeasure.taut.legs import leg_ends
+from bodymeasure.taut.outside import Outside
+from bodymeasure.taut.skin import Skin, skin_of
+from bodymeasure.taut.solve import Drawn, draw_taut
+from bodymeasure.taut.status import TautStatus
+
+_Array = NDArray[np.float64]
+
+# Segments that a leg starts with.
+SEGMENTS = 32
+# Of the length: a string longer than the path along the skin by more has not come to rest.
+LONGER = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class TautTape:
+    """A tape drawn taut over a body, and what it is compared with.
+
+    Parameters
+    ----------
+    length : float
+        In `unit`. NaN unless the status has a length. Never below `chord` or above the contact
+        path's length.
+    error_estimate : float
+        Of `length`, in `unit`; infinite where nothing is known.
+    status : TautStatus
+        Of several legs, the worst.
+    unit : Unit
+    points : ndarray, shape (n, 3)
+        The tape as a polygon, in order; its corners on the skin are joined by chords.
+    normals : ndarray, shape (n, 3)
+        Unit vectors out of the body where the tape touches it, 0 where it stands free.
+    contact : AtlasPath
+        The path along the skin, through the same points.
+    chord : float
+        Sum of the straight distances from point to point.
+    """
+
+    length: float
+    error_estimate: float
+    status: TautStatus
+    unit: Unit
+    points: _Array = field(repr=False)
+    normals: _Array = field(repr=False)
+    contact: AtlasPath = field(repr=False)
+    chord: float
+
+    @property
+    def gap(self) -> float:
+        """By how much the taut tape is shorter than the one that follows the skin."""
+        return self.contact.length - self.length
+
+    @property
+    def touching(self) -> NDArray[np.bool_]:
+        """Which of the points lie on the skin, shape (n,)."""
+        return np.asarray((self.normals != 0.0).any(axis=1))
+
+    @property
+    def converged(self) -> bool:
+        """Whether the length can be trusted."""
+        return self.status.has_length
+
+
+def taut_tape(
+    atlas: Atlas,
+    start: AtlasPoint,
+    end: AtlasPoint,
+    via: Sequence[AtlasPoint] = (),
+    *,
+    contact: AtlasPath | None = None,
+    outside: Outside = "told",
+    on_failure: Literal["raise", "status"] = "raise",
+) -> TautTape:
+    """The shortest way outside the body between two of its points, and the one along its skin.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    start, end : AtlasPoint
+    via : sequence of AtlasPoint
+        Points that the tape is held at, in order.
+    contact : AtlasPath, optional
+        The path along the skin through the same points, if it is known already.
+    outside : {"told", "along normals", "against normals"}
+        Where the outside is: told from what the surface encloses, or, for an open one, where
+        S_u x S_v points, or opposite.
+    on_failure : {"raise", "status"}
+        What to do if there is no length that can be trusted: raise, or say so in the status, with
+        NaN for a length.
+
+    Returns
+    -------
+    TautTape
+
+    Raises
+    ------
+    InputError
+        If a point is not on the atlas, two are on parts that no seam joins, the outside cannot be
+        told, or `contact` leads through other points or over another atlas.
+    ConvergenceError
+        If there is no length that can be trusted and `on_failure` is "raise".
+    MissingExtraError
+        If pygeodesic is not installed, and `contact` is not given.
+
+    Notes
+    -----
+    A string of points is let go from the path along the skin and slides to rest, each point kept
+    outside the tangent plane at its closest point of the skin: see `bodymeasure.taut.string`. It
+    bridges hollows and stands clear of nothing else. Parts that touch the skin are measured as
+    arcs over it. The error estimate is the change from a string of half as many points, plus what
+    is in doubt in each segment. The tape is shortest among those nearby: one that goes round
+    the body on another side is found from a `contact` that does.
+
+    Beyond an open boundary, such as a trimmed neck, the surface is taken to go on straight.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> left, right = (body.landmarks[f"bust point {side}"] for side in ("left", "right"))
+    >>> tape = taut_tape(body, left, right)
+    >>> print(f"{tape.chord:.4f} {tape.length:.4f} {tape.contact.length:.4f} {tape.unit}")
+    0.2092 0.2104 0.2169 m
+    """
+    if on_failure not in ("raise", "status"):
+        raise InputError(f"on_failure is {on_failure!r}; expected 'raise' or 'status'")
+    if outside not in ("told", "along normals", "against normals"):
+        raise InputError(
+            f"outside is {outside!r}; expected 'told', 'along normals' or 'against normals'"
+        )
+    points = (start, *via, end)
+    if contact is None:
+        contact = geodesic_between(atlas, start, end, via, on_failure="status")
+    elif contact.atlas is not atlas:
+        raise InputError("the contact path is one over another atlas; expected this one")
+    elif contact.points != points:
+        raise InputError(
+            f"the contact path leads through {contact.points}, the tape through {points}; expected "
+            "the same points in the same order"
+        )
+    skin = skin_of(atlas, outside)
+    tape = _without_path(contact) if not contact.pieces else _drawn(skin, contact)
+    if on_failure == "raise" and not tape.converged:
+        raise ConvergenceError(tape.status.sentence)
+    return tape
+
+
+def _drawn(skin: Skin, contact: AtlasPath) -> TautTape:
+    ends = leg_ends(contact)
+    legs = []
+    for begin, finish in pairwise(ends.tolist()):
+        t = begin + (finish - begin) * np.arange(SEGMENTS + 1) / SEGMENTS
+        nodes = contact.position(np.clip(t, 0.0, 1.0))
+        legs.append(draw_taut(skin, nodes))
+    chord = _chord(contact)
+    length, error, status = _judged(contact, legs, chord)
+    # The points between legs are in both.
+    points = np.concatenate([legs[0].nodes[:1], *(leg.nodes[1:] for leg in legs)])
+    normals = np.concatenate([legs[0].normals[:1], *(leg.normals[1:] for leg in legs)])
+    return TautTape(length, error, status, contact.atlas.unit, points, normals, contact, chord)
+
+
+def _judged(contact: AtlasPath, legs: list[Drawn], chord: float) -> tuple[float, float, TautStatus]:
+    length, error = sum(leg.length for leg in legs), sum(leg.error for leg in legs)
+    along = contact.length if contact.converged else contact.raw_length
+    known = contact.error_estimate if contact.converged else 0.0
+    if not all(leg.settled for leg in legs) or length > along + error + known + LONGER * along:
+        return np.nan, np.inf, TautStatus.NOT_CONVERGED
+    # What lies outside these bounds is within the errors.
+    bounded = float(min(max(length, chord), along))
+    status = TautStatus.CONVERGED if contact.converged else TautStatus.WITHOUT_CONTACT
+    return bounded, float(error + abs(length - bounded)), status
+
+
+def _without_path(contact: AtlasPath) -> TautTape:
+    nothing = np.zeros((0, 3))
+    return TautTape(
+        np.nan,
+        np.inf,
+        TautStatus.NO_PATH,
+        contact.atlas.unit,
+        nothing,
+        nothing,
+        contact,
+        _chord(contact),
+    )
+
+
+def _chord(contact: AtlasPath) -> float:
+    positions = np.array([contact.atlas.position(point) for point in contact.points])
+    return float(np.linalg.norm(np.diff(positions, axis=0), axis=1).sum())
