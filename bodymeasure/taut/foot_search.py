@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.bezier import derivatives, evaluate
+from bodymeasure.taut.jets import jets
 
 _Array = NDArray[np.float64]
 
 # Newton's steps for a foot on one patch. From a sample beside it, four are enough.
 MAX_STEPS = 20
-# In (u, v): after a step of this size, only rounding is left of Newton's error.
-STEP_TOLERANCE = 1e-9
+# In (u, v): after a step of this size, what is left of Newton's error is its square.
+STEP_TOLERANCE = 1e-6
 # Longest step in (u, v): as far as a patch's second-order model can be trusted.
 LONGEST_STEP = 0.25
 # Of the metric's determinant: Hessians below count as singular, and Gauss-Newton's matrix serves.
@@ -21,7 +21,7 @@ SINGULAR = 1e-6
 DAMPING = 1e-9
 
 
-def descend(nets: _Array, targets: _Array, start: _Array) -> tuple[_Array, _Array]:
+def descend(coefficients: _Array, targets: _Array, start: _Array) -> tuple[_Array, _Array]:
     """Newton's method for the closest point in the box; parameters (k, 2), squared distances (k,).
 
     Notes
@@ -32,7 +32,7 @@ def descend(nets: _Array, targets: _Array, start: _Array) -> tuple[_Array, _Arra
     x = start.copy()
     busy = np.arange(len(x))
     for _ in range(MAX_STEPS):
-        step = _step(nets[busy], targets[busy], x[busy])
+        step = _step(coefficients[busy], targets[busy], x[busy])
         longest = np.abs(step).max(axis=1, keepdims=True)
         step *= np.minimum(1.0, LONGEST_STEP / np.maximum(longest, LONGEST_STEP))
         new = np.clip(x[busy] + step, 0.0, 1.0)
@@ -41,12 +41,12 @@ def descend(nets: _Array, targets: _Array, start: _Array) -> tuple[_Array, _Arra
         busy = busy[change > STEP_TOLERANCE]
         if not len(busy):
             break
-    return x, np.asarray(((evaluate(nets, x) - targets) ** 2).sum(axis=1))
+    return x, np.asarray(((jets(coefficients, x)[:, 0, 0] - targets) ** 2).sum(axis=1))
 
 
-def _step(nets: _Array, targets: _Array, x: _Array) -> _Array:
+def _step(coefficients: _Array, targets: _Array, x: _Array) -> _Array:
     """Newton step of the coordinates that are free, shape (k, 2)."""
-    s = derivatives(nets, x, order=2)
+    s = jets(coefficients, x)
     offset = s[:, 0, 0] - targets
     su, sv = s[:, 1, 0], s[:, 0, 1]
     e, f, g = _dot(su, su), _dot(su, sv), _dot(sv, sv)

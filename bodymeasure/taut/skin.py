@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.seams import EDGES, EdgeTable, edge_table
-from bodymeasure.bezier import derivatives, evaluate
+from bodymeasure.bezier import evaluate
 from bodymeasure.taut.foot_search import descend
+from bodymeasure.taut.jets import jets, power_coefficients
 from bodymeasure.taut.outside import Outside, outward_signs
 from bodymeasure.taut.tangents import normals_and_bends
 
@@ -69,10 +70,10 @@ class Skin:
     """
 
     def __init__(self, atlas: Atlas, outside: Outside) -> None:
-        self.nets = atlas.control_points
+        self.coefficients = power_coefficients(atlas.control_points)
         side = np.linspace(0.0, 1.0, SAMPLES)
         grid = np.stack(np.meshgrid(side, side, indexing="ij"), axis=-1)
-        samples = evaluate(self.nets, np.broadcast_to(grid, (len(atlas), *grid.shape)))
+        samples = evaluate(atlas.control_points, np.broadcast_to(grid, (len(atlas), *grid.shape)))
         table = edge_table(atlas.index)
         self.signs = outward_signs(atlas, samples, table, outside)
         self.grid = grid.reshape(-1, 2)
@@ -85,7 +86,7 @@ class Skin:
         """The closest points of the skin to positions (k, 3)."""
         _, nearest = self.tree.query(positions)
         patch, sample = np.divmod(np.asarray(nearest, dtype=np.int64), SAMPLES**2)
-        x, squared = descend(self.nets[patch], positions, self.grid[sample])
+        x, squared = descend(self.coefficients[patch], positions, self.grid[sample])
         self._cross(positions, patch, x, squared)
         return self._read(positions, patch, x)
 
@@ -102,7 +103,7 @@ class Skin:
             here = patch[row]
             to_patch, to_side = self.to_patch[here, side], self.to_side[here, side]
             start = _entered(x[row], side, to_side, self.flipped[here, side])
-            there, closer = descend(self.nets[to_patch], positions[row], start)
+            there, closer = descend(self.coefficients[to_patch], positions[row], start)
             # A position may have reached two sides of its patch: the better one counts.
             improved: list[int] = []
             limit = (TOUCHING * self.size) ** 2
@@ -148,7 +149,7 @@ class Skin:
             On the neighboring patch, continued by its tangent plane where the position is not
             over it.
         """
-        s = derivatives(self.nets[feet.patch], feet.parameters, order=1)
+        s = jets(self.coefficients[feet.patch], feet.parameters)
         speed = np.linalg.norm(np.stack([s[:, 1, 0], s[:, 0, 1]], axis=1), axis=2)
         away = np.abs(feet.parameters[:, _AXIS] - _VALUE) * speed[:, _AXIS]
         away[self.to_patch[feet.patch] < 0] = np.inf
@@ -160,21 +161,21 @@ class Skin:
         on_seam = feet.parameters[row].copy()
         on_seam[np.arange(len(row)), _AXIS[side]] = _VALUE[side]
         _, own, _ = self._frame(here, on_seam)
-        entered = derivatives(self.nets[to_patch], start, order=1)
+        entered = jets(self.coefficients[to_patch], start)
         # From the seam into the patch on its other side; a valley if that leads up from the first.
         inward = np.where(_AXIS[to_side] == 0, 1, 0)
         along_axis = entered[np.arange(len(row)), inward, 1 - inward]
         rises = np.einsum("kc,kc->k", along_axis, own) * np.where(_VALUE[to_side] == 0.0, 1.0, -1.0)
         valley = rises > FLAT * np.linalg.norm(along_axis, axis=1)
         row, to_patch, start = row[valley], to_patch[valley], start[valley]
-        x, _ = descend(self.nets[to_patch], positions[row], start)
+        x, _ = descend(self.coefficients[to_patch], positions[row], start)
         foot, normal, bend = self._frame(to_patch, x)
         gap = np.einsum("kc,kc->k", positions[row] - foot, normal)
         return row, Feet(to_patch, x, foot, normal, gap, bend)
 
     def _frame(self, patch: _Ints, x: _Array) -> tuple[_Array, _Array, _Array]:
         """Positions, unit normals out of the body, and second derivatives of the gap."""
-        position, normal, bend = normals_and_bends(self.nets[patch], x)
+        position, normal, bend = normals_and_bends(self.coefficients[patch], x)
         sign = self.signs[patch]
         return position, sign[:, None] * normal, sign[:, None, None] * bend
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.bezier import derivatives
+from bodymeasure.taut.jets import jets
 
 _Array = NDArray[np.float64]
 
@@ -14,12 +14,13 @@ DEGENERATE = 1e-9
 ASIDE = 1e-4
 
 
-def normals_and_bends(nets: _Array, x: _Array) -> tuple[_Array, _Array, _Array]:
+def normals_and_bends(coefficients: _Array, x: _Array) -> tuple[_Array, _Array, _Array]:
     """Positions, unit normals along S_u x S_v, and how they bend.
 
     Parameters
     ----------
-    nets : ndarray, shape (k, 4, 4, 3)
+    coefficients : ndarray, shape (k, 4, 4, 3)
+        Of powers.
     x : ndarray, shape (k, 2)
 
     Returns
@@ -29,12 +30,12 @@ def normals_and_bends(nets: _Array, x: _Array) -> tuple[_Array, _Array, _Array]:
         Second derivatives, by the position, of the distance to the surface at its foot, counted
         along the normal; 0 where there are no two tangents.
     """
-    s = derivatives(nets, x, order=2)
+    s = jets(coefficients, x)
     normal, sine = _unit_normal(s[:, 1, 0], s[:, 0, 1])
     bad = np.flatnonzero(sine < DEGENERATE)
     if len(bad):
         inside = x[bad] + ASIDE * (0.5 - x[bad])
-        aside = derivatives(nets[bad], inside, order=1)
+        aside = jets(coefficients[bad], inside)
         normal[bad] = _unit_normal(aside[:, 1, 0], aside[:, 0, 1])[0]
     return s[:, 0, 0], normal, _bend(s, normal, sine >= DEGENERATE)
 
