@@ -1,26 +1,132 @@
-"""Names of landmarks that definitions and atlases may use."""
+"""Names of landmarks, as data: those of ISO 8559-1, and others that charts of measurements use."""
 
 from __future__ import annotations
 
-# On the median plane, and one on either side.
+import difflib
+import re
+
+SIDES = ("left", "right")
+# Landmarks of ISO 8559-1, as its users write them (the standard numbers them differently from one
+# edition to the next); and, by the same pattern, the points of the levels that it defines.
+# On the median plane:
 MEDIAN_NAMES = (
     "top of head",
     "front neck point",
     "back neck point",
+    "front bust point",
+    "front underbust point",
+    "back bust point",
     "front waist point",
     "back waist point",
+    "front natural waist point",
+    "back natural waist point",
+    "front top hip point",
+    "back top hip point",
+    "front hip point",
+    "back hip point",
+    "abdomen point",
+    "navel point",
     "crotch point",
+    "floor point",
 )
+# One on either side; the side follows the name.
 PAIRED_NAMES = (
     "side neck point",
     "shoulder point",
+    "front scye point",
+    "back scye point",
+    "armpit point",
+    "armpit front fold point",
+    "armpit back fold point",
     "bust point",
+    "underbust point",
+    "shoulder blade point",
+    "lowest rib point",
+    "highest hip bone point",
     "side waist point",
+    "side natural waist point",
+    "side top hip point",
+    "side hip point",
+    "buttock point",
+    "gluteal fold point",
+    "inner thigh point",
     "elbow point",
+    "inner elbow point",
     "wrist point",
+    "inner wrist point",
+    "fingertip point",
     "patella point",
+    "knee back point",
+    "inner knee point",
+    "tibial point",
+    "calf point",
+    "ankle point",
+    "inner ankle point",
+    "heel point",
 )
-KNOWN_NAMES = (
-    *MEDIAN_NAMES,
-    *(f"{name} {side}" for name in PAIRED_NAMES for side in ("left", "right")),
-)
+KNOWN_NAMES = (*MEDIAN_NAMES, *(f"{name} {side}" for name in PAIRED_NAMES for side in SIDES))
+# What anatomy and other programs call the same points.
+SYNONYMS = {
+    "vertex": "top of head",
+    "suprasternale": "front neck point",
+    "jugular notch": "front neck point",
+    "cervicale": "back neck point",
+    "c7": "back neck point",
+    "nape": "back neck point",
+    "omphalion": "navel point",
+    "umbilicus": "navel point",
+    "crotch": "crotch point",
+    "acromion": "shoulder point",
+    "axilla": "armpit point",
+    "underarm point": "armpit point",
+    "thelion": "bust point",
+    "nipple": "bust point",
+    "iliocristale": "highest hip bone point",
+    "iliac crest": "highest hip bone point",
+    "trochanterion": "side hip point",
+    "olecranon": "elbow point",
+    "ulnar styloid": "wrist point",
+    "patella": "patella point",
+    "knee cap": "patella point",
+    "knee point": "patella point",
+    "tibiale": "tibial point",
+    "lateral malleolus": "ankle point",
+    "outer ankle point": "ankle point",
+    "medial malleolus": "inner ankle point",
+}
+# Likeness of names from which one is taken for a misspelling of the other.
+NEAR = 0.8
+_SIDE_WORDS = {"l": "left", "left": "left", "r": "right", "right": "right"}
+
+
+def side_of(name: str) -> str:
+    """The side that a landmark's name ends with, ``left`` or ``right``; else an empty string."""
+    last = name.rpartition(" ")[2]
+    return last if last in SIDES and last != name else ""
+
+
+def other_side(name: str) -> str:
+    """The name of a paired landmark's partner; a name without side is its own."""
+    side = side_of(name)
+    return name if not side else name.removesuffix(side) + SIDES[1 - SIDES.index(side)]
+
+
+def suggested_name(name: str) -> str | None:
+    """The known name that an unknown one resembles; None if it is known or resembles none.
+
+    Examples
+    --------
+    >>> suggested_name("Left_Bust-Point"), suggested_name("acromion r")
+    ('bust point left', 'shoulder point right')
+    """
+    if name in KNOWN_NAMES:
+        return None
+    words = re.split(r"[\s_.\-]+", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).strip().lower())
+    sides = [_SIDE_WORDS[word] for word in words if word in _SIDE_WORDS]
+    place = " ".join(word for word in words if word not in _SIDE_WORDS)
+    place = SYNONYMS.get(place, place)
+    plain = f"{place} {sides[0]}" if sides else place
+    if plain in KNOWN_NAMES:
+        return plain
+    near = difflib.get_close_matches(plain, KNOWN_NAMES, n=1, cutoff=NEAR)
+    return near[0] if near else None

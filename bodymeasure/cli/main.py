@@ -18,6 +18,7 @@ from bodymeasure.cli.bench import bench
 from bodymeasure.cli.check import check
 from bodymeasure.cli.console import print_error, print_note
 from bodymeasure.cli.diagonals import diagonals
+from bodymeasure.cli.landmarks import landmarks
 from bodymeasure.cli.options import EXIT_CODES
 from bodymeasure.cli.paper import paper
 from bodymeasure.cli.report import report
@@ -119,7 +120,7 @@ def app(ctx: click.Context) -> int | None:
     return EXIT_BAD_INPUT
 
 
-for command in (report, diagonals, check, view, samples, bench, paper):
+for command in (report, diagonals, check, landmarks, view, samples, bench, paper):
     app.add_command(command)
 
 

@@ -1,0 +1,74 @@
+"""Vertices of mesh files, in the order in which the file numbers them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.errors import InputError, MissingExtraError
+from bodymeasure.files import read_bytes
+
+# Others, such as STL, do not number vertices.
+NUMBERED = (".obj", ".off", ".ply")
+
+
+def mesh_vertices(path: Path) -> NDArray[np.float64]:
+    """Positions of a mesh file's vertices, shape (k, 3), in the file's unit.
+
+    Parameters
+    ----------
+    path : Path
+        A Wavefront OBJ file, or, given trimesh, OFF or PLY.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, is of another kind, or has no vertices.
+    MissingExtraError
+        If trimesh is needed and not installed.
+    """
+    kind = path.suffix.lower()
+    content = read_bytes(path)
+    if kind not in NUMBERED:
+        raise InputError(
+            f"{path}: unknown kind of mesh {path.suffix!r}; expected one of {', '.join(NUMBERED)}, "
+            "which number their vertices"
+        )
+    vertices = _obj_vertices(content, path) if kind == ".obj" else _by_trimesh(path)
+    if not len(vertices):
+        raise InputError(f"{path}: holds no vertex; expected a mesh")
+    return vertices
+
+
+def _obj_vertices(content: bytes, path: Path) -> NDArray[np.float64]:
+    """The `v` lines: readers of whole meshes number vertices anew where texture has seams."""
+    vertices = []
+    for number, line in enumerate(content.splitlines(), start=1):
+        words = line.split()
+        if not words or words[0] != b"v":
+            continue
+        try:
+            x, y, z = (float(word) for word in words[1:4])
+        except ValueError:
+            raise InputError(
+                f"{path}, line {number}: is {line.decode(errors='replace')!r}; "
+                "expected v and three numbers"
+            ) from None
+        vertices.append((x, y, z))
+    return np.array(vertices, dtype=np.float64).reshape(-1, 3)
+
+
+def _by_trimesh(path: Path) -> NDArray[np.float64]:
+    try:
+        import trimesh
+    except ImportError:
+        raise MissingExtraError(f"reading {path.suffix} files", "trimesh", "oracle") from None
+    try:
+        # Unprocessed, so that no vertices are merged or dropped.
+        mesh: Any = trimesh.load(path, process=False, maintain_order=True, force="mesh")
+    except Exception as error:  # whatever the reader of that kind of file stumbles over
+        raise InputError(f"{path}: cannot be read as a mesh ({error})") from None
+    return np.asarray(mesh.vertices, dtype=np.float64).reshape(-1, 3)

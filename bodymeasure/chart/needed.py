@@ -1,0 +1,68 @@
+"""Which landmarks measurements need."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Sequence
+from typing import NamedTuple
+
+from bodymeasure.chart.definitions import FormulaMeasure, Measurement
+
+# Members of measurements that name landmarks.
+MEMBERS = ("through", "start", "end", "at", "level", "above", "front", "back", "cut")
+_WORD = re.compile(r"[A-Za-z_]\w*")
+
+
+class Lacking(NamedTuple):
+    """A measurement that cannot be taken.
+
+    Parameters
+    ----------
+    measurement : Measurement
+    landmarks : tuple of str
+        Those that it lacks; a formula lacks those of its operands.
+    """
+
+    measurement: Measurement
+    landmarks: tuple[str, ...]
+
+
+def landmarks_of(measurement: Measurement) -> tuple[str, ...]:
+    """Names of the landmarks that a measurement refers to, each once."""
+    names: list[str] = []
+    for member in MEMBERS:
+        value = getattr(measurement, member, None)
+        names += [value] if isinstance(value, str) else value if isinstance(value, tuple) else []
+    return tuple(dict.fromkeys(names))
+
+
+def lacking(measurements: Sequence[Measurement], there: Collection[str]) -> tuple[Lacking, ...]:
+    """Measurements whose landmarks are not all there.
+
+    Parameters
+    ----------
+    measurements : sequence of Measurement
+        With left or right put in for ``{side}``.
+    there : collection of str
+        Names of the landmarks that a body has.
+    """
+    every = {measurement.key: measurement for measurement in measurements}
+    needs: dict[str, tuple[str, ...]] = {}
+
+    def needed(key: str) -> tuple[str, ...]:
+        if key not in needs:
+            needs[key] = ()
+            own = landmarks_of(every[key])
+            measurement = every[key]
+            if isinstance(measurement, FormulaMeasure):
+                operands = [word for word in _WORD.findall(measurement.formula) if word in every]
+                own = tuple(name for operand in operands for name in needed(operand))
+            needs[key] = tuple(dict.fromkeys(own))
+        return needs[key]
+
+    result = []
+    for key, measurement in every.items():
+        names = tuple(name for name in needed(key) if name not in there)
+        if names:
+            result.append(Lacking(measurement, names))
+    return tuple(result)
