@@ -16,9 +16,14 @@ from bodymeasure.chart.definitions import (
     LimbGirthMeasure,
     Measurement,
     PathMeasure,
+    TiltedGirthMeasure,
+    definitions_schema,
 )
 from bodymeasure.chart.derive import Derived, derive_landmarks
+from bodymeasure.chart.evaluate import measure_chart
 from bodymeasure.chart.measured import Chart, Measured, Outcome, Tape, TapeKind
+from bodymeasure.chart.read import load_definitions
+from bodymeasure.chart.sides import both_sides
 
 __all__ = [
     "AccuracyClass",
@@ -42,6 +47,11 @@ __all__ = [
     "PathMeasure",
     "Tape",
     "TapeKind",
+    "TiltedGirthMeasure",
     "accuracy_class",
+    "both_sides",
+    "definitions_schema",
     "derive_landmarks",
+    "load_definitions",
+    "measure_chart",
 ]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal
 
 import msgspec
 
@@ -82,6 +82,17 @@ class GirthMeasure(_Measurement, frozen=True, kw_only=True, tag="girth"):
     cut: tuple[str, str] | None = None
 
 
+class TiltedGirthMeasure(_Measurement, frozen=True, kw_only=True, tag="tilted girth"):
+    """Girth in the plane that holds two landmarks and runs level from left to right.
+
+    For what leans forwards or backwards, such as the neck: `front` and `back` say how far.
+    """
+
+    front: str
+    back: str
+    tape: TapeWanted = "taut"
+
+
 class LimbGirthMeasure(_Measurement, frozen=True, kw_only=True, tag="limb girth"):
     """Girth perpendicular to the line between two landmarks, at a fraction of it or a landmark."""
 
@@ -149,6 +160,7 @@ Measurement = (
     PathMeasure
     | DropMeasure
     | GirthMeasure
+    | TiltedGirthMeasure
     | LimbGirthMeasure
     | ExtremeGirthMeasure
     | ClosedMeasure
@@ -172,6 +184,12 @@ class Definitions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     name : str
         Of the set, for titles.
     words : str
+    extends : {"", "default"}
+        With ``default``, the set is the default one with the changes that this file makes to it:
+        what has a key (a rule: a name) that is there already takes its place, what has a new one
+        follows at the end. Once read, the set stands for itself and this is empty.
+    drop : tuple of str
+        Keys of measurements and names of rules that are left out of what is extended.
     landmark : tuple of LandmarkRule
         Rules for landmarks that the atlas does not have; in any order. Those that it has win.
     measurement : tuple of Measurement
@@ -182,5 +200,12 @@ class Definitions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     version: int
     name: str
     words: str = ""
+    extends: Literal["", "default"] = ""
+    drop: tuple[str, ...] = ()
     landmark: tuple[LandmarkRule, ...] = ()
     measurement: tuple[Measurement, ...] = ()
+
+
+def definitions_schema() -> dict[str, Any]:
+    """JSON schema of a file of definitions, which TOML holds as well as JSON would."""
+    return msgspec.json.schema(Definitions)

@@ -6,7 +6,7 @@ from typing import Literal
 
 import msgspec
 
-Facing = Literal["front", "back", "left", "right"]
+Facing = Literal["front", "back", "left", "right", "{side}"]
 """A horizontal direction, as the wearer sees it."""
 
 
@@ -62,7 +62,7 @@ class Prominent(Rule, frozen=True, kw_only=True, tag="prominent"):
     whose heights the point has to lie.
     """
 
-    direction: Literal["front", "back", "left", "right", "up", "down"]
+    direction: Facing | Literal["up", "down"]
     regions: tuple[str, ...]
     above: str | None = None
     below: str | None = None
@@ -97,7 +97,7 @@ class GirthLevel(Rule, frozen=True, kw_only=True, tag="girth level"):
 class Boundary(Rule, frozen=True, kw_only=True, tag="boundary"):
     """The point of the atlas's open boundary in some regions that lies farthest in a direction."""
 
-    direction: Literal["front", "back", "left", "right", "up", "down"]
+    direction: Facing | Literal["up", "down"]
     regions: tuple[str, ...]
 
 

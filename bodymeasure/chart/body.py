@@ -1,0 +1,109 @@
+"""A body while it is measured: its landmarks, and what several measurements share."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.atlas.normals import normal_vectors
+from bodymeasure.chart.nearest import hint
+from bodymeasure.errors import InputError
+from bodymeasure.geodesic import AtlasPath, geodesic_between
+from bodymeasure.measure import Girth, plane_girth
+from bodymeasure.section import Plane
+
+_Array = NDArray[np.float64]
+
+
+class MissingLandmarkError(InputError):
+    """A measurement needs a landmark that the body does not have."""
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """An atlas whose landmarks are complete, as far as rules can do it.
+
+    Parameters
+    ----------
+    atlas : Atlas
+        With the landmarks that rules gave.
+    missing : mapping of str to str
+        Landmarks that rules could not give, and why.
+    """
+
+    atlas: Atlas
+    missing: Mapping[str, str] = field(default_factory=dict)
+    _paths: dict[tuple[str, ...], AtlasPath] = field(default_factory=dict, repr=False)
+    _girths: dict[tuple[str, ...], Girth] = field(default_factory=dict, repr=False)
+
+    def point(self, name: str) -> AtlasPoint:
+        """The landmark of that name.
+
+        Raises
+        ------
+        MissingLandmarkError
+        """
+        if name in self.atlas.landmarks:
+            return self.atlas.landmarks[name]
+        if name in self.missing:
+            raise MissingLandmarkError(
+                f"the landmark {name!r} is missing: {self.missing[name]}; "
+                "add it with `bodymeasure landmarks`"
+            )
+        known = sorted(self.atlas.landmarks)
+        near = f"; {hint(name, known)}" if known else ", nor any other"
+        raise MissingLandmarkError(f"the atlas has no landmark {name!r}{near}")
+
+    def position(self, name: str) -> _Array:
+        """Where a landmark is, shape (3,), in the atlas's unit."""
+        return self.atlas.position(self.point(name))
+
+    def path(self, through: Sequence[str]) -> AtlasPath:
+        """The geodesic through landmarks in order, each found once."""
+        key = tuple(through)
+        if key not in self._paths:
+            start, *via, end = [self.point(name) for name in through]
+            self._paths[key] = geodesic_between(self.atlas, start, end, via, on_failure="status")
+        return self._paths[key]
+
+    def girth(self, plane: Plane, at: str) -> Girth:
+        """The girth in a plane through a landmark, each found once."""
+        key = (at, *plane.normal.tobytes().hex())
+        if key not in self._girths:
+            self._girths[key] = plane_girth(self.atlas, plane, self.point(at))
+        return self._girths[key]
+
+    def level_girth(self, at: str) -> Girth:
+        """The horizontal girth at a landmark's height."""
+        return self.girth(Plane(self.position(at), self.atlas.axes.up_vector), at)
+
+    def normals(self, patch: NDArray[np.int64], parameters: _Array) -> _Array:
+        """Unit vectors out of the body at points of it; 0 where a patch has no normal.
+
+        Parameters
+        ----------
+        patch : ndarray of int, shape (k,)
+        parameters : ndarray, shape (k, 2)
+
+        Returns
+        -------
+        ndarray, shape (k, 3)
+        """
+        normals = normal_vectors(self.atlas.control_points[patch], parameters[:, None])[:, 0]
+        length = np.linalg.norm(normals, axis=1, keepdims=True)
+        unit = np.divide(normals, length, out=np.zeros_like(normals), where=length > 0.0)
+        return np.asarray(self._outwards() * unit)
+
+    def _outwards(self) -> float:
+        """1 where patches' normals point out of the body, -1 where into it."""
+        nets = self.atlas.control_points
+        centers = np.full((len(nets), 1, 2), 0.5)
+        normals = normal_vectors(nets, centers)[:, 0]
+        middle = nets.mean(axis=(0, 1, 2))
+        # The sign of the volume between the patches and the middle of the body.
+        volume = ((nets.mean(axis=(1, 2)) - middle) * normals).sum()
+        return -1.0 if volume < 0.0 else 1.0

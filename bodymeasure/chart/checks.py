@@ -1,0 +1,228 @@
+"""What has to hold for a set of definitions beyond the types of its members."""
+
+from __future__ import annotations
+
+import graphlib
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import msgspec
+
+from bodymeasure.chart.definitions import (
+    Definitions,
+    FormulaMeasure,
+    LimbGirthMeasure,
+    Measurement,
+    PathMeasure,
+)
+from bodymeasure.chart.formula import (
+    FUNCTIONS,
+    Formula,
+    Quantity,
+    parse_formula,
+    quantity_of,
+)
+from bodymeasure.chart.landmark_rules import Between, LandmarkRule
+from bodymeasure.chart.nearest import hint
+from bodymeasure.chart.sides import SIDE, both_sides, texts
+from bodymeasure.errors import InputError
+
+_KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_BRACED = re.compile(r"\{[^{}]*\}|[{}]")
+
+
+class Fault(NamedTuple):
+    """What is wrong with one definition.
+
+    Parameters
+    ----------
+    definition : msgspec.Struct
+        As it stands in the set: with ``{side}``.
+    member : str
+        The member at fault; empty for the whole.
+    words : str
+    """
+
+    definition: msgspec.Struct
+    member: str
+    words: str
+
+
+def first_fault(definitions: Definitions) -> Fault | None:
+    """The first thing that is wrong with a set; None if nothing is."""
+    return next(_faults(definitions), None)
+
+
+def _faults(definitions: Definitions) -> Iterator[Fault]:
+    for rule in definitions.landmark:
+        yield from _rule_faults(rule)
+    for measurement in definitions.measurement:
+        yield from _measurement_faults(measurement)
+    yield from _repeated(definitions.landmark, "name")
+    yield from _repeated(definitions.measurement, "key")
+    yield from _formula_faults(definitions.measurement)
+
+
+def _rule_faults(rule: LandmarkRule) -> Iterator[Fault]:
+    yield from _text_faults(rule)
+    yield from _side_faults(rule, "name", rule.name)
+    if isinstance(rule, Between) and not 0.0 <= rule.fraction <= 1.0:
+        yield Fault(rule, "fraction", f"fraction is {rule.fraction}; expected 0 to 1")
+
+
+def _measurement_faults(measurement: Measurement) -> Iterator[Fault]:
+    yield from _text_faults(measurement)
+    plain = measurement.key.replace(SIDE, "side")
+    if not _KEY.fullmatch(plain):
+        yield Fault(
+            measurement,
+            "key",
+            f"the key {measurement.key!r} cannot stand in a formula; expected letters, digits and "
+            "underscores, not a digit first, such as 'bust_girth'",
+        )
+    if plain in FUNCTIONS:
+        yield Fault(measurement, "key", f"the key {plain!r} is a function's name; choose another")
+    yield from _side_faults(measurement, "key", measurement.key)
+    match measurement:
+        case PathMeasure(through=through) if len(through) < 2:
+            yield Fault(measurement, "through", "through needs two landmarks or more")
+        case LimbGirthMeasure(at=float() as at) if not 0.0 <= at <= 1.0:
+            yield Fault(measurement, "at", f"at is {at}; expected 0 to 1, or a landmark's name")
+
+
+# Words may be left out; everything else that is text names something.
+_MAY_BE_EMPTY = ("words", "group", "iso")
+
+
+def _text_faults(definition: msgspec.Struct) -> Iterator[Fault]:
+    for member, text in texts(definition):
+        if not text.strip() and member not in _MAY_BE_EMPTY:
+            yield Fault(definition, member, f"{member} is empty; expected a name")
+        for braced in _BRACED.findall(text):
+            if braced != SIDE:
+                yield Fault(
+                    definition, member, f"{member} holds {braced!r}; only {SIDE} has a meaning"
+                )
+
+
+# Members of measurements and rules that tell a reader something, and name no place on the body.
+_TELLING = ("key", "name", "words", "group", "iso", "seamly", "freesewing")
+
+
+def _side_faults(definition: msgspec.Struct, label: str, named: str) -> Iterator[Fault]:
+    """``{side}`` stands in the label and the name, and in what is measured, or nowhere."""
+    sided = [member for member, text in texts(definition) if SIDE in text]
+    places = [member for member in sided if member not in _TELLING]
+    if SIDE not in named:
+        if sided:
+            yield Fault(
+                definition,
+                sided[0],
+                f"{sided[0]} has {SIDE}, but the {label} {named!r} has not, so that left and right "
+                f"could not be told apart; write it in both, such as '{named}_{SIDE}'"
+                if label == "key"
+                else f"{sided[0]} has {SIDE}, but the name {named!r} has not; write it in both, "
+                f"such as '{named} {SIDE}'",
+            )
+    elif not places:
+        yield Fault(
+            definition,
+            label,
+            f"the {label} {named!r} has {SIDE}, but nothing that is measured has, so that left and "
+            "right would be the same; write it in a landmark too, or leave it out",
+        )
+    elif "name" not in sided:
+        yield Fault(
+            definition,
+            "name",
+            f"the key {named!r} has {SIDE}, but the name has not, so that left and right would be "
+            "called the same; write it in both",
+        )
+
+
+def _repeated(definitions: Sequence[msgspec.Struct], label: str) -> Iterator[Fault]:
+    seen: dict[str, str] = {}
+    for definition in definitions:
+        written = getattr(definition, label)
+        for one in both_sides([definition]):
+            name = getattr(one, label)
+            if name in seen:
+                also = "" if seen[name] == written else f" (as {seen[name]!r} gives it)"
+                yield Fault(
+                    definition,
+                    label,
+                    f"the {label} {name!r} is there twice{also}; rename or remove one of the two",
+                )
+            seen[name] = written
+
+
+def _formula_faults(measurements: Sequence[Measurement]) -> Iterator[Fault]:
+    written: dict[str, Measurement] = {}
+    for measurement in measurements:
+        written |= {one.key: measurement for one in both_sides([measurement])}
+    formulas: dict[str, Formula] = {}
+    every = {one.key: one for one in both_sides(measurements)}
+    for key, one in every.items():
+        if not isinstance(one, FormulaMeasure):
+            continue
+        try:
+            formulas[key] = parse_formula(one.formula)
+        except InputError as error:
+            yield Fault(written[key], "formula", str(error))
+            return
+        for name in formulas[key].names:
+            if name not in every:
+                words = f"the formula {one.formula!r} names {name!r}, which is no key here"
+                yield Fault(written[key], "formula", f"{words}; {_key_hint(name, every)}")
+                return
+    try:
+        order = evaluation_order(formulas)
+    except graphlib.CycleError as error:
+        chain = " -> ".join(reversed(error.args[1]))
+        key = error.args[1][0]
+        yield Fault(
+            written[key],
+            "formula",
+            f"the formulas go round in a circle: {chain}; define one of them by landmarks",
+        )
+        return
+    quantities = dict.fromkeys(every, Quantity.LENGTH)
+    for key in order:
+        one = every[key]
+        assert isinstance(one, FormulaMeasure)
+        wanted = Quantity.ANGLE if one.angle else Quantity.LENGTH
+        try:
+            found = quantity_of(formulas[key], quantities)
+        except InputError as error:
+            yield Fault(written[key], "formula", str(error))
+            return
+        if found is not wanted:
+            yield Fault(written[key], "formula", _wrong_quantity(one, found, wanted))
+            return
+        quantities[key] = found
+
+
+def _key_hint(name: str, known: Mapping[str, Measurement]) -> str:
+    near = hint(name, known)
+    return near if near.startswith("did you mean") else "name measurements by their keys"
+
+
+def _wrong_quantity(one: FormulaMeasure, found: Quantity, wanted: Quantity) -> str:
+    remedy = "say `angle = true`" if found is Quantity.ANGLE else "change the formula"
+    return f"the formula {one.formula!r} has mixed units: it gives {found}, not {wanted}; {remedy}"
+
+
+def evaluation_order(formulas: Mapping[str, Formula]) -> tuple[str, ...]:
+    """Keys of formulas, each after those that it needs.
+
+    Raises
+    ------
+    graphlib.CycleError
+        If they need one another in a circle.
+    """
+    needs = {
+        key: [name for name in formula.names if name in formulas]
+        for key, formula in formulas.items()
+    }
+    return tuple(graphlib.TopologicalSorter(needs).static_order())

@@ -1,0 +1,45 @@
+"""Measurements that follow from others by a formula."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from bodymeasure.chart.definitions import FormulaMeasure
+from bodymeasure.chart.formula import Estimate, evaluate_formula, parse_formula
+from bodymeasure.chart.measured import Measured, Outcome
+from bodymeasure.errors import InputError
+
+
+def measure_formula(definition: FormulaMeasure, measured: Mapping[str, Measured]) -> Measured:
+    """A formula's value; missing if an operand is, never evaluated without it.
+
+    Parameters
+    ----------
+    definition : FormulaMeasure
+    measured : mapping of str to Measured
+        Operands by key.
+    """
+    formula = parse_formula(definition.formula)
+    operands = {name: measured[name] for name in formula.names}
+    used = [landmark for operand in operands.values() for landmark in operand.landmarks]
+    landmarks = tuple(dict.fromkeys(used))
+    failed = [name for name in formula.names if operands[name].outcome is not Outcome.MEASURED]
+    if failed:
+        what = ", ".join(f"{name!r} ({operands[name].outcome})" for name in failed)
+        one = operands[failed[0]]
+        return Measured(
+            definition,
+            Outcome.MISSING_OPERAND,
+            f"the formula {definition.formula!r} lacks {what}: {one.reason}",
+            landmarks=landmarks,
+        )
+    estimates = {
+        name: Estimate(operand.value, operand.error_estimate) for name, operand in operands.items()
+    }
+    try:
+        value, error = evaluate_formula(formula, estimates)
+    except InputError as refusal:
+        return Measured(definition, Outcome.REFUSED, str(refusal), landmarks=landmarks)
+    return Measured(
+        definition, Outcome.MEASURED, value=value, error_estimate=error, landmarks=landmarks
+    )

@@ -1,0 +1,90 @@
+"""Measurements along straight lines."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.chart.body import Body
+from bodymeasure.chart.definitions import (
+    BreadthMeasure,
+    ChordMeasure,
+    DepthMeasure,
+    HeightMeasure,
+    Measurement,
+)
+from bodymeasure.chart.measured import Measured, Outcome, Tape, TapeKind
+from bodymeasure.measure import breadth, depth
+
+_Array = NDArray[np.float64]
+
+# Of the body's size: rounding of a difference of two of its coordinates, and of an extent, whose
+# search stops where it is as good (`bodymeasure.section.extent`).
+ROUNDING = 4.0 * float(np.finfo(np.float64).eps)
+EXTENT = 1e-13
+
+
+def measure_height(body: Body, definition: HeightMeasure) -> Measured:
+    """The vertical distance from the floor, or from another landmark.
+
+    The floor is where the coordinate along the atlas's way up is 0: an atlas may end above the
+    ankles, so that its lowest point tells nothing.
+    """
+    up = body.atlas.axes.up_vector
+    top = body.position(definition.at)
+    above = definition.above
+    floor = 0.0 if above is None else float(body.position(above) @ up)
+    names = (definition.at,) if above is None else (definition.at, above)
+    height = float(top @ up) - floor
+    return _straight(body, definition, abs(height), names, (top, top - height * up))
+
+
+def measure_chord(body: Body, definition: ChordMeasure) -> Measured:
+    """The straight distance between two landmarks."""
+    names = (definition.start, definition.end)
+    start, end = (body.position(name) for name in names)
+    return _straight(body, definition, float(np.linalg.norm(end - start)), names, (start, end))
+
+
+def measure_breadth(body: Body, definition: BreadthMeasure) -> Measured:
+    """How wide the body is at a landmark's height."""
+    loop = body.level_girth(definition.at).loop
+    line = _through_middle(loop.positions, body.atlas.axes.left_vector)
+    width = breadth(body.atlas, loop)
+    return _straight(body, definition, width, (definition.at,), line, EXTENT)
+
+
+def measure_depth(body: Body, definition: DepthMeasure) -> Measured:
+    """How deep the body is at a landmark's height."""
+    loop = body.level_girth(definition.at).loop
+    line = _through_middle(loop.positions, body.atlas.axes.front_vector)
+    width = depth(body.atlas, loop)
+    return _straight(body, definition, width, (definition.at,), line, EXTENT)
+
+
+def _through_middle(points: _Array, direction: _Array) -> tuple[_Array, _Array]:
+    """The line through the middle of a loop that spans it in a direction."""
+    along = points @ direction
+    low, high = float(along.min()), float(along.max())
+    others = points - along[:, None] * direction
+    middle = 0.5 * (others.min(axis=0) + others.max(axis=0))
+    return middle + low * direction, middle + high * direction
+
+
+def _straight(
+    body: Body,
+    definition: Measurement,
+    value: float,
+    landmarks: tuple[str, ...],
+    line: tuple[_Array, _Array],
+    relative: float = ROUNDING,
+) -> Measured:
+    size = float(np.abs(body.atlas.points).max())
+    return Measured(
+        definition,
+        Outcome.MEASURED,
+        value=value,
+        error_estimate=relative * size,
+        landmarks=landmarks,
+        tapes=(Tape(TapeKind.STRAIGHT, np.stack(line), np.zeros((2, 3))),),
+    )
