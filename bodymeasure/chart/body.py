@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.normals import normal_vectors
+from bodymeasure.chart.joined import joined
 from bodymeasure.chart.nearest import hint
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import AtlasPath, geodesic_between
@@ -37,8 +39,8 @@ class Body:
 
     atlas: Atlas
     missing: Mapping[str, str] = field(default_factory=dict)
-    _paths: dict[tuple[str, ...], AtlasPath] = field(default_factory=dict, repr=False)
-    _girths: dict[tuple[str, ...], Girth] = field(default_factory=dict, repr=False)
+    _legs: dict[tuple[str, str], AtlasPath] = field(default_factory=dict, repr=False)
+    _girths: dict[tuple[str, bytes], Girth] = field(default_factory=dict, repr=False)
 
     def point(self, name: str) -> AtlasPoint:
         """The landmark of that name.
@@ -63,16 +65,19 @@ class Body:
         return self.atlas.position(self.point(name))
 
     def path(self, through: Sequence[str]) -> AtlasPath:
-        """The geodesic through landmarks in order, each found once."""
-        key = tuple(through)
-        if key not in self._paths:
-            start, *via, end = [self.point(name) for name in through]
-            self._paths[key] = geodesic_between(self.atlas, start, end, via, on_failure="status")
-        return self._paths[key]
+        """The geodesic through landmarks in order; each leg between two is found once."""
+        points = [self.point(name) for name in through]
+        legs = zip(pairwise(through), pairwise(points), strict=True)
+        return joined([self._leg(names, *ends) for names, ends in legs])
+
+    def _leg(self, names: tuple[str, str], start: AtlasPoint, end: AtlasPoint) -> AtlasPath:
+        if names not in self._legs:
+            self._legs[names] = geodesic_between(self.atlas, start, end, on_failure="status")
+        return self._legs[names]
 
     def girth(self, plane: Plane, at: str) -> Girth:
         """The girth in a plane through a landmark, each found once."""
-        key = (at, *plane.normal.tobytes().hex())
+        key = (at, plane.normal.tobytes())
         if key not in self._girths:
             self._girths[key] = plane_girth(self.atlas, plane, self.point(at))
         return self._girths[key]
