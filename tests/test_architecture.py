@@ -36,7 +36,7 @@ LAYERS = (
     ("chart",),
     ("scene",),
     ("bench", "report", "viewer"),
-    ("paper",),
+    ("compare", "paper"),
     ("cli",),
     ("__main__",),
 )

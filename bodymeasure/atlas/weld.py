@@ -20,8 +20,8 @@ def weld(control_points: _Points, tolerance: float | None = None) -> tuple[_Poin
 
     Parameters
     ----------
-    control_points : ndarray, shape (patches, 4, 4, 3)
-        Finite.
+    control_points : ndarray, shape (patches, degree + 1, degree + 1, 3)
+        Finite, in space: of rational patches, without their weights.
     tolerance : float, optional
         Edges that run no farther apart than this are joined too, if that is little beside their
         length and their patches' width (`gaps.NEAR`). Without it, those are whose control points
@@ -31,7 +31,7 @@ def weld(control_points: _Points, tolerance: float | None = None) -> tuple[_Poin
     -------
     points : ndarray, shape (n, 3)
         Of control points that are joined, the place of the first.
-    index : ndarray of int, shape (patches, 4, 4)
+    index : ndarray of int, shape (patches, degree + 1, degree + 1)
 
     Raises
     ------
@@ -40,11 +40,12 @@ def weld(control_points: _Points, tolerance: float | None = None) -> tuple[_Poin
 
     Notes
     -----
-    Of an edge that is a single point, the four control points become one. T-junctions and wider
+    Of an edge that is a single point, the control points become one. T-junctions and wider
     gaps stay as they are: `check_atlas` tells of them.
     """
     require_size(control_points.reshape(-1, 3))
-    own = np.arange(control_points[..., 0].size, dtype=np.int64).reshape(-1, 4, 4)
+    shape = control_points.shape[:-1]
+    own = np.arange(control_points[..., 0].size, dtype=np.int64).reshape(shape)
     places = same_places(control_points.reshape(-1, 3)).reshape(own.shape)
     collapsed = collapsed_sides(control_points)
     # Nearly always the coordinates are the same to the last bit; only the rest needs a tolerance.
@@ -73,7 +74,7 @@ def same_places(points: _Points) -> _Index:
 
 def _join_same(own: _Index, table: EdgeTable, collapsed: NDArray[np.bool_]) -> _Index:
     """The index with sides joined that lie on one edge, and collapsed sides made one point."""
-    rows = edge_table(own).control_index.reshape(-1, 4)
+    rows = edge_table(own).control_index.reshape(-1, own.shape[-1])
     backwards = table.reversed.reshape(-1, 1)
     along = np.where(backwards, rows[:, ::-1], rows)
     _, first = np.unique(table.edge.ravel(), return_index=True)

@@ -15,7 +15,9 @@ from typing import Any
 import click
 
 from bodymeasure.cli.bench import bench
+from bodymeasure.cli.chart import chart
 from bodymeasure.cli.check import check
+from bodymeasure.cli.compare import compare
 from bodymeasure.cli.console import print_error, print_note
 from bodymeasure.cli.diagonals import diagonals
 from bodymeasure.cli.landmarks import landmarks
@@ -112,6 +114,7 @@ def app(ctx: click.Context) -> int | None:
     \b
     To begin:
       bodymeasure report                    measure the average female sample
+      bodymeasure chart                     its girths, lengths and heights
       bodymeasure report body.atlas -o out  measure a body of yours
     """  # noqa: D301  (click wants the character itself)
     if ctx.invoked_subcommand is not None:
@@ -120,7 +123,7 @@ def app(ctx: click.Context) -> int | None:
     return EXIT_BAD_INPUT
 
 
-for command in (report, diagonals, check, landmarks, view, samples, bench, paper):
+for command in (report, chart, compare, landmarks, diagonals, check, view, samples, bench, paper):
     app.add_command(command)
 
 

@@ -20,13 +20,17 @@ TOLD = 3
 # Likeness of names from which one is taken for a misspelling of the other.
 NEAR = 0.7
 EXIT_CODES = (
-    "Exit codes: 0 done; 1 done, but with something to look at: the check found errors, or a "
-    "length disagrees with the mesh; 2 bad input or usage, and nothing written; 130 interrupted."
+    "Exit codes: 0 done; 1 done, but with something to look at: the check found errors, a length "
+    "disagrees with the mesh, a measurement could not be taken, or differences exceed what ISO "
+    "20685-1 allows; 2 bad input or usage, and nothing written; 130 interrupted."
 )
 # What a feature needs: a name for it, the module, its package, and the extra that installs it.
 COMPARISON = ("the comparison (--no-cross-check leaves it out)", "igl", "libigl", "oracle")
 PICTURES = ("drawing (--no-pictures leaves it out)", "matplotlib", "matplotlib", "report")
 PAGE = ("the HTML report", "jinja2", "jinja2", "report")
+ROUTES = ("a chart of measurements", "pygeodesic", "pygeodesic", "chart")
+CHART_PAGE = ("the page of measurements", "jinja2", "jinja2", "chart")
+CHART_PICTURES = ("drawing (--no-pictures leaves it out)", "matplotlib", "matplotlib", "chart")
 BENCHMARK = (
     ("the benchmark", "igl", "libigl", "bench"),
     ("the benchmark", "potpourri3d", "potpourri3d", "bench"),
@@ -51,6 +55,13 @@ despite_errors_option = click.option(
     "--despite-errors",
     is_flag=True,
     help="Measure an atlas in which the check finds errors; look at each status then.",
+)
+definitions_option = click.option(
+    "--set",
+    "definitions",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Definitions of the measurements; the default set if not given.",
 )
 no_cross_check_option = click.option(
     "--no-cross-check",

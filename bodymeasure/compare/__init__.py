@@ -1,0 +1,32 @@
+"""Body measurements from two sources, compared: differences, and the verdict of ISO 20685-1."""
+
+from bodymeasure.compare.comparison import compare
+from bodymeasure.compare.iso20685 import MINIMUM_SUBJECTS
+from bodymeasure.compare.names import Known, known_from
+from bodymeasure.compare.page import render_comparison
+from bodymeasure.compare.read import read_readings
+from bodymeasure.compare.readings import Reading, Readings, readings_of
+from bodymeasure.compare.records import (
+    VERDICTS,
+    Comparison,
+    comparison_schema,
+    comparison_to_csv,
+    comparison_to_json,
+)
+
+__all__ = [
+    "MINIMUM_SUBJECTS",
+    "VERDICTS",
+    "Comparison",
+    "Known",
+    "Reading",
+    "Readings",
+    "compare",
+    "comparison_schema",
+    "comparison_to_csv",
+    "comparison_to_json",
+    "known_from",
+    "read_readings",
+    "readings_of",
+    "render_comparison",
+]

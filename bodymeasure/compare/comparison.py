@@ -1,0 +1,172 @@
+"""Two sources of body measurements, compared."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from datetime import UTC, datetime
+
+from bodymeasure.atlas import Unit
+from bodymeasure.compare.iso20685 import MINIMUM_SUBJECTS, agreement, class_verdicts
+from bodymeasure.compare.names import Known, Vocabulary
+from bodymeasure.compare.readings import Reading, Readings, converted
+from bodymeasure.compare.records import Comparison, Difference
+from bodymeasure.errors import InputError
+from bodymeasure.report.measurements.records import DEGREES, ValueUnit
+
+# Of each kind of note; the rest is counted.
+NAMED = 20
+
+_ByKey = dict[str, Reading]
+
+
+def compare(
+    first: Readings,
+    second: Readings,
+    *,
+    known: Iterable[Known] = (),
+    unit: Unit | str | None = None,
+    minimum_subjects: int = MINIMUM_SUBJECTS,
+    created: datetime | None = None,
+) -> Comparison:
+    """Differences of what two sources have in common, by subject, and ISO 20685-1's verdict.
+
+    One subject is compared with one, whatever their names; several are paired by name.
+
+    Parameters
+    ----------
+    first, second : Readings
+    known : iterable of Known
+        Measurements beside those that the sources define themselves.
+    unit : Unit or str, optional
+        Of the lengths; that of the first source if not given, or else centimeters.
+    minimum_subjects : int
+        For a verdict.
+    created : datetime, optional
+        Now if not given.
+
+    Raises
+    ------
+    InputError
+        If a measurement is unknown or given twice, an angle stands for a length, or the sources
+        have no subject or no measurement in common.
+    """
+    shown = Unit.parse(unit or first.unit or second.unit or Unit.CM)
+    vocabulary = Vocabulary([*first.known, *second.known, *known])
+    by_subject = [_by_subject(each, vocabulary) for each in (first, second)]
+    pairs, notes = _pairs(first, second)
+    differences: list[Difference] = []
+    for subject, one, other in pairs:
+        a, b = by_subject[0][one], by_subject[1][other]
+        for key, each in vocabulary.by_key.items():
+            if key in a and key in b:
+                pair = _difference(subject, each, a[key], b[key], shown)
+                if pair is not None:
+                    differences.append(pair)
+        notes += _missing(subject if len(pairs) > 1 else "", a, b, first, second)
+    if not differences:
+        raise InputError(
+            f"{first.name} and {second.name} have no value of the same measurement; "
+            "their keys or names have to agree"
+        )
+    grouped: dict[str, list[Difference]] = {}
+    for difference in differences:
+        grouped.setdefault(difference.key, []).append(difference)
+    agreements = [
+        agreement(grouped[key], minimum_subjects) for key in vocabulary.by_key if key in grouped
+    ]
+    return Comparison(
+        created=(created or datetime.now(UTC)).isoformat(timespec="seconds"),
+        a=first.name,
+        b=second.name,
+        unit=shown.value,
+        minimum_subjects=minimum_subjects,
+        subjects=[subject for subject, _, _ in pairs],
+        classes=class_verdicts(agreements, shown),
+        agreements=agreements,
+        notes=notes,
+        differences=differences,
+    )
+
+
+def _by_subject(readings: Readings, vocabulary: Vocabulary) -> dict[str, _ByKey]:
+    result: dict[str, _ByKey] = {subject: {} for subject in readings.subjects}
+    for reading in readings.values:
+        known = vocabulary.find(reading.measurement, reading.place)
+        if (reading.unit == DEGREES) != known.angle:
+            expected = "an angle in deg" if known.angle else "a length in m, cm, mm or inch"
+            raise InputError(
+                f"{reading.place}: {known.key!r} is given in {reading.unit}; expected {expected}"
+            )
+        mine = result[reading.subject]
+        if known.key in mine:
+            whose = f" of {reading.subject!r}" if reading.subject else ""
+            raise InputError(
+                f"{reading.place}: {known.key!r}{whose} is given a second time; keep one of the "
+                "two, or tell subjects apart in a column subject"
+            )
+        mine[known.key] = reading
+    return result
+
+
+def _pairs(first: Readings, second: Readings) -> tuple[list[tuple[str, str, str]], list[str]]:
+    """Subjects to compare, as a name and those in either source; and a note on the others."""
+    mine, other = first.subjects, second.subjects
+    if len(mine) == len(other) == 1:
+        return [(mine[0] or other[0], mine[0], other[0])], []
+    common = [subject for subject in mine if subject in other]
+    if not common:
+        raise InputError(
+            f"{first.name} and {second.name} have no subject in common; expected the same names in "
+            "the column subject of both"
+        )
+    notes = []
+    for has, lacks in ((first, second), (second, first)):
+        absent = [one or "(unnamed)" for one in has.subjects if one not in lacks.subjects]
+        if absent:
+            notes.append(f"not in {lacks.name}: {_named(absent, 'subject')}")
+    return [(subject, subject, subject) for subject in common], notes
+
+
+def _difference(
+    subject: str, known: Known, one: Reading, other: Reading, shown: Unit
+) -> Difference | None:
+    if one.value is None or other.value is None:
+        return None
+    unit: ValueUnit = DEGREES if known.angle else shown.value
+    a, b = converted(one.value, one.unit, unit), converted(other.value, other.unit, unit)
+    errors = [converted(r.error, r.unit, unit) for r in (one, other) if r.error is not None]
+    return Difference(
+        subject=subject,
+        key=known.key,
+        name=known.name,
+        unit=unit,
+        a=a,
+        b=b,
+        difference=a - b,
+        relative=(a - b) / b if b else None,
+        combined_error=sum(errors) if errors else None,
+        accuracy_class=known.accuracy_class,
+    )
+
+
+def _missing(subject: str, a: _ByKey, b: _ByKey, first: Readings, second: Readings) -> list[str]:
+    """Notes on what only one of the two has a value of."""
+    prefix = f"{subject}: " if subject else ""
+    notes = []
+    for has, lacks, where in ((a, b, second.name), (b, a, first.name)):
+        valued = [key for key, reading in has.items() if reading.value is not None]
+        absent = [key for key in valued if key not in lacks]
+        if absent:
+            notes.append(f"{prefix}not in {where}: {_named(absent, 'measurement')}")
+        notes += [
+            f"{prefix}no value in {where}: {key} ({lacks[key].reason})"
+            for key in valued
+            if key in lacks and lacks[key].value is None
+        ]
+    return notes
+
+
+def _named(words: list[str], noun: str) -> str:
+    more = len(words) - NAMED
+    listed = ", ".join(words[:NAMED])
+    return listed if more <= 0 else f"{listed} and {more} more {noun}s"

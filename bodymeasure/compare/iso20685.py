@@ -1,0 +1,94 @@
+"""The verdict of ISO 20685-1 on a mean difference."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from statistics import fmean, stdev
+
+from scipy.special import stdtrit
+
+from bodymeasure.atlas import Unit, convert_length
+from bodymeasure.chart import AccuracyClass
+from bodymeasure.compare.records import Agreement, ClassVerdict, Difference, Verdict
+
+# Of test subjects, that the standard asks for at the least.
+MINIMUM_SUBJECTS = 40
+CONFIDENCE = 0.95
+
+
+def confidence_interval(differences: Sequence[float]) -> tuple[float, float] | None:
+    """The 95 % confidence interval of the mean, by Student's t; None of fewer than two.
+
+    Parameters
+    ----------
+    differences : sequence of float
+        One a subject, at least two.
+    """
+    count = len(differences)
+    if count < 2:
+        return None
+    t = float(stdtrit(count - 1, 0.5 + 0.5 * CONFIDENCE))
+    mean, half = fmean(differences), t * stdev(differences) / math.sqrt(count)
+    return mean - half, mean + half
+
+
+def agreement(differences: Sequence[Difference], minimum_subjects: int) -> Agreement:
+    """The differences of one measurement, of at least one subject, taken together."""
+    first = differences[0]
+    values = [each.difference for each in differences]
+    interval = confidence_interval(values)
+    largest = max(differences, key=lambda each: abs(each.difference))
+    maximum = maximum_error(first.accuracy_class, first.unit)
+    return Agreement(
+        key=first.key,
+        name=first.name,
+        unit=first.unit,
+        accuracy_class=first.accuracy_class,
+        subjects=len(values),
+        mean=fmean(values),
+        deviation=stdev(values) if len(values) > 1 else None,
+        low=None if interval is None else interval[0],
+        high=None if interval is None else interval[1],
+        largest=largest.difference,
+        largest_subject=largest.subject,
+        maximum_error=maximum,
+        verdict=_verdict(interval, maximum, len(values) >= minimum_subjects),
+    )
+
+
+def maximum_error(accuracy_class: str | None, unit: str) -> float | None:
+    """Maximum allowable error of a class, in a unit of length; None without a class."""
+    if accuracy_class is None:
+        return None
+    millimeters = AccuracyClass(accuracy_class).maximum_error_mm
+    return convert_length(millimeters, Unit.MM, Unit.parse(unit))
+
+
+def _verdict(interval: tuple[float, float] | None, maximum: float | None, enough: bool) -> Verdict:
+    if maximum is None:
+        return "no class"
+    if interval is None or not enough:
+        return "too few subjects"
+    return "within" if -maximum <= interval[0] and interval[1] <= maximum else "exceeds"
+
+
+def class_verdicts(agreements: Sequence[Agreement], unit: str) -> list[ClassVerdict]:
+    """The verdict on each class that occurs, in the order of the standard."""
+    found = []
+    for each in AccuracyClass:
+        members = [one for one in agreements if one.accuracy_class == each.value]
+        if not members:
+            continue
+        verdicts = {one.verdict for one in members}
+        verdict: Verdict = "exceeds" if "exceeds" in verdicts else "too few subjects"
+        found.append(
+            ClassVerdict(
+                accuracy_class=each.value,
+                maximum_error=convert_length(each.maximum_error_mm, Unit.MM, Unit.parse(unit)),
+                measurements=len(members),
+                within=sum(one.verdict == "within" for one in members),
+                verdict="within" if verdicts == {"within"} else verdict,
+            )
+        )
+    return found

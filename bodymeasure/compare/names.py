@@ -1,0 +1,93 @@
+"""Which measurement a name means."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from bodymeasure.chart import Measurement, accuracy_class
+from bodymeasure.errors import InputError
+
+# Likeness of names from which one is taken for a misspelling of the other.
+NEAR = 0.6
+
+
+@dataclass(frozen=True)
+class Known:
+    """A measurement that values may be of.
+
+    Parameters
+    ----------
+    key, name : str
+    accuracy_class : str or None
+        In ISO 20685-1.
+    angle : bool
+        Whether it is in degrees.
+    """
+
+    key: str
+    name: str
+    accuracy_class: str | None
+    angle: bool = False
+
+
+def known_from(definitions: Iterable[Measurement]) -> tuple[Known, ...]:
+    """What definitions, with left and right put in, define."""
+    return tuple(
+        Known(
+            key=definition.key,
+            name=definition.name,
+            accuracy_class=None if (found := accuracy_class(definition)) is None else found.value,
+            angle=bool(getattr(definition, "angle", False)),
+        )
+        for definition in definitions
+    )
+
+
+class Vocabulary:
+    """Measurements by their keys and names; upper and lower case are the same.
+
+    Parameters
+    ----------
+    known : iterable of Known
+        The first one of a key counts.
+    """
+
+    def __init__(self, known: Iterable[Known]) -> None:
+        self.by_key: dict[str, Known] = {}
+        self._by_text: dict[str, list[Known]] = {}
+        for each in known:
+            self.by_key.setdefault(each.key, each)
+        for each in self.by_key.values():
+            self._by_text.setdefault(_plain(each.name), []).append(each)
+        # Unlike names, keys are unique, and so go first.
+        self._by_text |= {_plain(key): [each] for key, each in self.by_key.items()}
+
+    def find(self, text: str, place: str) -> Known:
+        """The measurement of that key or name.
+
+        Raises
+        ------
+        InputError
+            If there is none, or several; the message names the nearest, or those.
+        """
+        found = self._by_text.get(_plain(text), [])
+        if len(found) == 1:
+            return found[0]
+        if found:
+            keys = ", ".join(each.key for each in found)
+            raise InputError(
+                f"{place}: several measurements are named {text!r}; give the key of one: {keys}"
+            )
+        nearest = difflib.get_close_matches(_plain(text), self._by_text, n=1, cutoff=NEAR)
+        if nearest:
+            near = self._by_text[nearest[0]][0]
+            hint = f"did you mean {near.key!r} ({near.name})?"
+        else:
+            hint = "give a key or a name of the chart, or the file of definitions with --set"
+        raise InputError(f"{place}: no measurement is named {text!r}; {hint}")
+
+
+def _plain(text: str) -> str:
+    return " ".join(text.casefold().replace("_", " ").split())

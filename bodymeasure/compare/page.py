@@ -1,0 +1,48 @@
+"""A comparison as one self-contained page."""
+
+from __future__ import annotations
+
+from bodymeasure.compare import shown
+from bodymeasure.compare.records import VERDICTS, Comparison
+from bodymeasure.report.measurements.tape import tape_text
+from bodymeasure.report.numbers import NONE
+from bodymeasure.report.templating import moment, render_page
+from bodymeasure.report.views import UNIT_NAMES
+
+TONES = {"within": "good", "exceeds": "poor", "too few subjects": "fair", "no class": ""}
+MARKS = {"within": "✓", "exceeds": "✕", "too few subjects": "△", "no class": NONE}
+
+
+def render_comparison(comparison: Comparison) -> bytes:
+    """A comparison as an HTML page that loads nothing else.
+
+    Differences stand there one by one if there is one subject; of several, those of each
+    measurement are taken together.
+
+    Raises
+    ------
+    MissingExtraError
+        If jinja2 is not installed.
+    """
+    used = {each.verdict for each in comparison.agreements}
+    context = {
+        "comparison": comparison,
+        "single": len(comparison.subjects) == 1,
+        "created": moment(comparison.created),
+        "unit_name": UNIT_NAMES[comparison.unit],
+        "verdicts": {verdict: words for verdict, words in VERDICTS.items() if verdict in used},
+        "tones": TONES,
+        "marks": MARKS,
+    }
+    return render_page(
+        "bodymeasure.compare",
+        "comparison.html.j2",
+        context,
+        feature="the page of a comparison",
+        filters={
+            "tape": tape_text,
+            "signed": shown.signed,
+            "error": shown.error_text,
+            "interval": shown.interval,
+        },
+    )

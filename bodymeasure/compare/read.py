@@ -1,0 +1,136 @@
+"""Values to compare from files: a chart's JSON, or CSV typed by hand."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+import re
+from fractions import Fraction
+from pathlib import Path
+
+import msgspec
+
+from bodymeasure.atlas import Unit
+from bodymeasure.compare.readings import Reading, Readings, readings_of
+from bodymeasure.errors import InputError
+from bodymeasure.files import read_bytes
+from bodymeasure.report.measurements.records import DEGREES, SCHEMA, ChartDocument
+
+# Columns, each with the names that it may have; those of a chart's CSV are among them.
+COLUMNS = {
+    "measurement": ("measurement", "key", "name"),
+    "value": ("value",),
+    "unit": ("unit",),
+    "subject": ("subject",),
+    "error": ("error_estimate", "error"),
+    "reason": ("reason",),
+}
+NEEDED = ("measurement", "value", "unit")
+# The first of them that the header has is taken.
+DELIMITERS = ("\t", ";", ",")
+PLAIN_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?", re.IGNORECASE | re.ASCII)
+TAILORS_FRACTION = re.compile(r"(\d+\s+)?\d+/0*[1-9]\d*", re.ASCII)
+UNITS = (*(unit.value for unit in Unit), DEGREES)
+
+
+def read_readings(path: Path) -> Readings:
+    """Values from a file, by its extension: a chart's ``.json``, or ``.csv``.
+
+    A CSV file has the columns ``measurement`` (key or name), ``value`` and ``unit`` (m, cm, mm,
+    inch, deg), and may have ``subject`` and ``error``. Tabs and semicolons serve in place of
+    commas; with these, a comma may be a decimal point. Inches may have fractions, as ``33 1/8``. A
+    line without a value says that there is none.
+
+    Raises
+    ------
+    InputError
+        The file, the line, what was expected and what to do.
+    """
+    content = read_bytes(path)
+    if path.suffix.lower() == ".json":
+        return readings_of(_chart(content, path), path.name)
+    return Readings(path.name, tuple(_rows(content, path)))
+
+
+def _chart(content: bytes, path: Path) -> ChartDocument:
+    try:
+        return msgspec.json.decode(content, type=ChartDocument)
+    except msgspec.DecodeError as error:
+        raise InputError(
+            f"{path}: is not the measurements.json of a chart ({error}); expected the schema "
+            f"{SCHEMA!r}, as `bodymeasure chart -o` writes it"
+        ) from None
+
+
+def _rows(content: bytes, path: Path) -> list[Reading]:
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: is not text in UTF-8; save the table in that encoding") from None
+    header = text.partition("\n")[0]
+    delimiter = next((each for each in DELIMITERS if each in header), ",")
+    table = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter)
+    try:
+        columns = _columns(next(table, []), path)
+        readings = [
+            _reading(row, columns, f"{path}, line {table.line_num}", delimiter)
+            for row in table
+            if any(cell.strip() for cell in row)
+        ]
+    except csv.Error as error:
+        raise InputError(f"{path}, line {table.line_num}: is not CSV ({error})") from None
+    if not readings:
+        raise InputError(f"{path}: holds no measurement; expected one a line below the header")
+    return readings
+
+
+def _columns(header: list[str], path: Path) -> dict[str, int]:
+    """Place of each column in a row."""
+    given = [cell.strip().casefold() for cell in header]
+    columns = {
+        column: next(given.index(name) for name in names if name in given)
+        for column, names in COLUMNS.items()
+        if any(name in given for name in names)
+    }
+    missing = [column for column in NEEDED if column not in columns]
+    if missing:
+        raise InputError(
+            f"{path}, line 1: has no column {' and no column '.join(map(repr, missing))}; expected "
+            f"a header with {', '.join(NEEDED)}, and subject if there are several"
+        )
+    return columns
+
+
+def _reading(row: list[str], columns: dict[str, int], place: str, delimiter: str) -> Reading:
+    def cell(column: str) -> str:
+        at = columns.get(column)
+        return row[at].strip() if at is not None and at < len(row) else ""
+
+    unit = cell("unit")
+    if unit not in UNITS:
+        what = f"unknown unit {unit!r}" if unit else "no unit, and none is guessed"
+        raise InputError(f"{place}: {what}; expected one of {', '.join(UNITS)}")
+    value, error = cell("value"), cell("error")
+    decimal_comma = delimiter != ","
+    return Reading(
+        subject=cell("subject"),
+        measurement=cell("measurement"),
+        value=_number(value, unit, decimal_comma, place) if value else None,
+        unit=unit,
+        error=_number(error, unit, decimal_comma, place) if error else None,
+        reason=cell("reason") or "no value is given",
+        place=place,
+    )
+
+
+def _number(text: str, unit: str, decimal_comma: bool, place: str) -> float:
+    plain = text.replace(",", ".") if decimal_comma else text
+    number = math.nan
+    if unit == Unit.INCH and TAILORS_FRACTION.fullmatch(plain):
+        number = float(sum(Fraction(word) for word in plain.split()))
+    elif PLAIN_NUMBER.fullmatch(plain):
+        number = float(plain)
+    if not math.isfinite(number):
+        raise InputError(f"{place}: {text!r} is not a number; expected one such as 91.5")
+    return number

@@ -1,0 +1,112 @@
+"""Measured values to compare, of one body or of many, wherever they come from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from bodymeasure.atlas import Unit, convert_length
+from bodymeasure.compare.names import Known
+from bodymeasure.errors import InputError
+from bodymeasure.report.measurements.records import DEGREES, ChartDocument
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One value.
+
+    Parameters
+    ----------
+    subject : str
+        Whose body; empty if the source does not say.
+    measurement : str
+        Key or name of the measurement, as the source has it.
+    value : float or None
+        None if there is none; `reason` then says why.
+    unit : str
+        m, cm, mm, inch or deg.
+    error : float or None
+        Bound on the error of `value`, if known.
+    reason : str
+    place : str
+        Where it stands, for messages.
+    """
+
+    subject: str
+    measurement: str
+    value: float | None
+    unit: str
+    error: float | None = None
+    reason: str = ""
+    place: str = ""
+
+
+@dataclass(frozen=True)
+class Readings:
+    """All values of one source.
+
+    Parameters
+    ----------
+    name : str
+        Of the source, for titles.
+    values : tuple of Reading
+    known : tuple of Known
+        The measurements that the source itself defines.
+    unit : str or None
+        In which the source would be shown, if it says so.
+    """
+
+    name: str
+    values: tuple[Reading, ...]
+    known: tuple[Known, ...] = ()
+    unit: str | None = field(default=None)
+
+    @property
+    def subjects(self) -> tuple[str, ...]:
+        """Whose bodies, each once, in the order of the source."""
+        return tuple(dict.fromkeys(reading.subject for reading in self.values))
+
+
+def readings_of(document: ChartDocument, name: str = "") -> Readings:
+    """The values of a chart.
+
+    Parameters
+    ----------
+    document : ChartDocument
+    name : str
+        For titles; that of the body if not given.
+    """
+    return Readings(
+        name=name or document.name or "a body",
+        values=tuple(
+            Reading(
+                subject=document.name,
+                measurement=record.key,
+                value=record.value,
+                unit=record.unit,
+                error=record.error_estimate,
+                reason=record.reason or record.outcome,
+                place=f"{name or document.name}: {record.key}",
+            )
+            for record in document.measurements
+        ),
+        known=tuple(
+            Known(record.key, record.name, record.accuracy_class, record.unit == DEGREES)
+            for record in document.measurements
+        ),
+        unit=document.unit,
+    )
+
+
+def converted(value: float, source: str, target: str) -> float:
+    """A value in another unit; degrees stay degrees.
+
+    Raises
+    ------
+    InputError
+        If one is a length and the other an angle.
+    """
+    if (source == DEGREES) != (target == DEGREES):
+        raise InputError(f"an angle and a length cannot be compared ({source} and {target})")
+    if source == DEGREES:
+        return value
+    return convert_length(value, Unit.parse(source), Unit.parse(target))

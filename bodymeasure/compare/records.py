@@ -1,0 +1,108 @@
+"""What a comparison holds, as JSON and CSV, and its schema."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Final, Literal
+
+from msgspec import Meta, Struct
+
+from bodymeasure.report.measurements.records import LengthUnit, ValueUnit
+from bodymeasure.report.serial import csv_bytes, json_bytes, struct_schema
+
+SCHEMA: Final = "bodymeasure comparison"
+
+Verdict = Literal["within", "exceeds", "too few subjects", "no class"]
+VERDICTS: Final[dict[str, str]] = {
+    "within": "The 95 % confidence interval of the mean difference lies within the maximum "
+    "allowable error.",
+    "exceeds": "The 95 % confidence interval of the mean difference does not lie within the "
+    "maximum allowable error.",
+    "too few subjects": "The standard asks for more subjects, so there is no verdict.",
+    "no class": "The standard has no class for it.",
+}
+
+
+class Difference(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """One measurement of one subject, in both sources."""
+
+    subject: str
+    key: str
+    name: str
+    unit: ValueUnit
+    a: Annotated[float, Meta(description="Value in the first source.")]
+    b: Annotated[float, Meta(description="Value in the second source.")]
+    difference: Annotated[float, Meta(description="a - b")]
+    relative: Annotated[float | None, Meta(description="(a - b) / b; null if b is 0.")]
+    combined_error: Annotated[
+        float | None,
+        Meta(description="Sum of the errors of a and b that are known; null if neither is."),
+    ]
+    accuracy_class: Annotated[str | None, Meta(description="In ISO 20685-1.")]
+
+
+class Agreement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The differences of one measurement over all subjects."""
+
+    key: str
+    name: str
+    unit: ValueUnit
+    accuracy_class: str | None
+    subjects: int
+    mean: Annotated[float, Meta(description="Mean difference a - b.")]
+    deviation: Annotated[float | None, Meta(description="Sample standard deviation.")]
+    low: Annotated[float | None, Meta(description="Of the 95 % confidence interval of the mean.")]
+    high: Annotated[float | None, Meta(description="Of the 95 % confidence interval of the mean.")]
+    largest: Annotated[float, Meta(description="Difference that is largest in size.")]
+    largest_subject: str
+    maximum_error: Annotated[
+        float | None, Meta(description="Maximum allowable error of the class in ISO 20685-1.")
+    ]
+    verdict: Verdict
+
+
+class ClassVerdict(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A class of ISO 20685-1: within if each of its measurements is."""
+
+    accuracy_class: str
+    maximum_error: float
+    measurements: int
+    within: Annotated[int, Meta(description="Measurements that are within.")]
+    verdict: Verdict
+
+
+class Comparison(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Two sources of body measurements, compared."""
+
+    schema: Annotated[Literal["bodymeasure comparison"], Meta(description="Kind of file.")] = SCHEMA
+    version: Annotated[Literal[1], Meta(description="Of this layout.")] = 1
+    created: Annotated[str, Meta(description="When, in ISO 8601.")]
+    a: Annotated[str, Meta(description="The first source.")]
+    b: Annotated[str, Meta(description="The second source.")]
+    unit: Annotated[LengthUnit, Meta(description="Of the lengths.")]
+    minimum_subjects: Annotated[int, Meta(description="For a verdict.")]
+    subjects: Annotated[list[str], Meta(description="Those in both sources.")]
+    classes: list[ClassVerdict]
+    agreements: list[Agreement]
+    notes: Annotated[list[str], Meta(description="What could not be compared, and why.")]
+    differences: list[Difference]
+
+
+def comparison_schema() -> dict[str, Any]:
+    """JSON Schema (draft 2020-12) of a comparison."""
+    return struct_schema(Comparison, SCHEMA)
+
+
+def comparison_to_json(comparison: Comparison) -> bytes:
+    """A comparison as JSON, one record a line; every float round-trips."""
+    return json_bytes(comparison)
+
+
+def comparison_to_csv(comparison: Comparison) -> bytes:
+    """The differences as CSV (RFC 4180, UTF-8); the columns are the fields of `Difference`."""
+    return csv_bytes(
+        Difference.__struct_fields__,
+        (
+            [getattr(each, field) for field in Difference.__struct_fields__]
+            for each in comparison.differences
+        ),
+    )

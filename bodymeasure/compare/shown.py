@@ -1,0 +1,36 @@
+"""Differences as people read them, on the page and in the terminal."""
+
+from __future__ import annotations
+
+from bodymeasure.compare.records import Agreement, Difference
+from bodymeasure.report.measurements.tape import TAPE_DECIMALS, small_text
+from bodymeasure.report.numbers import MINUS, NONE, SPACE
+
+# A tenth of a millimeter and its like: differences are means of many readings.
+EXTRA_DECIMALS = 1
+
+
+def signed(value: float | None, unit: str) -> str:
+    """A difference with its sign, one digit finer than a tape; a dash for none."""
+    if value is None:
+        return NONE
+    text = f"{value:+.{TAPE_DECIMALS[unit] + EXTRA_DECIMALS}f}"
+    if float(text) == 0.0:
+        return text[1:]
+    return text.replace("-", MINUS)
+
+
+def error_text(difference: Difference) -> str:
+    """The combined error of a difference with its unit; a dash for none."""
+    error = difference.combined_error
+    if difference.unit == "deg":
+        return NONE if error is None else f"{error:.1g}°"
+    return small_text(error, difference.unit)
+
+
+def interval(agreement: Agreement) -> str:
+    """The confidence interval of a mean difference; a dash for none."""
+    if agreement.low is None or agreement.high is None:
+        return NONE
+    low, high = (signed(end, agreement.unit) for end in (agreement.low, agreement.high))
+    return f"{low}{SPACE}to {high}"
