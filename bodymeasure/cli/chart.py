@@ -10,7 +10,7 @@ import click
 from rich.table import Table
 from rich.text import Text
 
-from bodymeasure.cli.console import RESULTS, counted, print_note, print_table, progress_bar
+from bodymeasure.cli.console import RESULTS, print_note, print_table, progress_bar
 from bodymeasure.cli.options import (
     CHART_PAGE,
     CHART_PICTURES,
@@ -35,6 +35,8 @@ EXIT_NOT_MEASURED = 1
 # What an atlas without a landmark leads to. Of the default set, no body has all.
 ABSENT = ("missing landmark", "missing operand")
 BODY_PICTURES = 4
+# Of what could not be measured; the page has all.
+NAMED = 6
 
 
 @click.command(short_help="Chart the body measurements of a body.", epilog=EXIT_CODES)
@@ -163,9 +165,11 @@ def _print(document: ChartDocument, form: str) -> None:
         click.echo(chart_to_csv(document.measurements), nl=False)
     else:
         print_table(_table(document))
-        for record in document.measurements:
-            if record.reason:
-                RESULTS.print(Text(f"\n{record.name}: {record.reason}"), soft_wrap=True)
+        reasons = [
+            f"{record.name}: {record.reason}" for record in document.measurements if record.reason
+        ]
+        if reasons:
+            RESULTS.print(Text("\n".join(["", *reasons])), soft_wrap=True)
 
 
 def _table(document: ChartDocument) -> Table:
@@ -180,7 +184,11 @@ def _table(document: ChartDocument) -> Table:
     for heading in ("along skin", "taut", "error"):
         table.add_column(heading, justify="right", no_wrap=True)
     table.add_column("status", overflow="fold")
+    group = ""
     for record in document.measurements:
+        if record.group != group:
+            group = record.group
+            table.add_row(Text(group, "bold"))
         error = record.error_estimate
         angle = record.unit != document.unit
 
@@ -217,14 +225,12 @@ def _summary(document: ChartDocument, seconds: float) -> Table:
     table.add_row(
         "measured", Text(f"{measured:,} of {total:,}", "green" if measured == total else "yellow")
     )
-    for record in document.measurements:
-        if record.outcome != "measured":
-            table.add_row("", Text(f"{record.name}: {record.outcome}", "yellow"))
+    for outcome in document.outcomes:
+        if outcome != "measured":
+            table.add_row("", Text(f"{outcome}: {_named(document, outcome)}", "yellow"))
     if document.missing_landmarks:
-        missing = ", ".join(landmark.name for landmark in document.missing_landmarks)
-        table.add_row(
-            counted(len(document.missing_landmarks), "missing landmark"), Text(missing, "yellow")
-        )
+        missing = [landmark.name for landmark in document.missing_landmarks]
+        table.add_row("landmarks", Text(f"missing: {_first(missing)}", "yellow"))
     absent = missing_freesewing(document)
     given = len(FREESEWING_KEYS) - len(absent)
     table.add_row("FreeSewing", f"{given} of {len(FREESEWING_KEYS)} keys")
@@ -232,3 +238,14 @@ def _summary(document: ChartDocument, seconds: float) -> Table:
         table.add_row("", Text(f"missing: {', '.join(absent)}"))
     table.add_row("time", f"{seconds:.1f} s")
     return table
+
+
+def _named(document: ChartDocument, outcome: str) -> str:
+    return _first([record.name for record in document.measurements if record.outcome == outcome])
+
+
+def _first(names: list[str]) -> str:
+    """Some names, and how many more there are."""
+    more = len(names) - NAMED
+    # Names have commas in them.
+    return "; ".join(names[:NAMED]) + (f"; and {more} more" if more > 0 else "")

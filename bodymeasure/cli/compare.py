@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -92,9 +93,14 @@ def compare(
     from bodymeasure.compare import known_from
 
     loaded = load_definitions(definitions)
+    readings = [_readings(name, loaded, despite_errors=despite_errors) for name in (first, second)]
+    if readings[0].name == readings[1].name:
+        # Two charts of one body, say: then their files tell them apart.
+        readings = [
+            replace(each, name=name) for each, name in zip(readings, (first, second), strict=True)
+        ]
     comparison = compared(
-        _readings(first, loaded, despite_errors=despite_errors),
-        _readings(second, loaded, despite_errors=despite_errors),
+        *readings,
         known=known_from(both_sides(loaded.measurement)),
         unit=unit,
         minimum_subjects=minimum_subjects,
@@ -144,7 +150,7 @@ def _readings(name: str, definitions: Definitions, *, despite_errors: bool) -> R
         return read_readings(Path(name))
     atlas = load_sound_atlas(name, despite_errors=despite_errors)
     document = chart_document(measured_chart(atlas, definitions), Unit.CM)
-    return readings_of(document, name)
+    return readings_of(document)
 
 
 def _print(comparison: Comparison) -> None:

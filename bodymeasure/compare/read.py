@@ -49,7 +49,7 @@ def read_readings(path: Path) -> Readings:
     """
     content = read_bytes(path)
     if path.suffix.lower() == ".json":
-        return readings_of(_chart(content, path), path.name)
+        return readings_of(_chart(content, path))
     return Readings(path.name, tuple(_rows(content, path)))
 
 

@@ -66,17 +66,10 @@ class Readings:
         return tuple(dict.fromkeys(reading.subject for reading in self.values))
 
 
-def readings_of(document: ChartDocument, name: str = "") -> Readings:
-    """The values of a chart.
-
-    Parameters
-    ----------
-    document : ChartDocument
-    name : str
-        For titles; that of the body if not given.
-    """
+def readings_of(document: ChartDocument) -> Readings:
+    """The values of a chart; it goes by the name of the body."""
     return Readings(
-        name=name or document.name or "a body",
+        name=document.name or "a body",
         values=tuple(
             Reading(
                 subject=document.name,
@@ -85,7 +78,7 @@ def readings_of(document: ChartDocument, name: str = "") -> Readings:
                 unit=record.unit,
                 error=record.error_estimate,
                 reason=record.reason or record.outcome,
-                place=f"{name or document.name}: {record.key}",
+                place=f"{document.name}: {record.key}",
             )
             for record in document.measurements
         ),

@@ -41,7 +41,12 @@ def scientific(value: float | None, *, signed: bool = False) -> str:
 
 def percent(value: float | None, decimals: int = 2) -> str:
     """A signed ratio in percent; a dash for none."""
-    return NONE if value is None else f"{100.0 * value:+.{decimals}f}{SPACE}%".replace("-", MINUS)
+    if value is None:
+        return NONE
+    text = f"{100.0 * value:+.{decimals}f}"
+    # No sign before a zero.
+    text = text[1:] if float(text) == 0.0 else text.replace("-", MINUS)
+    return f"{text}{SPACE}%"
 
 
 def millimeters(length: float | None, unit: Unit | str) -> str:
