@@ -42,7 +42,8 @@ GIRTHS = ("girth", "tilted girth", "extreme girth", "closed")
 # The standard's examples are the chest for large girths and the neck for small ones. Those of the
 # trunk are taken as large here, all others as small: the stricter reading.
 _NOT_TRUNK = re.compile(
-    r"neck|head|thigh|leg|knee|calf|ankle|foot|heel|arm\b|elbow|wrist|hand|biceps", re.IGNORECASE
+    r"neck|head|armscye|thigh|leg|knee|calf|ankle|foot|heel|arm\b|elbow|wrist|hand|biceps",
+    re.IGNORECASE,
 )
 _GIRTH = re.compile(r"\bgirth|\bcircumference", re.IGNORECASE)
 _BREADTH = re.compile(r"\bbreadth", re.IGNORECASE)

@@ -155,9 +155,11 @@ def _readings(name: str, definitions: Definitions, *, despite_errors: bool) -> R
 
 def _print(comparison: Comparison) -> None:
     several = len(comparison.subjects) > 1
+    title = f"A {comparison.a}, B {comparison.b}, in {comparison.unit}"
+    RESULTS.print(Text(title), soft_wrap=True)
     print_table(_agreements(comparison) if several else _differences(comparison))
     if several:
-        RESULTS.print()
+        RESULTS.print("\nISO 20685-1")
         print_table(_classes(comparison))
         if len(comparison.subjects) < comparison.minimum_subjects:
             print_note(
@@ -168,8 +170,8 @@ def _print(comparison: Comparison) -> None:
         print_note(note)
 
 
-def _new_table(title: str, *columns: str) -> Table:
-    table = Table(box=None, pad_edge=False, title=Text(title), title_justify="left")
+def _new_table(*columns: str) -> Table:
+    table = Table(box=None, pad_edge=False)
     for number, column in enumerate(columns):
         table.add_column(
             column, justify="right" if number else "left", overflow="fold", no_wrap=number > 0
@@ -183,7 +185,6 @@ def _differences(comparison: Comparison) -> Table:
     from bodymeasure.report.numbers import percent
 
     table = _new_table(
-        f"A {comparison.a}, B {comparison.b}, in {comparison.unit}",
         *("measurement", "A", "B", "A - B", "relative", "combined error"),
     )
     for each in comparison.differences:
@@ -203,7 +204,6 @@ def _agreements(comparison: Comparison) -> Table:
     from bodymeasure.compare.shown import interval, signed
 
     table = _new_table(
-        f"A {comparison.a}, B {comparison.b}, in {comparison.unit}",
         *("measurement", "subjects", "mean A - B", "95 % interval", "largest", "class", "verdict"),
     )
     for each in comparison.agreements:
@@ -222,9 +222,7 @@ def _agreements(comparison: Comparison) -> Table:
 def _classes(comparison: Comparison) -> Table:
     from bodymeasure.compare.shown import signed
 
-    table = _new_table(
-        "ISO 20685-1", "class", f"allowed, {comparison.unit}", "measurements", "within", "verdict"
-    )
+    table = _new_table("class", f"allowed, {comparison.unit}", "measurements", "within", "verdict")
     for each in comparison.classes:
         table.add_row(
             each.accuracy_class,

@@ -140,11 +140,11 @@ def _difference(
         key=known.key,
         name=known.name,
         unit=unit,
-        a=a,
-        b=b,
-        difference=a - b,
-        relative=(a - b) / b if b else None,
-        combined_error=sum(errors) if errors else None,
+        a=float(a),
+        b=float(b),
+        difference=float(a - b),
+        relative=float((a - b) / b) if b else None,
+        combined_error=float(sum(errors)) if errors else None,
         accuracy_class=known.accuracy_class,
     )
 

@@ -61,7 +61,7 @@ def _context(document: ChartDocument, pictures: TapePictures | None) -> dict[str
         "groups": views.groups(document, None if pictures is None else pictures.numbers),
         "tiles": views.tiles(document),
         "sentences": views.summary_sentences(document),
-        "unmeasured": views.unmeasured(document),
+        "absences": views.absences(document),
         "remarked": views.remarked(document),
         "inches": document.unit == "inch",
         "unit_name": UNIT_NAMES[document.unit],

@@ -87,9 +87,27 @@ def _row(record: BodyMeasurement, number: str) -> Row:
     )
 
 
+@dataclass(frozen=True)
+class Absence:
+    """Measurements that lack a value for the same reason."""
+
+    names: str
+    outcome: str
+    reason: str
+
+
 def unmeasured(document: ChartDocument) -> list[BodyMeasurement]:
     """The measurements that have no value, in the chart's order."""
     return [record for record in document.measurements if record.outcome != MEASURED]
+
+
+def absences(document: ChartDocument) -> list[Absence]:
+    """Why measurements have no value; those with the same reason together."""
+    names: dict[tuple[str, str], list[str]] = {}
+    for record in unmeasured(document):
+        names.setdefault((record.outcome, record.reason), []).append(record.name)
+    # Names have commas in them.
+    return [Absence("; ".join(each), outcome, reason) for (outcome, reason), each in names.items()]
 
 
 def remarked(document: ChartDocument) -> list[BodyMeasurement]:

@@ -1,0 +1,180 @@
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from command_line import Run, hide_here, recorded_bars
+from hand_made_chart import tape_pictures
+
+FILES = [
+    "chart.html",
+    "measurements.json",
+    "measurements.csv",
+    "measurements.schema.json",
+    "female_average.smis",
+    "freesewing.json",
+]
+SET = """
+format = "bodymeasure measurements"
+version = 1
+name = "Four"
+
+[[measurement]]
+key = "bust_girth"
+kind = "girth"
+name = "Bust girth"
+group = "Girths"
+at = "bust point left"
+tape = "taut"
+seamly = ["bust_circ"]
+freesewing = "chest"
+
+[[measurement]]
+key = "waist_height_{side}"
+kind = "height"
+name = "Waist height, {side}"
+group = "Heights"
+at = "side waist point {side}"
+freesewing = "waistToFloor"
+"""
+WRIST = """
+[[measurement]]
+key = "wrist_height"
+kind = "height"
+name = "Wrist height"
+at = "no such point"
+"""
+
+
+@pytest.fixture
+def definitions(tmp_path: Path) -> Path:
+    path = tmp_path / "set.toml"
+    path.write_text(SET, "utf-8")
+    return path
+
+
+@pytest.fixture(autouse=True)
+def _routes() -> None:
+    pytest.importorskip("pygeodesic")
+
+
+def test_all_files_are_written(run: Run, definitions: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "new" / "chart"
+    ran = run("chart", "--set", definitions, "-o", folder, "--no-pictures", "--unit", "inch")
+    assert (ran.code, ran.err) == (0, "")
+    assert sorted(path.name for path in folder.iterdir()) == sorted(FILES)
+    content: dict[str, Any] = json.loads((folder / "measurements.json").read_bytes())
+    schema = json.loads((folder / "measurements.schema.json").read_bytes())
+    jsonschema.Draft202012Validator(schema).validate(content)
+    assert content["unit"] == "inch"
+    bust = content["measurements"][0]
+    assert 0.6 / 0.0254 < bust["taut"] == bust["value"] < bust["contact"] < 1.1 / 0.0254
+    assert (folder / "chart.html").read_text("utf-8").count("data:image/png") == 0
+    millimeters = json.loads((folder / "freesewing.json").read_bytes())["measurements"]
+    assert math.isclose(millimeters["chest"], 25.4 * bust["value"], abs_tol=0.006)
+    smis = (folder / "female_average.smis").read_text("utf-8")
+    assert f'<m name="bust_circ" value="{bust["value"]:.4f}" />' in smis
+    assert "2 of 38 keys" in ran.out
+    # The files stand at the end, one a line, to copy or to open.
+    assert ran.out.splitlines()[-6:] == [str(folder / name) for name in FILES]
+
+
+def test_without_a_folder_the_chart_is_printed(run: Run, definitions: Path) -> None:
+    table = run("chart", "female_average", "--set", definitions)
+    assert (table.code, table.err) == (0, "")
+    assert re.search(r"^Bust girth +\d\d\.\d +\d\d\.\d +\d\d\.\d .* measured$", table.out, re.M)
+    ran = run("chart", "--set", definitions, "--format", "json", "--unit", "mm")
+    records = json.loads(ran.out)["measurements"]
+    assert [record["key"] for record in records] == [
+        "bust_girth",
+        "waist_height_left",
+        "waist_height_right",
+    ]
+    ran = run("chart", "--set", definitions, "--format", "csv", "--unit", "m")
+    rows = list(csv.DictReader(io.StringIO(ran.out, newline="")))
+    for row, record in zip(rows, records, strict=True):
+        assert math.isclose(1000.0 * float(row["value"]), record["value"], rel_tol=1e-12)
+    inches = run("chart", "--set", definitions, "--unit", "inch").out
+    assert re.search(r"^Bust girth +\d\d\.\d\d +\d\d\s\d+/\d+ ", inches, re.M)
+
+
+def test_what_was_asked_for_and_is_missing_is_told(run: Run, definitions: Path) -> None:
+    definitions.write_text(SET + WRIST, "utf-8")
+    ran = run("chart", "--set", definitions)
+    assert ran.code == 1
+    assert re.search(r"^Wrist height .* missing landmark$", ran.out, re.M)
+    assert re.search(r"^Wrist height: .*'no such point'", ran.out, re.M)
+
+
+def test_pictures_and_progress(
+    run: Run, definitions: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bars = recorded_bars(monkeypatch, "chart")
+
+    def draw(_chart: Any, *, advance: Any) -> Any:
+        for name in range(5):
+            advance(str(name))
+        return tape_pictures()
+
+    monkeypatch.setattr("bodymeasure.scene.tape_pictures", draw, raising=False)
+    ran = run("chart", "--set", definitions, "-o", tmp_path / "out")
+    assert (ran.code, ran.err) == (0, "Drawn without <OpenGL>.\n")
+    page = (tmp_path / "out" / "chart.html").read_text("utf-8")
+    assert page.count("data:image/png") == 5
+    assert [label for label, _, _ in bars] == ["measuring", "drawing"]
+    assert bars[0][1:] == (3, [1, 2, 3])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--format", "csv", "-o", "out"), "--format is for printing; with -o, all formats"),
+        (("--unit", "ft"), "'ft' is not one of 'm', 'cm', 'mm', 'inch'"),
+        (("--set", "gone.toml"), "gone.toml: no such file"),
+        (("--set", "set.toml", "gone.atlas"), "gone.atlas: no such file"),
+        (("--set", "wrong.toml", "-o", "out"), "'chset' is no measurement of FreeSewing; did you"),
+        (("--set", "empty.toml"), "'None' defines no measurement"),
+    ],
+)
+def test_bad_input_is_told_and_nothing_written(
+    run: Run,
+    definitions: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: tuple[str, ...],
+    message: str,
+) -> None:
+    folder = definitions.parent
+    monkeypatch.chdir(folder)
+    (folder / "wrong.toml").write_text(SET.replace('"chest"', '"chset"'), "utf-8")
+    empty = SET.partition("[[")[0].replace('"Four"', '"None"')
+    (folder / "empty.toml").write_text(empty, "utf-8")
+    ran = run("chart", *arguments)
+    assert (ran.code, ran.out) == (2, "")
+    assert message in ran.err
+    assert not (folder / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("package", "arguments"),
+    [("pygeodesic", ()), ("jinja2", ("-o", "out", "--no-pictures")), ("matplotlib", ("-o", "out"))],
+)
+def test_missing_packages_are_told_first(
+    run: Run,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    package: str,
+    arguments: tuple[str, ...],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    hide_here(monkeypatch, package)
+    ran = run("chart", "gone.atlas", *arguments)
+    assert (ran.code, ran.out) == (2, "")
+    assert ran.err.endswith("pip install 'bodymeasure[chart]'\n")
+    assert list(tmp_path.iterdir()) == []
