@@ -9,9 +9,19 @@ from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas, Unit
 from bodymeasure.errors import InputError
-from bodymeasure.measure.merging import refuse_merged
+from bodymeasure.measure.cutting import cut_loop
+from bodymeasure.measure.merging import merged, refuse_merged
 from bodymeasure.measure.places import Place, position_of
-from bodymeasure.section import Plane, SectionLoop, convex_hull, plane_section
+from bodymeasure.section import (
+    BridgedLoop,
+    DrawnTape,
+    Hull,
+    Plane,
+    SectionLoop,
+    convex_hull,
+    drawn,
+    plane_section,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,15 +31,18 @@ class Girth:
     Parameters
     ----------
     contact : float
-        Length of the section: a tape that follows the skin. In `unit`.
+        Length of the section: a tape that follows the skin. In `unit`. Where the loop is cut at
+        the armpits, the straight lines over the cuts are part of it.
     taut : float
         Perimeter of its convex hull: a tape that bridges hollows. Never above `contact`.
     error_estimate : float
         Of either.
     loop : SectionLoop
-        The section's loop.
-    bridges : ndarray, shape (k, 2, 3)
-        Ends of the straight parts of the taut tape.
+        The section's loop, whole.
+    tape : SectionLoop or BridgedLoop
+        What is measured: the loop, or what cuts leave of it.
+    hull : Hull
+        Where the taut tape leaves it.
     unit : Unit
     """
 
@@ -37,13 +50,29 @@ class Girth:
     taut: float
     error_estimate: float
     loop: SectionLoop
-    bridges: NDArray[np.float64]
+    tape: SectionLoop | BridgedLoop
+    hull: Hull
     unit: Unit
 
     @property
     def gap(self) -> float:
         """By how much the taut tape is shorter than the one that follows the skin."""
         return self.contact - self.taut
+
+    @property
+    def bridges(self) -> NDArray[np.float64]:
+        """Ends of the straight parts of the taut tape over hollows, shape (k, 2, 3)."""
+        return self.hull.bridges
+
+    @property
+    def contact_tape(self) -> DrawnTape:
+        """The tape that follows the skin, to be drawn."""
+        return drawn(self.tape)
+
+    @property
+    def taut_tape(self) -> DrawnTape:
+        """The tape drawn taut, to be drawn."""
+        return drawn(self.tape, self.hull.spans)
 
 
 def plane_girth(atlas: Atlas, plane: Plane, at: Place, *, limb: bool = False) -> Girth:
@@ -75,26 +104,46 @@ def section_loop(atlas: Atlas, plane: Plane, at: Place, *, limb: bool = False) -
     return loop
 
 
-def girth_of_loop(loop: SectionLoop) -> Girth:
-    """Contact and taut length of a closed loop."""
-    hull = convex_hull(loop)
-    return Girth(loop.length, hull.length, hull.error_estimate, loop, hull.bridges, loop.unit)
+def girth_of_loop(loop: SectionLoop, tape: SectionLoop | BridgedLoop | None = None) -> Girth:
+    """Contact and taut length of a closed loop, or of what is left of it."""
+    tape = loop if tape is None else tape
+    hull = convex_hull(tape)
+    return Girth(tape.length, hull.length, hull.error_estimate, loop, tape, hull, loop.unit)
 
 
-def body_girth(atlas: Atlas, at: Place) -> Girth:
+def body_girth(atlas: Atlas, at: Place, *, cut: tuple[Place, Place] | None = None) -> Girth:
     """Horizontal girth at the height of a place: bust, waist, hip, neck.
 
     Parameters
     ----------
     atlas : Atlas
     at : str, AtlasPoint or ndarray of shape (3,)
+    cut : tuple of two places, optional
+        The left and the right armpit. A loop that goes round trunk and arms is cut there by
+        vertical planes from front to back, and the cuts are bridged straight; one that goes round
+        the trunk alone is left whole.
 
     Raises
     ------
     InputError
-        As `plane_girth`.
+        As `plane_girth`; or if the first place to cut at does not lie to the left of the second,
+        or a plane misses the loop that it is to cut.
     """
-    return plane_girth(atlas, Plane(position_of(atlas, at), atlas.axes.up_vector), at)
+    plane = Plane(position_of(atlas, at), atlas.axes.up_vector)
+    if cut is None:
+        return plane_girth(atlas, plane, at)
+    left, right = (float(position_of(atlas, place) @ atlas.axes.left_vector) for place in cut)
+    if left <= right:
+        raise InputError(
+            f"the loop is to be cut from {left:.4g} {atlas.unit} on the left to {right:.4g} on "
+            "the right, which leaves nothing between; expected the left armpit first, then the "
+            "right one"
+        )
+    section = plane_section(atlas, plane)
+    loop = section.nearest(position_of(atlas, at))
+    if any(atlas.regions) and merged(section, loop, limb=False) is None:
+        return girth_of_loop(loop)
+    return girth_of_loop(loop, cut_loop(loop, atlas.axes.left_vector, (left, right)))
 
 
 def limb_girth(atlas: Atlas, start: Place, end: Place, *, at: Place | float = 0.5) -> Girth:

@@ -34,6 +34,13 @@ def refuse_merged(section: PlaneSection, loop: SectionLoop, *, limb: bool) -> No
     Just below the armpit a loop of the trunk may cross patches that belong to the arm. It is only
     merged with the arm if no other loop of the section is the arm's.
     """
+    reason = merged(section, loop, limb=limb)
+    if reason is not None:
+        raise InputError(reason)
+
+
+def merged(section: PlaneSection, loop: SectionLoop, *, limb: bool) -> str | None:
+    """Why `refuse_merged` refuses a loop, with the remedy; None if it does not."""
     for side in SIDES:
         arm, trunk = _length(loop, ARM, side), _length(loop, TRUNK)
         if arm == 0.0 or trunk == 0.0 or (limb and arm > trunk):
@@ -41,16 +48,17 @@ def refuse_merged(section: PlaneSection, loop: SectionLoop, *, limb: bool) -> No
         others = [other for other in section.loops if other is not loop]
         if not limb and any(_length(other, ARM, side) > 0.5 * other.length for other in others):
             continue
-        raise InputError(
+        return (
             f"the loop merges the trunk and the {side} arm ({_words(loop)}): the plane passes "
-            "above the armpit; choose a landmark below it, or tilt the plane until arm and trunk "
-            "are cut apart"
+            "above the armpit; choose a landmark below it, tilt the plane until arm and trunk are "
+            "cut apart, or have a horizontal loop cut at the armpits (cut)"
         )
     if limb and all(_length(loop, ("",), side) > 0.0 for side in SIDES):
-        raise InputError(
+        return (
             f"the loop is to go round one limb, but has parts of both sides ({_words(loop)}): "
             "choose a place farther down the limb, or tilt the axis"
         )
+    return None
 
 
 def _length(loop: SectionLoop, beginnings: tuple[str, ...], side: str = "") -> float:

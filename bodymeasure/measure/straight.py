@@ -6,7 +6,7 @@ import numpy as np
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.measure.places import Place, position_of
-from bodymeasure.section import SectionLoop, extent
+from bodymeasure.section import Curve, extent
 
 
 def height(atlas: Atlas, at: Place, *, floor: float = 0.0) -> float:
@@ -28,11 +28,11 @@ def chord(atlas: Atlas, start: Place, end: Place) -> float:
     return float(np.linalg.norm(position_of(atlas, end) - position_of(atlas, start)))
 
 
-def breadth(atlas: Atlas, loop: SectionLoop) -> float:
+def breadth(atlas: Atlas, loop: Curve) -> float:
     """How wide a loop is from the wearer's left to right, in the loop's unit."""
     return extent(loop, atlas.axes.left_vector)
 
 
-def depth(atlas: Atlas, loop: SectionLoop) -> float:
+def depth(atlas: Atlas, loop: Curve) -> float:
     """How deep a loop is from front to back, in the loop's unit."""
     return extent(loop, atlas.axes.front_vector)

@@ -1,0 +1,62 @@
+"""Loops cut at the armpits: what lies between two vertical planes, bridged straight."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.errors import InputError
+from bodymeasure.section import BridgedLoop, SectionLoop, part, sign_changes
+
+_Array = NDArray[np.float64]
+
+
+def cut_loop(
+    loop: SectionLoop, left: _Array, bounds: tuple[float, float]
+) -> SectionLoop | BridgedLoop:
+    """What of a closed loop lies between two planes, its gaps bridged straight.
+
+    Parameters
+    ----------
+    loop : SectionLoop
+    left : ndarray, shape (3,)
+        To the wearer's left: the planes' normal.
+    bounds : tuple of two float
+        Where the left and the right plane cut this direction.
+
+    Returns
+    -------
+    SectionLoop or BridgedLoop
+        The loop itself where it lies between the planes as it is.
+
+    Raises
+    ------
+    InputError
+        If the loop is open, or lies beyond a plane or reaches beyond one only.
+    """
+    if not loop.closed:
+        raise InputError(
+            "the section is open: it ends on the boundary of the atlas, so that nothing closed is "
+            "left of it; choose a plane that cuts the body all round"
+        )
+    cuts = [_crossings(loop, left, bound) for bound in bounds]
+    across = loop.positions @ left
+    if not any(len(places) for places in cuts) and bounds[1] < across.mean() < bounds[0]:
+        return loop
+    for side, bound, places in zip(("left", "right"), bounds, cuts, strict=True):
+        if not len(places):
+            raise InputError(
+                f"the {side} plane that is to cut the loop, at {bound:.4g} {loop.unit} to the "
+                f"left, misses it: the loop reaches from {across.max():.4g} to "
+                f"{across.min():.4g}; choose the armpits to cut at, and a height at which the arms "
+                "are part of the loop"
+            )
+    places = np.sort(np.concatenate(cuts))
+    ends = np.append(places[1:], places[0] + loop.count)
+    middle = loop.positions_at((0.5 * (places + ends)) % loop.count) @ left
+    kept = np.flatnonzero((middle < bounds[0]) & (middle > bounds[1]))
+    return BridgedLoop(tuple(part(loop, float(places[i]), float(ends[i])) for i in kept))
+
+
+def _crossings(loop: SectionLoop, left: _Array, bound: float) -> _Array:
+    return sign_changes(loop, lambda positions: np.asarray(positions @ left - bound))
