@@ -2,13 +2,16 @@
 
 from bodymeasure.measure.boundary import BoundaryLengths, boundary_lengths
 from bodymeasure.measure.diagonals import diagonals
+from bodymeasure.measure.drops import Drop, drop
 from bodymeasure.measure.extreme_girth import ExtremeGirth, Extremum, extreme_girth
+from bodymeasure.measure.forks import fork
 from bodymeasure.measure.girths import Girth, body_girth, limb_girth, plane_girth
 from bodymeasure.measure.straight import breadth, chord, depth, height
 from bodymeasure.measure.survey import Survey, measure_atlas, package_versions
 
 __all__ = [
     "BoundaryLengths",
+    "Drop",
     "ExtremeGirth",
     "Extremum",
     "Girth",
@@ -19,7 +22,9 @@ __all__ = [
     "chord",
     "depth",
     "diagonals",
+    "drop",
     "extreme_girth",
+    "fork",
     "height",
     "limb_girth",
     "measure_atlas",

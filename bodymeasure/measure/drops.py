@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,7 @@ from bodymeasure.errors import InputError
 from bodymeasure.measure.places import Place, position_of
 from bodymeasure.section import (
     DrawnTape,
+    Hull,
     Plane,
     PlaneSection,
     SectionLoop,
@@ -25,13 +26,14 @@ from bodymeasure.section import (
     signed_area,
     turned,
 )
-from bodymeasure.section.hull import Hull
 
 _Array = NDArray[np.float64]
 
 # Of the difference of heights: a way down that rises by more first leads over something, such as
 # the head; one that rises by less only starts on a slope, such as a shoulder's.
 RISE = 0.1
+# Of the same: an open boundary that misses the level by so little lies at it.
+ROUNDING = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,22 +79,6 @@ class Drop:
         return drawn(self.arc, self.hull.spans)
 
 
-class _Way(NamedTuple):
-    """A way from the start to the level.
-
-    Parameters
-    ----------
-    arc : SectionLoop
-    turn : float
-        Positive if the body lies to its left in the plane's frame.
-    end : ndarray, shape (3,)
-    """
-
-    arc: SectionLoop
-    turn: float
-    end: _Array
-
-
 def drop(
     atlas: Atlas, start: Place, level: Place, *, plane: Literal["median", "side"] = "median"
 ) -> Drop:
@@ -127,30 +113,36 @@ def drop(
         )
     normal = atlas.axes.left_vector if plane == "median" else atlas.axes.front_vector
     section = plane_section(atlas, Plane(first, normal))
-    way = _direct_way(section, first, last, np.sign(rise) * up, "up" if rise > 0.0 else "down")
-    hull = outer_hull(way.arc, way.turn)
-    return Drop(way.arc.length, hull.length, hull.error_estimate, way.arc, hull, atlas.unit)
+    forth, word = np.sign(rise) * up, "up" if rise > 0.0 else "down"
+    arc, curve = _direct_way(section, first, last, forth, word)
+    turn = _turn(section, arc, 0.5 * (first + last), forth)
+    # Where the atlas is open at the middle height, what the curve goes round tells.
+    turn = signed_area(curve.positions @ curve.plane.frame().T) if turn is None else turn
+    hull = outer_hull(arc, turn)
+    return Drop(arc.length, hull.length, hull.error_estimate, arc, hull, atlas.unit)
 
 
 def _direct_way(
     section: PlaneSection, first: _Array, last: _Array, forth: _Array, word: str
-) -> _Way:
-    """The way from the first point in a direction to the height of the last."""
+) -> tuple[SectionLoop, SectionLoop]:
+    """The way from the first point in a direction to the height of the last, and all its curve."""
     loop = section.nearest(first)
     far = float((last - first) @ forth)
-    ways: list[_Way] = []
+    ways: list[tuple[SectionLoop, SectionLoop]] = []
     roundabout = False
-    for curve in (loop, turned(loop)):
-        begin = nearest_place(curve, first)
-        arc = part(curve, begin, begin + curve.count if curve.closed else float(curve.count))
-        reached = sign_changes(arc, lambda x: (x - last) @ forth)
-        if not len(reached):
+    place = nearest_place(loop, first)
+    for curve, begin in ((loop, place), (turned(loop), loop.count - place)):
+        end = begin + curve.count if curve.closed else float(curve.count)
+        if begin == end:
             continue
-        way = part(arc, 0.0, float(reached[0]))
+        whole = part(curve, begin, end)
+        reached = _reached(whole, last, forth, ROUNDING * far)
+        if reached is None:
+            continue
+        way = part(whole, 0.0, reached)
         roundabout = True
         if ((way.positions - first) @ forth).min() >= -RISE * far:
-            flat = curve.positions @ curve.plane.frame().T
-            ways.append(_Way(way, signed_area(flat), arc.positions_at(reached[:1])[0]))
+            ways.append((way, curve))
     if not ways:
         why = (
             "only by going the other way first"
@@ -162,4 +154,37 @@ def _direct_way(
             f"from its start, {why}; choose a start or a level on the part of the body that is to "
             "be measured, or the other plane"
         )
-    return min(ways, key=lambda way: float(np.linalg.norm(way.end - last)))
+    return min(ways, key=lambda way: float(np.linalg.norm(way[0].positions[-1] - last)))
+
+
+def _reached(arc: SectionLoop, last: _Array, forth: _Array, rounding: float) -> float | None:
+    """The first place at which an arc reaches a level, if it does."""
+    places = sign_changes(arc, lambda x: (x - last) @ forth)
+    if len(places):
+        return float(places[0])
+    end = float(arc.count)
+    below = float((arc.positions_at(np.array([end]))[0] - last) @ forth)
+    return end if abs(below) <= rounding else None
+
+
+def _turn(section: PlaneSection, arc: SectionLoop, middle: _Array, forth: _Array) -> float | None:
+    """Positive if the body lies to the left of an arc in the plane's frame, else negative.
+
+    Along the horizontal line at a height, one goes into the body and out of it by turns; None if
+    never out.
+    """
+
+    def height(positions: _Array) -> _Array:
+        return np.asarray((positions - middle) @ forth)
+
+    along = np.cross(section.plane.normal, forth)
+    crossings = np.concatenate(
+        [loop.positions_at(sign_changes(loop, height)) @ along for loop in section.loops]
+    )
+    if len(crossings) % 2:
+        return None
+    own = arc.positions_at(sign_changes(arc, height)[:1])[0] @ along
+    enters = np.abs(np.sort(crossings) - own).argmin() % 2 == 0
+    inwards = along if enters else -along
+    # Seen in the frame, whose two vectors and the normal are right-handed.
+    return float(np.cross(forth, inwards) @ section.plane.normal)

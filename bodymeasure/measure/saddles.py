@@ -21,6 +21,8 @@ REST = 1e-12
 OUTSIDE = 1e-9
 # Of the patch's own range of heights: slopes that small have no sign.
 LEVEL = 1e-9
+# Of the atlas's size: saddles this close together are one.
+SAME = 1e-7
 
 
 def saddles_between(atlas: Atlas, low: float, high: float, near: _Array) -> list[AtlasPoint]:
@@ -36,7 +38,8 @@ def saddles_between(atlas: Atlas, low: float, high: float, near: _Array) -> list
     Returns
     -------
     list of AtlasPoint
-        Inside patches, or on seams; corners of patches between the two heights if there is neither.
+        Each once. Inside patches, or on seams; corners of patches between the two heights if there
+        is neither.
     """
     heights = atlas.control_points @ atlas.axes.up_vector
     inside = (heights.min(axis=(1, 2)) <= high) & (heights.max(axis=(1, 2)) >= low)
@@ -46,9 +49,15 @@ def saddles_between(atlas: Atlas, low: float, high: float, near: _Array) -> list
         AtlasPoint(int(p), float(u), float(v)) for p in patches for u in (0, 1) for v in (0, 1)
     ]
     for candidates in (found, corners):
-        points = [p for p in candidates if low <= atlas.position(p) @ atlas.axes.up_vector <= high]
-        if points:
-            return sorted(points, key=lambda p: float(np.linalg.norm(atlas.position(p) - near)))
+        positions = np.array([atlas.position(point) for point in candidates]).reshape(-1, 3)
+        height = positions @ atlas.axes.up_vector
+        rows = np.flatnonzero((height >= low) & (height <= high))
+        rows = rows[np.argsort(np.linalg.norm(positions[rows] - near, axis=1), kind="stable")]
+        # On a seam, each of its patches has the same saddle.
+        apart = np.linalg.norm(positions[rows, None] - positions[rows], axis=-1)
+        again = np.tril(apart <= SAME * float(np.abs(atlas.points).max()), -1).any(axis=1)
+        if len(rows):
+            return [candidates[row] for row in rows[~again]]
     return []
 
 

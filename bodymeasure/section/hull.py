@@ -115,7 +115,8 @@ def outer_hull(arc: SectionLoop, turn: float) -> Hull:
 
     hull = _refined(loop, corners, turn)
     chord = float(np.linalg.norm(loop.bridges[0, 1] - loop.bridges[0, 0]))
-    return hull._replace(length=hull.length - chord)
+    # But for rounding, it is between the two.
+    return hull._replace(length=max(min(hull.length - chord, arc.length), chord))
 
 
 def signed_area(flat: NDArray[np.float64]) -> float:

@@ -17,10 +17,13 @@ _Array = NDArray[np.float64]
 SAMPLES = 24
 # Parts into which the steps about a place are cut each round, and rounds: 1/24 of a piece shrinks
 # to rounding.
-CUTS = 8
-ROUNDS = 17
-# Halvings of a step in which a function changes sign: to rounding.
-HALVINGS = 54
+CUTS = 32
+ROUNDS = 10
+# Steps at most to a change of sign, each of which at least halves its bracket: to rounding. Some
+# five are usual.
+STEPS = 54
+# Of a place, in pieces: what rounding leaves of it.
+FINEST = 1e-15
 
 
 def turned(loop: SectionLoop) -> SectionLoop:
@@ -95,13 +98,31 @@ def sign_changes(loop: SectionLoop, height: Callable[[_Array], _Array]) -> _Arra
     loop : SectionLoop
     height : callable
         From positions (n, 3) to numbers (n,); zero counts as positive.
+
+    Notes
+    -----
+    C. Ridders, "A new algorithm for computing a single root", IEEE Trans. Circuits Syst. 26 (1979).
     """
     place = sample_places(loop)
-    negative = height(loop.positions_at(place)) < 0.0
-    rows = np.flatnonzero(negative[1:] != negative[:-1])
-    low, high, rises = place[rows], place[rows + 1], negative[rows]
-    for _ in range(HALVINGS):
+    value = height(loop.positions_at(place))
+    rows = np.flatnonzero((value[1:] < 0.0) != (value[:-1] < 0.0))
+    low, high, at_low, at_high = place[rows], place[rows + 1], value[rows], value[rows + 1]
+    root = np.where(np.abs(at_low) < np.abs(at_high), low, high)
+    for _ in range(STEPS):
         middle = 0.5 * (low + high)
-        before = (height(loop.positions_at(middle)) < 0.0) == rises
-        low, high = np.where(before, middle, low), np.where(before, high, middle)
-    return np.asarray(0.5 * (low + high))
+        at_middle = height(loop.positions_at(middle))
+        scale = np.sqrt(at_middle**2 - at_low * at_high)
+        shift = np.sign(at_low - at_high) * np.divide(
+            at_middle, scale, out=np.zeros_like(scale), where=scale > 0.0
+        )
+        previous, root = root, np.clip(middle + (middle - low) * shift, low, high)
+        at_root = height(loop.positions_at(root))
+        for place, value in ((middle, at_middle), (root, at_root)):
+            inside = (place > low) & (place < high)
+            before = inside & ((value < 0.0) == (at_low < 0.0))
+            after = inside & ~before
+            low, at_low = np.where(before, place, low), np.where(before, value, at_low)
+            high, at_high = np.where(after, place, high), np.where(after, value, at_high)
+        if (np.abs(root - previous) <= FINEST * loop.count).all():
+            break
+    return np.asarray(root)

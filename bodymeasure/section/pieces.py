@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -108,6 +109,7 @@ class CutSurface:
         return np.asarray(np.linalg.norm(velocity, axis=-1) @ weights)
 
 
+@lru_cache
 def _gauss(nodes: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     x, weights = np.polynomial.legendre.leggauss(nodes)
     return 0.5 * (1.0 + x), 0.5 * weights
