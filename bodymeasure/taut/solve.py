@@ -62,7 +62,8 @@ def draw_taut(skin: Skin, nodes: _Array) -> Drawn:
         string = divided(string, now, doubtful_parts(now, min(level, 2)), skin)
         now = measured(skin, string.nodes)
         before, length = length, float(now.length.sum())
-        error = abs(length - before) + float(now.doubt.sum()) + ROUNDING * length
+        doubt = float(now.doubt.sum()) + string.unrest + ROUNDING * length
+        error = abs(length - before) + doubt
         if level > 1 and error <= TOLERANCE * length:
             break
     ends = skin.feet(string.nodes[[0, -1]]).normal

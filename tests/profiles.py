@@ -1,0 +1,75 @@
+"""Taut tapes in a plane of symmetry, from the exact section of the body by that plane."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.section import Plane, SectionLoop, plane_section
+
+_Array = NDArray[np.float64]
+
+# Samples of the profile: what they leave of the arcs is measured exactly, and takeoffs are known to
+# a step, whose cube counts.
+SAMPLES = 6000
+
+
+def profile_hull(atlas: Atlas, start: AtlasPoint, end: AtlasPoint) -> float:
+    """Length of a tape drawn taut over the median profile, on the shorter way round."""
+    first, last = atlas.position(start), atlas.position(end)
+    loop = plane_section(atlas, Plane(first, (1.0, 0.0, 0.0))).nearest(first)
+    begin, finish = sorted(_place(loop, position) for position in (first, last))
+    arcs = [_arc(begin, finish)]
+    if loop.closed:
+        arcs.append(_arc(finish, begin + float(len(loop.pieces))))
+    lengths = [_travelled(loop, arc)[-1] for arc in arcs]
+    return _taut(loop, arcs[int(np.argmin(lengths))])
+
+
+def _place(loop: SectionLoop, position: _Array) -> float:
+    """Where a loop passes closest to a position."""
+    count = float(len(loop.pieces))
+    place, width = 0.5 * count, 0.5 * count
+    for _ in range(12):
+        places = np.clip(np.linspace(place - width, place + width, 2001), 0.0, count)
+        gap = np.linalg.norm(loop.positions_at(places) - position, axis=1)
+        place, width = float(places[np.argmin(gap)]), 2.0 * width / 1000.0
+    assert gap.min() < 1e-9
+    return place
+
+
+def _arc(begin: float, finish: float) -> _Array:
+    """Places from one to another, onwards."""
+    # The kinks between pieces are corners of the hull, or of hollows.
+    kinks = np.arange(np.floor(begin) + 1.0, np.ceil(finish))
+    return np.unique(np.concatenate([np.linspace(begin, finish, SAMPLES + 1), kinks]))
+
+
+def _travelled(loop: SectionLoop, places: _Array) -> _Array:
+    count = float(len(loop.pieces))
+    turns = np.floor(places / count) * loop.closed
+    rest = places - turns * count
+    way = turns * loop.length + loop.arc_length_at(rest)
+    return np.asarray(way - way[0])
+
+
+def _taut(loop: SectionLoop, places: _Array) -> float:
+    """The chain that turns towards the body only: arcs of the profile, and bridges."""
+    whole = loop.positions[:, 1:]
+    area = (whole[:, 0] * np.roll(whole[:, 1], -1) - whole[:, 1] * np.roll(whole[:, 0], -1)).sum()
+    count = float(len(loop.pieces))
+    flat = loop.positions_at(places - np.floor(places / count) * loop.closed * count)[:, 1:]
+    way = _travelled(loop, places)
+    chain: list[int] = []
+    for k in range(len(flat)):
+        while len(chain) > 1:
+            one, two = flat[chain[-1]] - flat[chain[-2]], flat[k] - flat[chain[-1]]
+            if np.sign(area) * (one[0] * two[1] - one[1] * two[0]) > 0.0:
+                break
+            chain.pop()
+        chain.append(k)
+    corners = np.array(chain)
+    chords = np.linalg.norm(np.diff(flat[corners], axis=0), axis=1)
+    arcs = np.diff(way[corners])
+    return float(np.where(np.diff(corners) == 1, arcs, chords).sum())
