@@ -198,7 +198,8 @@ def farthest_on_boundary(
         raise InputError("the atlas has no open boundary in these regions; choose others")
     row, side = np.nonzero(is_open)
     size = float(np.ptp(atlas.points, axis=0).max())
-    along = _turning_points(atlas.points[control[row, side]] @ direction)
+    cubics = atlas.points[control[row, side]] @ direction
+    along = _turning_points(cubics)
     edge, number = np.nonzero(np.isfinite(along))
     along = along[edge, number]
     fixed = np.array([e.fixed_value for e in EDGES])[side[edge]]
@@ -210,7 +211,8 @@ def farthest_on_boundary(
     position = evaluate(atlas.control_points[patch], parameters)
     far = position @ direction
     best = np.flatnonzero(far >= far.max() - TIE * size)
-    _refuse_flat(position[best], size)
+    if (cubics.min(axis=1) >= far.max() - TIE * size).any():
+        raise InputError(_FLAT)
     points = [AtlasPoint(int(patch[k]), *parameters[k].tolist()) for k in best]
     return Farthest(tuple(dict.fromkeys(points)), at_limit=False)
 
