@@ -1,4 +1,4 @@
-"""The points of patches, or of their open edges, that lie farthest in a direction."""
+"""The points of patches that lie farthest in a direction."""
 
 from __future__ import annotations
 
@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.seams import EDGES, edge_table
 from bodymeasure.bezier import derivatives, evaluate, split
 from bodymeasure.errors import InputError
 
@@ -76,9 +75,9 @@ def farthest_on_patches(
     """
     size = float(np.ptp(atlas.points, axis=0).max())
     along = np.stack([direction, atlas.axes.up_vector], axis=-1)
-    cells = _candidates(atlas.control_points[patches] @ along, limits, TIE * size)
+    cells = _candidates(_coordinates(atlas.control_points[patches], along), limits, TIE * size)
     nets = atlas.control_points[patches[cells.row]]
-    parameters = _climb(nets @ direction, cells.middle)
+    parameters = _climb(nets, direction, cells.middle)
     position = evaluate(nets, parameters)
     height = position @ atlas.axes.up_vector
     inside = (height >= limits[0] - TIE * size) & (height <= limits[1] + TIE * size)
@@ -100,28 +99,40 @@ class _Candidates(NamedTuple):
     cut: NDArray[np.bool_]
 
 
+def _coordinates(
+    control_points: NDArray[np.float64], along: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Two coordinates along directions (3, 2), and the weight they are to be divided by."""
+    weight = control_points[..., 3:]
+    if not weight.shape[-1]:
+        weight = np.ones((*control_points.shape[:-1], 1))
+    return np.concatenate([control_points[..., :3] @ along, weight], axis=-1)
+
+
 def _candidates(nets: NDArray[np.float64], limits: tuple[float, float], tie: float) -> _Candidates:
     """Small rectangles that may hold the farthest point between the limits.
 
-    `nets` (k, 4, 4, 2) has the coordinate that is to be large, and the height.
+    `nets` (k, m + 1, m + 1, 3) has the coordinate that is to be large, the height, and weights.
     """
     row, lower = np.arange(len(nets)), np.zeros((len(nets), 2))
-    best = -np.inf
+    best, degree = -np.inf, nets.shape[1] - 1
     for depth in range(HALVINGS + 1):
-        low, high = nets[..., 1].min(axis=(1, 2)), nets[..., 1].max(axis=(1, 2))
-        corner = nets[:, ::3, ::3]
+        # Weights are positive, so that the projected control points enclose rational patches, too.
+        values = nets[..., :2] / nets[..., 2:]
+        low, high = values[..., 1].min(axis=(1, 2)), values[..., 1].max(axis=(1, 2))
+        corner = values[:, ::degree, ::degree]
         allowed = (corner[..., 1] >= limits[0]) & (corner[..., 1] <= limits[1])
         if allowed.any():
             best = max(best, float(corner[..., 0][allowed].max()))
         keep = (high >= limits[0]) & (low <= limits[1])
-        keep &= nets[..., 0].max(axis=(1, 2)) >= best - tie
+        keep &= values[..., 0].max(axis=(1, 2)) >= best - tie
         nets, row, lower, low, high = (x[keep] for x in (nets, row, lower, low, high))
         if not len(nets):
             raise InputError("no part of these regions lies between the two heights")
         if len(nets) > MOST:
             raise InputError(_FLAT)
         if depth < HALVINGS:
-            nets = split(nets).reshape(-1, 4, 4, 2)
+            nets = split(nets).reshape(-1, *nets.shape[1:])
             row = np.repeat(row, 4)
             quarter = 0.5 ** (depth + 1) * np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
             lower = (lower[:, None] + quarter).reshape(-1, 2)
@@ -148,15 +159,17 @@ def _refuse_flat(positions: NDArray[np.float64], size: float) -> None:
             raise InputError(_FLAT)
 
 
-def _climb(nets: NDArray[np.float64], start: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Newton's method for the maximum of scalar patches (k, 4, 4) in the box, from (k, 2).
+def _climb(
+    nets: NDArray[np.float64], direction: NDArray[np.float64], start: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Newton's method for the points of patches farthest in a direction, in the box, from (k, 2).
 
     As in `bodymeasure.atlas.closest`: coordinates on a bound that the slope presses outwards are
     held. The starts are so close that no step needs to be halved.
     """
     x = start
     for _ in range(STEPS):
-        jet = derivatives(nets[..., None], x, order=2)[..., 0]
+        jet = derivatives(nets, x, order=2) @ direction
         slope = np.stack([jet[:, 1, 0], jet[:, 0, 1]], axis=-1)
         held = ((x <= 0.0) & (slope < 0.0)) | ((x >= 1.0) & (slope > 0.0))
         slope = np.where(held, 0.0, slope)
@@ -172,64 +185,3 @@ def _climb(nets: NDArray[np.float64], start: NDArray[np.float64]) -> NDArray[np.
         step = np.where(concave[:, None], newton, uphill)
         x = np.clip(x + np.clip(step, -LONGEST_STEP, LONGEST_STEP), 0.0, 1.0)
     return x
-
-
-def farthest_on_boundary(
-    atlas: Atlas, patches: NDArray[np.int64], direction: NDArray[np.float64]
-) -> Farthest:
-    """Points of the open edges of some patches that lie farthest in a direction.
-
-    Parameters
-    ----------
-    atlas : Atlas
-    patches : ndarray of int, shape (k,)
-    direction : ndarray, shape (3,)
-        A unit vector.
-
-    Raises
-    ------
-    InputError
-        If these patches have no open edge, or many points are equally far.
-    """
-    table = edge_table(atlas.index)
-    control = table.control_index[patches]
-    is_open = (table.sides[table.edge[patches]] == 1) & (control != control[:, :, :1]).any(axis=2)
-    if not is_open.any():
-        raise InputError("the atlas has no open boundary in these regions; choose others")
-    row, side = np.nonzero(is_open)
-    size = float(np.ptp(atlas.points, axis=0).max())
-    cubics = atlas.points[control[row, side]] @ direction
-    along = _turning_points(cubics)
-    edge, number = np.nonzero(np.isfinite(along))
-    along = along[edge, number]
-    fixed = np.array([e.fixed_value for e in EDGES])[side[edge]]
-    over_v = np.array([e.fixed_axis for e in EDGES])[side[edge]] == 0
-    parameters = np.where(
-        over_v[:, None], np.stack([fixed, along], axis=-1), np.stack([along, fixed], axis=-1)
-    )
-    patch = patches[row[edge]]
-    position = evaluate(atlas.control_points[patch], parameters)
-    far = position @ direction
-    best = np.flatnonzero(far >= far.max() - TIE * size)
-    if (cubics.min(axis=1) >= far.max() - TIE * size).any():
-        raise InputError(_FLAT)
-    points = [AtlasPoint(int(patch[k]), *parameters[k].tolist()) for k in best]
-    return Farthest(tuple(dict.fromkeys(points)), at_limit=False)
-
-
-def _turning_points(cubics: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Ends of [0, 1] and roots of the slopes of cubics (k, 4), shape (k, 4); NaN where none is."""
-    first, second, third = np.diff(cubics, axis=1).T
-    # The slope is a t^2 + 2 b t + c; its roots without cancellation.
-    a, b, c = first - 2.0 * second + third, second - first, first
-    root = np.sqrt(np.maximum(b * b - a * c, 0.0))
-    q = -(b + np.where(b < 0.0, -root, root))
-    roots = np.stack([_ratio(q, a), _ratio(c, q)], axis=1)
-    roots[(roots < 0.0) | (roots > 1.0)] = np.nan
-    ends = np.broadcast_to([0.0, 1.0], (len(cubics), 2))
-    return np.concatenate([ends, roots], axis=1)
-
-
-def _ratio(top: NDArray[np.float64], bottom: NDArray[np.float64]) -> NDArray[np.float64]:
-    with np.errstate(over="ignore"):
-        return np.divide(top, bottom, out=np.full_like(top, np.nan), where=bottom != 0.0)

@@ -17,11 +17,13 @@ from bodymeasure.chart.landmark_rules import (
     Median,
     Prominent,
 )
-from bodymeasure.chart.rule_extremes import boundary_point, prominent_point
+from bodymeasure.chart.rule_boundary import boundary_point
+from bodymeasure.chart.rule_extremes import prominent_point
 from bodymeasure.chart.rule_order import expanded, in_order, references
 from bodymeasure.chart.rule_paths import between_point, hollow_point
 from bodymeasure.chart.rule_sections import girth_level_point, level_point, median_point
-from bodymeasure.errors import BodymeasureError, InputError
+from bodymeasure.errors import BodymeasureError
+from bodymeasure.measure.forks import fork
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,4 +111,4 @@ def _point(atlas: Atlas, rule: LandmarkRule, landmarks: dict[str, AtlasPoint]) -
         case Boundary():
             return boundary_point(atlas, rule)
         case Fork():
-            raise InputError("places where parts of the body fork cannot be found yet; pick it")
+            return fork(atlas, rule.regions)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
+from collections.abc import Collection
 
 SIDES = ("left", "right")
 # Landmarks of ISO 8559-1, as its users write them (the standard numbers them differently from one
@@ -111,22 +112,29 @@ def other_side(name: str) -> str:
     return name if not side else name.removesuffix(side) + SIDES[1 - SIDES.index(side)]
 
 
-def suggested_name(name: str) -> str | None:
+def suggested_name(name: str, others: Collection[str] = ()) -> str | None:
     """The known name that an unknown one resembles; None if it is known or resembles none.
+
+    Parameters
+    ----------
+    name : str
+    others : collection of str
+        Names that are known besides `KNOWN_NAMES`, such as those of a set of definitions.
 
     Examples
     --------
     >>> suggested_name("Left_Bust-Point"), suggested_name("acromion r")
     ('bust point left', 'shoulder point right')
     """
-    if name in KNOWN_NAMES:
+    known = {*KNOWN_NAMES, *others}
+    if name in known:
         return None
     words = re.split(r"[\s_.\-]+", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).strip().lower())
     sides = [_SIDE_WORDS[word] for word in words if word in _SIDE_WORDS]
     place = " ".join(word for word in words if word not in _SIDE_WORDS)
     place = SYNONYMS.get(place, place)
     plain = f"{place} {sides[0]}" if sides else place
-    if plain in KNOWN_NAMES:
+    if plain in known:
         return plain
-    near = difflib.get_close_matches(plain, KNOWN_NAMES, n=1, cutoff=NEAR)
+    near = difflib.get_close_matches(plain, sorted(known), n=1, cutoff=NEAR)
     return near[0] if near else None

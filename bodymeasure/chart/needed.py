@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
-from bodymeasure.chart.definitions import FormulaMeasure, Measurement
+from bodymeasure.chart.definitions import Definitions, FormulaMeasure, Measurement
+from bodymeasure.chart.formula import parse_formula
+from bodymeasure.chart.rule_order import references
+from bodymeasure.chart.sides import both_sides
 
 # Members of measurements that name landmarks.
 MEMBERS = ("through", "start", "end", "at", "level", "above", "front", "back", "cut")
-_WORD = re.compile(r"[A-Za-z_]\w*")
 
 
 class Lacking(NamedTuple):
@@ -25,6 +26,16 @@ class Lacking(NamedTuple):
 
     measurement: Measurement
     landmarks: tuple[str, ...]
+
+
+def names_in(definitions: Definitions) -> frozenset[str]:
+    """Names of all landmarks that a set's measurements and rules refer to or give."""
+    rules, measurements = both_sides(definitions.landmark), both_sides(definitions.measurement)
+    given = [rule.name for rule in rules]
+    needed = [name for rule in rules for name in references(rule)]
+    return frozenset(
+        [*given, *needed, *(name for one in measurements for name in landmarks_of(one))]
+    )
 
 
 def landmarks_of(measurement: Measurement) -> tuple[str, ...]:
@@ -42,11 +53,11 @@ def lacking(measurements: Sequence[Measurement], there: Collection[str]) -> tupl
     Parameters
     ----------
     measurements : sequence of Measurement
-        With left or right put in for ``{side}``.
+        Those with ``{side}`` stand for a left and a right one.
     there : collection of str
         Names of the landmarks that a body has.
     """
-    every = {measurement.key: measurement for measurement in measurements}
+    every = {measurement.key: measurement for measurement in both_sides(measurements)}
     needs: dict[str, tuple[str, ...]] = {}
 
     def needed(key: str) -> tuple[str, ...]:
@@ -55,7 +66,7 @@ def lacking(measurements: Sequence[Measurement], there: Collection[str]) -> tupl
             own = landmarks_of(every[key])
             measurement = every[key]
             if isinstance(measurement, FormulaMeasure):
-                operands = [word for word in _WORD.findall(measurement.formula) if word in every]
+                operands = parse_formula(measurement.formula).names
                 own = tuple(name for operand in operands for name in needed(operand))
             needs[key] = tuple(dict.fromkeys(own))
         return needs[key]

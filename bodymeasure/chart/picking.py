@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 from bodymeasure.atlas.closest import closest_points
+from bodymeasure.chart.nearest import hint
 from bodymeasure.errors import InputError
 
 # In metres: positions farther from the body are refused. A picked position lies on a mesh of the
@@ -137,10 +137,8 @@ def without_landmarks(atlas: Atlas, names: Sequence[str]) -> Atlas:
     landmarks: Mapping[str, AtlasPoint] = atlas.landmarks
     for name in names:
         if name not in landmarks:
-            near = difflib.get_close_matches(name, list(landmarks), n=1)
-            known = ", ".join(sorted(landmarks)) or "no landmark at all"
-            hint = f"did you mean {near[0]!r}?" if near else f"it has {known}"
-            raise InputError(f"the atlas has no landmark {name!r}; {hint}")
+            known = hint(name, sorted(landmarks), expected="it has")
+            raise InputError(f"the atlas has no landmark {name!r}; {known}")
     return replace(
         atlas, landmarks={name: point for name, point in landmarks.items() if name not in names}
     )

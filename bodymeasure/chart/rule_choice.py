@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.chart.nearest import hint
 from bodymeasure.errors import InputError
 
 # Of the atlas's size: coordinates that differ by less are equal. Mirror images differ by their
@@ -42,9 +42,9 @@ def patches_of_regions(atlas: Atlas, beginnings: Sequence[str]) -> NDArray[np.in
         raise InputError("the atlas has no body regions, by which the rule chooses patches")
     for beginning in beginnings:
         if not any(region.startswith(beginning) for region in known):
-            near = difflib.get_close_matches(beginning, known, n=1)
-            hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(known)}"
-            raise InputError(f"no region of the atlas begins with {beginning!r}; {hint}")
+            raise InputError(
+                f"no region of the atlas begins with {beginning!r}; {hint(beginning, known)}"
+            )
     chosen = [region.startswith(tuple(beginnings)) for region in atlas.regions]
     return np.flatnonzero(chosen)
 

@@ -1,4 +1,4 @@
-"""Landmarks that lie farthest in a direction: of regions, or of the open boundary in them."""
+"""Landmarks that lie farthest in a direction of some regions."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas, AtlasPoint
-from bodymeasure.atlas.farthest import farthest_on_boundary, farthest_on_patches
-from bodymeasure.chart.landmark_rules import Boundary, Prominent
+from bodymeasure.atlas.farthest import farthest_on_patches
+from bodymeasure.chart.landmark_rules import Prominent
 from bodymeasure.chart.rule_choice import (
     TIE,
     atlas_size,
@@ -70,16 +70,3 @@ def _joints(loop: SectionLoop) -> LoopPlaces:
     """Both ends of each piece: there a curve may leave the regions."""
     piece = np.repeat(np.arange(len(loop.pieces)), 2)
     return places_on(loop, piece, np.tile([0.0, 1.0], len(loop.pieces)))
-
-
-def boundary_point(atlas: Atlas, rule: Boundary) -> AtlasPoint:
-    """The point that a `Boundary` rule gives; of mirror images, the one on the wearer's left.
-
-    Raises
-    ------
-    InputError
-        If no region begins as the rule says, or those that do have no open boundary.
-    """
-    patches = patches_of_regions(atlas, rule.regions)
-    direction = direction_vector(atlas, rule.direction)
-    return preferred(atlas, farthest_on_boundary(atlas, patches, direction).points)

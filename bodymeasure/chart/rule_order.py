@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import difflib
-from collections.abc import Collection, Iterable, Mapping, Sequence
-
-import msgspec
+from collections.abc import Collection, Iterable, Mapping
 
 from bodymeasure.chart.landmark_names import KNOWN_NAMES
 from bodymeasure.chart.landmark_rules import LandmarkRule
+from bodymeasure.chart.nearest import hint
+from bodymeasure.chart.sides import both_sides
 from bodymeasure.errors import InputError
 
-SIDE = "{side}"
-SIDES = ("left", "right")
 # Fields of rules that name landmarks.
 REFERENCES = ("start", "end", "of", "through", "above", "below")
 
@@ -23,23 +20,16 @@ def expanded(rules: Iterable[LandmarkRule]) -> dict[str, LandmarkRule]:
     Raises
     ------
     InputError
-        If two rules give one landmark, or a rule without ``{side}`` in its name has it elsewhere.
+        If two rules give one landmark.
     """
     result: dict[str, LandmarkRule] = {}
-    for rule in rules:
-        sides: Sequence[str] = SIDES if SIDE in rule.name else ("",)
-        for side in sides:
-            own = _with_side(rule, side) if side else rule
-            if SIDE in repr(own):
-                raise InputError(
-                    f"the rule for landmark {rule.name!r} refers to {SIDE}, but has none in its "
-                    f"name; name it '{rule.name} {SIDE}', or name one side in it"
-                )
-            if own.name in result:
-                raise InputError(
-                    f"two rules give landmark {own.name!r}; leave one of them out, or rename it"
-                )
-            result[own.name] = own
+    for rule in both_sides(tuple(rules)):
+        if rule.name in result:
+            raise InputError(
+                f"two rules give landmark {rule.name!r}; leave one of them out, or rename it "
+                "(a rule with {side} needs it in its name, too)"
+            )
+        result[rule.name] = rule
     return result
 
 
@@ -95,18 +85,7 @@ def in_order(rules: Mapping[str, LandmarkRule], picked: Collection[str]) -> list
 def _refuse_unknown(name: str, chain: tuple[str, ...], known: Collection[str]) -> None:
     if name in known:
         return
-    near = difflib.get_close_matches(name, sorted(known), n=1)
-    hint = f"did you mean {near[0]!r}?" if near else "pick it, or give it a rule"
     needs = " needs ".join(repr(link) for link in (*chain, name))
-    raise InputError(f"no landmark is called {name!r} ({needs}); {hint}")
-
-
-def _with_side(rule: LandmarkRule, side: str) -> LandmarkRule:
-    values: dict[str, str | tuple[str, ...]] = {}
-    for field in rule.__struct_fields__:
-        value = getattr(rule, field)
-        if isinstance(value, str):
-            values[field] = value.replace(SIDE, side)
-        elif isinstance(value, tuple):
-            values[field] = tuple(item.replace(SIDE, side) for item in value)
-    return msgspec.structs.replace(rule, **values)
+    near = hint(name, sorted(known))
+    remedy = near if near.startswith("did you mean") else "pick it, or give it a rule"
+    raise InputError(f"no landmark is called {name!r} ({needs}); {remedy}")

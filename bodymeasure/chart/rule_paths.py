@@ -7,7 +7,7 @@ import scipy
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas, AtlasPoint
-from bodymeasure.atlas.normals import normal_vectors
+from bodymeasure.atlas.outward import outward_sign
 from bodymeasure.bezier import derivatives
 from bodymeasure.chart.landmark_rules import Between, Hollow
 from bodymeasure.errors import InputError
@@ -18,8 +18,6 @@ _Array = NDArray[np.float64]
 # Steps a piece of the path in which its distance from the chord has one extreme at most.
 STEPS = 24
 ROOT_TOLERANCE = 1e-15
-# Gauss points a side of each patch for the sign of the volume.
-VOLUME_POINTS = 4
 # Of the chord: a path that runs below it by no more is straight.
 STRAIGHT = 1e-9
 
@@ -65,7 +63,7 @@ def hollow_point(atlas: Atlas, rule: Hollow, landmarks: dict[str, AtlasPoint]) -
         raise InputError(f"{rule.start!r} and {rule.end!r} are one place, without a chord")
     axis = (ends[1] - ends[0]) / length
     found: list[tuple[float, AtlasPoint]] = []
-    sign = _outward(atlas)
+    sign = outward_sign(atlas)
     for number, fraction in _turns(path, ends[0], axis):
         point, offset, _, normal = _state(path, number, fraction, ends[0], axis)
         depth = float(np.linalg.norm(offset))
@@ -124,16 +122,3 @@ def _state(
     velocity = u_slope * jet[1, 0] + v_slope * jet[0, 1]
     normal = np.cross(jet[1, 0], jet[0, 1])
     return AtlasPoint(piece.patch, u, v), offset, float(offset @ velocity), normal
-
-
-def _outward(atlas: Atlas) -> float:
-    """1 where normals point out of the body, -1 where they point into it, by its volume's sign."""
-    x, weights = np.polynomial.legendre.leggauss(VOLUME_POINTS)
-    side = 0.5 * (1.0 + x)
-    grid = np.stack(np.meshgrid(side, side, indexing="ij"), axis=-1)
-    grid = np.broadcast_to(grid, (len(atlas), *grid.shape))
-    position = derivatives(atlas.control_points, grid, order=0)[..., 0, 0, :]
-    normal = normal_vectors(atlas.control_points, grid)
-    center = position.mean(axis=(0, 1, 2))
-    flow = np.einsum("pijc,pijc->pij", position - center, normal)
-    return 1.0 if float(np.einsum("pij,i,j->", flow, weights, weights)) >= 0.0 else -1.0

@@ -215,7 +215,9 @@ def _vertex(path: Path, number: int, *, from_one: bool) -> list[float]:
 
 
 def _tell(atlas: Atlas, pick: Pick, unit: str | None) -> None:
+    from bodymeasure.chart import load_definitions
     from bodymeasure.chart.landmark_names import suggested_name
+    from bodymeasure.chart.needed import names_in
 
     point = pick.point
     words = f"{pick.name}: {atlas.patch_names[point.patch]}, u = {point.u:.6f}, v = {point.v:.6f}"
@@ -223,7 +225,7 @@ def _tell(atlas: Atlas, pick: Pick, unit: str | None) -> None:
         distance = pick.distance * atlas.unit.metres / Unit.parse(unit).metres
         words += f", {distance:.2g} {unit} from the position"
     RESULTS.print(Text(words), soft_wrap=True)
-    suggested = suggested_name(pick.name)
+    suggested = suggested_name(pick.name, names_in(load_definitions()))
     if suggested is not None:
         print_note(f"{pick.name!r} is no name that measurements use; did you mean {suggested!r}?")
 

@@ -2,34 +2,29 @@
 
 from __future__ import annotations
 
-import csv
-import io
-import json
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 from rich.table import Table
 from rich.text import Text
 
-from bodymeasure.atlas import Atlas, Unit
 from bodymeasure.cli.console import RESULTS, print_table
 from bodymeasure.cli.options import (
     EXIT_CODES,
     atlas_argument,
+    definitions_option,
     despite_errors_option,
     load_sound_atlas,
     unit_option,
 )
 
 if TYPE_CHECKING:
-    from bodymeasure.chart.derive import Derived
-    from bodymeasure.chart.needed import Lacking
+    from bodymeasure.report.landmarks import LandmarkRecord, LandmarksDocument
 
-# Decimals of positions in the table: to a tenth of a millimeter or finer.
+# Decimals of positions and distances in tables: to a tenth of a millimeter or finer.
 DECIMALS = {"m": 4, "cm": 2, "mm": 1, "inch": 3}
 PARAMETER_DECIMALS = 4
-OWN = "picked"
-COLUMNS = ("name", "patch", "u", "v", "x", "y", "z", "origin", "remark")
 
 format_option = click.option(
     "--format",
@@ -47,136 +42,65 @@ format_option = click.option(
 @atlas_argument
 @format_option
 @unit_option
+@definitions_option
 @despite_errors_option
-def list_landmarks(atlas: str, form: str, unit: str, despite_errors: bool) -> None:
+def list_landmarks(
+    atlas: str, form: str, unit: str, definitions: Path | None, despite_errors: bool
+) -> None:
     """List the landmarks of ATLAS: those that were picked, and those that follow by rule.
 
-    Then those that no rule could give, why, and which measurements lack them.
+    Then those that no rule could give, why, and which measurements lack them. Rules and
+    measurements are those of --set.
     """
     # Not needed by `--help` and the like, and slow to load.
-    from bodymeasure.chart.derive import derive_landmarks
-    from bodymeasure.chart.needed import lacking
+    from bodymeasure.chart import load_definitions
+    from bodymeasure.report.landmarks import landmarks_document, landmarks_to_csv
+    from bodymeasure.report.serial import json_bytes
 
+    loaded_definitions = load_definitions(definitions)
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
-    derived = derive_landmarks(loaded, ())
-    lacks = lacking((), derived.landmarks)
-    rows = _rows(loaded, derived, Unit.parse(unit))
+    document = landmarks_document(loaded, loaded_definitions, unit, name=atlas)
+    # As bytes: these are UTF-8 whatever the terminal speaks.
     if form == "json":
-        click.echo(_json(loaded.name or atlas, unit, rows, derived, lacks).encode(), nl=False)
+        click.echo(json_bytes(document), nl=False)
     elif form == "csv":
-        click.echo(csv_text(COLUMNS, rows).encode(), nl=False)
+        click.echo(landmarks_to_csv(document), nl=False)
     else:
-        _print(rows, derived, lacks, unit)
+        _print(document)
 
 
-def csv_text(columns: tuple[str, ...], rows: list[dict[str, Any]]) -> str:
-    """Rows as CSV (RFC 4180) with a header; every float round-trips."""
-    text = io.StringIO(newline="")
-    writer = csv.DictWriter(text, columns, restval="", lineterminator="\r\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    return text.getvalue()
-
-
-def json_text(content: dict[str, Any]) -> str:
-    """A document as JSON; its lists hold one item a line."""
-    members = []
-    for key, value in content.items():
-        text = json.dumps(value, ensure_ascii=False)
-        if isinstance(value, list) and value:
-            items = ",\n".join(json.dumps(item, ensure_ascii=False) for item in value)
-            text = f"[\n{items}\n]"
-        members.append(f"{json.dumps(key)}: {text}")
-    return "{\n" + ",\n".join(members) + "\n}\n"
-
-
-def _rows(atlas: Atlas, derived: Derived, unit: Unit) -> list[dict[str, Any]]:
-    from bodymeasure.chart.rule_words import rule_words
-
-    scale = atlas.unit.metres / unit.metres
-    rows: list[dict[str, Any]] = []
-    for name, point in derived.landmarks.items():
-        x, y, z = (scale * atlas.position(point)).tolist()
-        by_rule = name in derived.rules
-        rows.append(
-            {
-                "name": name,
-                "patch": atlas.patch_names[point.patch],
-                "u": point.u,
-                "v": point.v,
-                "x": x,
-                "y": y,
-                "z": z,
-                "origin": "rule" if by_rule else OWN,
-                "remark": rule_words(derived.rules[name]) if by_rule else "",
-            }
-        )
-    for name, reason in derived.missing.items():
-        rows.append({"name": name, "origin": "missing", "remark": reason})
-    return rows
-
-
-def _json(
-    name: str,
-    unit: str,
-    rows: list[dict[str, Any]],
-    derived: Derived,
-    lacks: tuple[Lacking, ...],
-) -> str:
-    return json_text(
-        {
-            "atlas": name,
-            "unit": unit,
-            "landmarks": [row for row in rows if row["origin"] != "missing"],
-            "missing": [
-                {"name": name, "reason": reason} for name, reason in derived.missing.items()
-            ],
-            "lacking": [
-                {
-                    "key": lack.measurement.key,
-                    "name": lack.measurement.name,
-                    "landmarks": list(lack.landmarks),
-                }
-                for lack in lacks
-            ],
-        }
-    )
-
-
-def _print(
-    rows: list[dict[str, Any]], derived: Derived, lacks: tuple[Lacking, ...], unit: str
-) -> None:
-    there = [row for row in rows if row["origin"] != "missing"]
-    if there:
-        print_table(_table(there, unit))
+def _print(document: LandmarksDocument) -> None:
+    if document.landmarks:
+        print_table(_table(document.landmarks, document.unit))
     else:
         RESULTS.print(Text("The atlas has no landmark; `bodymeasure landmarks add` adds one."))
-    if derived.missing:
+    if document.missing:
         RESULTS.print(Text("\nMissing:"))
-        for name, reason in derived.missing.items():
-            RESULTS.print(Text.assemble("  ", (name, "yellow"), f": {reason}"), soft_wrap=True)
-    if lacks:
-        RESULTS.print(Text("\nMeasurements that lack landmarks:"))
-        for lack in lacks:
+        for missing in document.missing:
+            line = Text.assemble("  ", (missing.name, "yellow"), f": {missing.reason}")
+            RESULTS.print(line, soft_wrap=True)
+    if document.lacking:
+        RESULTS.print(Text(f"\nLacking for measurements of “{document.definitions}”:"))
+        for lack in document.lacking:
             names = ", ".join(lack.landmarks)
-            line = Text.assemble("  ", lack.measurement.name, ": ", (names, "yellow"))
+            line = Text.assemble(f"  {lack.name}: ", (names, "yellow"))
             RESULTS.print(line, soft_wrap=True)
 
 
-def _table(rows: list[dict[str, Any]], unit: str) -> Table:
+def _table(records: list[LandmarkRecord], unit: str) -> Table:
     table = Table(box=None, pad_edge=False)
     table.add_column("landmark", overflow="fold")
     table.add_column("patch", overflow="fold")
     for heading in ("u", "v", f"x/{unit}", f"y/{unit}", f"z/{unit}"):
         table.add_column(heading, justify="right", no_wrap=True)
     table.add_column("origin", overflow="fold")
-    for row in rows:
+    for record in records:
         table.add_row(
-            Text(row["name"]),
-            Text(row["patch"]),
-            *(f"{row[key]:.{PARAMETER_DECIMALS}f}" for key in ("u", "v")),
-            *(fixed(row[key], DECIMALS[unit]) for key in ("x", "y", "z")),
-            Text(row["remark"] or row["origin"]),
+            Text(record.name),
+            Text(record.patch),
+            *(fixed(value, PARAMETER_DECIMALS) for value in (record.u, record.v)),
+            *(fixed(value, DECIMALS[unit]) for value in (record.x, record.y, record.z)),
+            Text(record.rule or record.origin),
         )
     return table
 

@@ -290,7 +290,7 @@ def test_boundary_is_the_extreme_of_the_open_edges() -> None:
 def test_a_boundary_that_is_level_or_not_there_is_told() -> None:
     atlas = replace(tube(WAISTED), regions=("a",) * 4)
     rule = Boundary(name="edge", direction="up", regions=("a",))
-    assert "the surface is flat there across the direction" in reason(atlas, rule)
+    assert "the boundary is level where it is farthest up" in reason(atlas, rule)
     # The tube and itself inside out: every edge has two sides.
     index = np.concatenate([atlas.index, atlas.index[:, :, ::-1]])
     closed = Atlas(atlas.points, index, "cm", regions=("a",) * 8)  # type: ignore[arg-type]
