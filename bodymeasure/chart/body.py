@@ -12,11 +12,12 @@ from numpy.typing import NDArray
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.normals import normal_vectors
 from bodymeasure.chart.joined import joined
+from bodymeasure.chart.measured import Tape, TapeKind
 from bodymeasure.chart.nearest import hint
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import AtlasPath, geodesic_between
 from bodymeasure.measure import Girth, plane_girth
-from bodymeasure.section import Plane
+from bodymeasure.section import DrawnTape, Plane
 
 _Array = NDArray[np.float64]
 
@@ -85,6 +86,13 @@ class Body:
     def level_girth(self, at: str) -> Girth:
         """The horizontal girth at a landmark's height."""
         return self.girth(Plane(self.position(at), self.atlas.axes.up_vector), at)
+
+    def tape(self, kind: TapeKind, drawn: DrawnTape) -> Tape:
+        """A tape along a section, to be drawn."""
+        on_skin = drawn.patch >= 0
+        normals = np.zeros_like(drawn.positions)
+        normals[on_skin] = self.normals(drawn.patch[on_skin], drawn.parameters[on_skin])
+        return Tape(kind, drawn.positions, normals)
 
     def normals(self, patch: NDArray[np.int64], parameters: _Array) -> _Array:
         """Unit vectors out of the body at points of it; 0 where a patch has no normal.

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from dataclasses import replace
 
 from bodymeasure.atlas import Atlas
+from bodymeasure.chart.arithmetic import measure_formula
 from bodymeasure.chart.body import Body, MissingLandmarkError
 from bodymeasure.chart.checks import evaluation_order
 from bodymeasure.chart.definitions import (
@@ -13,6 +15,7 @@ from bodymeasure.chart.definitions import (
     ChordMeasure,
     Definitions,
     DepthMeasure,
+    DropMeasure,
     ExtremeGirthMeasure,
     FormulaMeasure,
     GirthMeasure,
@@ -22,9 +25,9 @@ from bodymeasure.chart.definitions import (
     PathMeasure,
     TiltedGirthMeasure,
 )
-from bodymeasure.chart.derived import measure_formula
+from bodymeasure.chart.derive import derive_landmarks
 from bodymeasure.chart.formula import parse_formula
-from bodymeasure.chart.lengths import measure_path
+from bodymeasure.chart.lengths import measure_drop, measure_path
 from bodymeasure.chart.measured import Chart, Measured, Outcome
 from bodymeasure.chart.read import load_definitions
 from bodymeasure.chart.rounds import (
@@ -87,7 +90,8 @@ def measure_chart(
     """
     begin = time.perf_counter()
     definitions = load_definitions() if definitions is None else definitions
-    body = Body(atlas)
+    derived = derive_landmarks(atlas, definitions.landmark)
+    body = Body(replace(atlas, landmarks=derived.landmarks), derived.missing)
     every = {one.key: one for one in both_sides(definitions.measurement)}
     formulas = {
         key: parse_formula(one.formula)
@@ -124,6 +128,8 @@ def _by_kind(body: Body, definition: Measurement, others: dict[str, Measured]) -
     match definition:
         case PathMeasure():
             return measure_path(body, definition)
+        case DropMeasure():
+            return measure_drop(body, definition)
         case GirthMeasure():
             return measure_girth(body, definition)
         case TiltedGirthMeasure():
