@@ -70,6 +70,18 @@ class DropMeasure(_Measurement, frozen=True, kw_only=True, tag="drop"):
     tape: TapeWanted = "contact"
 
 
+class OverMeasure(_Measurement, frozen=True, kw_only=True, tag="over"):
+    """Taut, in the vertical plane from front to back through a landmark, over a straight tape.
+
+    As a `DropMeasure` from `start` to the height of `level`, but also over the middle of a straight
+    line between the two landmarks `over`, such as the bust points.
+    """
+
+    start: str
+    level: str
+    over: tuple[str, str]
+
+
 class GirthMeasure(_Measurement, frozen=True, kw_only=True, tag="girth"):
     """Horizontal girth of the trunk, or of whatever part the landmark lies on, at its height.
 
@@ -159,6 +171,7 @@ class FormulaMeasure(_Measurement, frozen=True, kw_only=True, tag="formula"):
 Measurement = (
     PathMeasure
     | DropMeasure
+    | OverMeasure
     | GirthMeasure
     | TiltedGirthMeasure
     | LimbGirthMeasure

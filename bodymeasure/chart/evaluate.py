@@ -22,6 +22,7 @@ from bodymeasure.chart.definitions import (
     HeightMeasure,
     LimbGirthMeasure,
     Measurement,
+    OverMeasure,
     PathMeasure,
     TiltedGirthMeasure,
 )
@@ -29,6 +30,7 @@ from bodymeasure.chart.derive import derive_landmarks
 from bodymeasure.chart.formula import parse_formula
 from bodymeasure.chart.lengths import measure_drop, measure_path
 from bodymeasure.chart.measured import Chart, Measured, Outcome
+from bodymeasure.chart.over import measure_over
 from bodymeasure.chart.read import load_definitions
 from bodymeasure.chart.rounds import (
     measure_extreme_girth,
@@ -130,6 +132,8 @@ def _by_kind(body: Body, definition: Measurement, others: dict[str, Measured]) -
             return measure_path(body, definition)
         case DropMeasure():
             return measure_drop(body, definition)
+        case OverMeasure():
+            return measure_over(body, definition)
         case GirthMeasure():
             return measure_girth(body, definition)
         case TiltedGirthMeasure():

@@ -11,7 +11,7 @@ from bodymeasure.chart.rule_order import references
 from bodymeasure.chart.sides import both_sides
 
 # Members of measurements that name landmarks.
-MEMBERS = ("through", "start", "end", "at", "level", "above", "front", "back", "cut")
+MEMBERS = ("through", "start", "end", "at", "level", "above", "front", "back", "cut", "over")
 
 
 class Lacking(NamedTuple):
