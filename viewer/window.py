@@ -86,7 +86,7 @@ class Window:
 
     def look_from(self, side: str) -> None:
         """Turn the camera to one of `SIDES`."""
-        set_camera(self.plotter, self.scene, self.framed(side))
+        set_camera(self.plotter, self.scene.surface, self.framed(side))
         self.plotter.render()
 
     def toggle_edges(self) -> None:
@@ -155,7 +155,7 @@ class Window:
         atlas = self.survey.atlas
         plotter.add_text(atlas.name, position="upper_left", font_size=TEXT_SIZE + 2, color=INK)
         plotter.enable_anti_aliasing("msaa", multi_samples=8)
-        set_camera(plotter, self.scene, self.framed(SIDES[0]))
+        set_camera(plotter, self.scene.surface, self.framed(SIDES[0]))
         if not plotter.off_screen:
             self._listen()
 

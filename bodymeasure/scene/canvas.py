@@ -56,9 +56,9 @@ def draw_on(
         raise MissingExtraError("a picture", "matplotlib", "report") from None
     height, width = image.shape[:2]
     figure = Figure(figsize=(width / DPI, height / DPI), dpi=DPI)
+    figure.patch.set_alpha(0.0)
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
     axes.set_axis_off()
-    axes.imshow(image, extent=(0, width, height, 0), interpolation="nearest", aspect="auto")
     axes.set_xlim(0, width)
     axes.set_ylim(height, 0)
     for curves, colors, line_width in lines:
@@ -82,13 +82,31 @@ def draw_on(
             color=INK,
             path_effects=[withStroke(linewidth=text.size / 4, foreground="white")],
         )
-    return figure_pixels(figure)
+    return _over(image, _rgba(figure))
+
+
+def _over(image: NDArray[Any], drawn: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """What was drawn with some opacity, (height, width, 4), over a picture."""
+    if image.dtype == np.uint8:
+        result = np.array(image)
+    else:
+        result = np.asarray(np.round(255.0 * np.clip(image, 0.0, 1.0)), dtype=np.uint8)
+    touched = np.nonzero(drawn[..., 3])
+    ink = drawn[touched].astype(np.float64)
+    opacity = ink[:, 3:] / 255.0
+    mixed = opacity * ink[:, :3] + (1.0 - opacity) * result[touched]
+    result[touched] = np.round(mixed).astype(np.uint8)
+    return result
 
 
 def figure_pixels(figure: Any) -> NDArray[np.uint8]:
     """A matplotlib figure drawn, shape (height, width, 3)."""
+    return _rgba(figure)[..., :3]
+
+
+def _rgba(figure: Any) -> NDArray[np.uint8]:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     canvas: Any = FigureCanvasAgg(figure)
     canvas.draw()
-    return np.array(np.asarray(canvas.buffer_rgba())[..., :3])
+    return np.array(canvas.buffer_rgba())

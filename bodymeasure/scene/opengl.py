@@ -12,11 +12,8 @@ from bodymeasure.scene.camera import View
 from bodymeasure.scene.colors import BACKGROUND, ColorScale
 from bodymeasure.scene.lighting import glow, glowing
 from bodymeasure.scene.model import BodyScene, Surface
+from bodymeasure.scene.samples import SAMPLES, downsampled
 from bodymeasure.scene.strokes import Style, runs, strokes
-
-# Each pixel is the mean of this many squared samples: alike on all machines, where multisampling
-# and smooth lines are up to the driver.
-SAMPLES = 2
 
 
 def render(
@@ -42,8 +39,7 @@ def render(
             image = np.asarray(plotter.screenshot(None, return_img=True))
         finally:
             plotter.close()
-    blocks = image[..., :3].reshape(size[1], SAMPLES, size[0], SAMPLES, 3)
-    return np.asarray(np.round(blocks.mean(axis=(1, 3))), dtype=np.uint8)
+    return averaged(image[..., :3])
 
 
 def _fill(
@@ -51,18 +47,25 @@ def _fill(
 ) -> None:
     plotter.background_color = BACKGROUND
     colors = glowing(*glow(scene.surface, view))
-    plotter.add_mesh(surface_mesh(scene.surface), scalars=_bytes(colors), rgb=True, lighting=False)
+    mesh = surface_mesh(scene.surface)
+    plotter.add_mesh(mesh, scalars=color_bytes(colors), rgb=True, lighting=False)
     for stroke in strokes(scene, view, scale, style):
         mesh, curve = stroke_mesh(stroke.points)
         if mesh.n_points:
             plotter.add_mesh(
                 mesh,
-                scalars=_bytes(stroke.colors[curve]),
+                scalars=color_bytes(stroke.colors[curve]),
                 rgb=True,
                 lighting=False,
                 line_width=SAMPLES * stroke.width,
             )
-    set_camera(plotter, scene, view)
+    set_camera(plotter, scene.surface, view)
+
+
+def averaged(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """A picture drawn with `SAMPLES` times as many pixels either way, in the finished size."""
+    mean = downsampled(image.astype(np.float32))
+    return np.asarray(np.round(mean), dtype=np.uint8)
 
 
 def surface_mesh(surface: Surface) -> Any:
@@ -93,10 +96,10 @@ def stroke_mesh(curves: NDArray[np.float64]) -> tuple[Any, NDArray[np.int64]]:
     return mesh, np.array(curve, dtype=np.int64)
 
 
-def set_camera(plotter: Any, scene: BodyScene, view: View) -> None:
-    """Make a plotter look at a scene as a view says."""
+def set_camera(plotter: Any, surface: Surface, view: View) -> None:
+    """Make a plotter look at a surface as a view says."""
     camera = plotter.camera
-    distance = 2.0 * float(np.ptp(scene.surface.points, axis=0).max()) + view.height
+    distance = 2.0 * float(np.ptp(surface.points, axis=0).max()) + view.height
     camera.enable_parallel_projection()
     camera.focal_point = view.center
     camera.position = view.center + distance * view.towards
@@ -105,5 +108,6 @@ def set_camera(plotter: Any, scene: BodyScene, view: View) -> None:
     plotter.reset_camera_clipping_range()
 
 
-def _bytes(colors: NDArray[np.float64]) -> NDArray[np.uint8]:
+def color_bytes(colors: NDArray[np.float64]) -> NDArray[np.uint8]:
+    """Colors in [0, 1] in 0 to 255."""
     return np.asarray(np.round(255.0 * colors), dtype=np.uint8)

@@ -38,13 +38,33 @@ class DepthBuffer:
 
     def interpolated(self, values: NDArray[np.float64], background: float) -> NDArray[np.float64]:
         """What each pixel shows of a quantity given at the vertices, shape (height, width)."""
-        flat = self.triangle.ravel()
-        covered = np.flatnonzero(flat >= 0)
-        shown = flat[covered]
-        row, column = np.divmod(covered, self.triangle.shape[1])
-        picture = np.full(flat.shape, background)
-        picture[covered] = _at(_planes(self.edge, values[self.triangles]), shown, column, row)
+        covered = np.flatnonzero(self.triangle >= 0)
+        picture = np.full(self.triangle.size, background)
+        picture[covered] = self.at_pixels(values[:, None], covered)[:, 0]
         return picture.reshape(self.triangle.shape)
+
+    def at_pixels(
+        self, values: NDArray[np.float64], pixel: NDArray[np.int64]
+    ) -> NDArray[np.float64]:
+        """What some pixels show of c quantities given at the vertices.
+
+        Parameters
+        ----------
+        values : ndarray, shape (n, c)
+        pixel : ndarray of int, shape (k,)
+            Numbers of pixels that show a triangle, row by row.
+
+        Returns
+        -------
+        ndarray, shape (k, c)
+        """
+        shown = self.triangle.ravel()[pixel]
+        row, column = np.divmod(pixel, self.triangle.shape[1])
+        channels = [
+            _at(_planes(self.edge, channel[self.triangles]), shown, column, row)
+            for channel in values.T
+        ]
+        return np.stack(channels, axis=-1)
 
 
 def rasterize(

@@ -11,10 +11,8 @@ from bodymeasure.scene.colors import ColorScale
 from bodymeasure.scene.lighting import glow, glowing
 from bodymeasure.scene.model import BodyScene, Surface
 from bodymeasure.scene.raster import DepthBuffer, rasterize
+from bodymeasure.scene.samples import SAMPLES, downsampled
 from bodymeasure.scene.strokes import Style, runs, strokes
-
-# Each pixel is the mean of this many squared samples.
-SAMPLES = 2
 
 
 def render(
@@ -57,16 +55,9 @@ def _picture(surface: Surface, buffer: DepthBuffer, view: View) -> NDArray[np.fl
     """The picture without lines, shape (height, width, 3), in [0, 1]."""
     white, body = glow(surface, view)
     return glowing(
-        _downsampled(buffer.interpolated(white, background=1.0)),
-        _downsampled(buffer.interpolated(body, background=0.0)),
+        downsampled(buffer.interpolated(white, background=1.0)),
+        downsampled(buffer.interpolated(body, background=0.0)),
     )
-
-
-def _downsampled(picture: NDArray[np.float64]) -> NDArray[np.float64]:
-    # Several times as fast as the mean of a reshaped array over its short axes.
-    offsets = range(SAMPLES)
-    rows = sum((picture[i::SAMPLES] for i in offsets), np.zeros(()))
-    return np.asarray(sum((rows[:, j::SAMPLES] for j in offsets), np.zeros(())) / SAMPLES**2)
 
 
 def _visible(
