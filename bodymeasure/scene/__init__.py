@@ -9,8 +9,19 @@ from bodymeasure.scene.charts import color_bar, histogram
 from bodymeasure.scene.choice import Choice, choose_renderer
 from bodymeasure.scene.colors import ColorScale
 from bodymeasure.scene.gallery import Pictures, pictures, png
-from bodymeasure.scene.model import BodyScene, Label, PathKind, Paths, Polylines, Surface
+from bodymeasure.scene.model import (
+    BodyScene,
+    Label,
+    PathKind,
+    Paths,
+    Polylines,
+    Surface,
+    TapeLine,
+    TapeScene,
+)
 from bodymeasure.scene.overview import body_overview
+from bodymeasure.scene.tape_pictures import TapePictures, tape_pictures
+from bodymeasure.scene.tapes import tapes_scene
 
 __all__ = [
     "SIDES",
@@ -23,6 +34,9 @@ __all__ = [
     "Pictures",
     "Polylines",
     "Surface",
+    "TapeLine",
+    "TapePictures",
+    "TapeScene",
     "View",
     "body_overview",
     "body_scene",
@@ -35,4 +49,6 @@ __all__ = [
     "patch_view",
     "pictures",
     "png",
+    "tape_pictures",
+    "tapes_scene",
 ]

@@ -40,7 +40,7 @@ def body_scene(survey: Survey, *, segments: int = BODY_SEGMENTS) -> BodyScene:
     atlas = survey.atlas
     everything = np.arange(len(atlas))
     return BodyScene(
-        surface=_tessellate(atlas, everything, segments),
+        surface=tessellate(atlas, everything, segments),
         edges=_edges(atlas, everything),
         faded_edges=_edges(atlas, everything[:0]),
         paths=_paths(survey, everything),
@@ -54,8 +54,8 @@ def patch_scene(survey: Survey, patch: int) -> BodyScene:
     others = np.setdiff1d(np.arange(len(atlas)), only)
     corners = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
     positions, _ = _surface_at(atlas, only, corners[None])
-    near = _tessellate(atlas, only, CLOSEUP_SEGMENTS)
-    far = _tessellate(atlas, others, BODY_SEGMENTS)
+    near = tessellate(atlas, only, CLOSEUP_SEGMENTS)
+    far = tessellate(atlas, others, BODY_SEGMENTS)
     return BodyScene(
         surface=Surface(
             np.concatenate([near.points, far.points]),
@@ -74,7 +74,7 @@ def patch_scene(survey: Survey, patch: int) -> BodyScene:
     )
 
 
-def _tessellate(atlas: Atlas, patches: NDArray[np.int64], segments: int) -> Surface:
+def tessellate(atlas: Atlas, patches: NDArray[np.int64], segments: int) -> Surface:
     """Triangles of some patches, each patch with vertices of its own."""
     ticks = np.linspace(0.0, 1.0, segments + 1)
     grid = np.stack(np.meshgrid(ticks, ticks, indexing="ij"), axis=-1).reshape(1, -1, 2)

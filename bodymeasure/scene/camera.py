@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from bodymeasure.atlas import Axes
 from bodymeasure.scene.clip import clipped
-from bodymeasure.scene.model import BodyScene, Surface
+from bodymeasure.scene.model import BodyScene, Surface, TapeScene
 
 SIDES = ("front", "back", "left", "right")
 # Room around what is framed, as a fraction of the picture's height.
@@ -77,7 +77,7 @@ class View:
         return np.stack([x, y], axis=-1), offset @ self.towards
 
 
-def body_views(scene: BodyScene, axes: Axes) -> dict[str, View]:
+def body_views(scene: BodyScene | TapeScene, axes: Axes) -> dict[str, View]:
     """The four sides of a body, all at one scale: front, back, the wearer's left and right."""
     towards = {
         "front": axes.front_vector,
@@ -90,7 +90,7 @@ def body_views(scene: BodyScene, axes: Axes) -> dict[str, View]:
     # A flat patch may have no height at all; it must not have an empty picture.
     margin = MARGIN * max(height, float(np.ptp(points, axis=0).max()) / 4)
     return {
-        side: _framed(points, direction, axes.up_vector, margin)
+        side: framed(points, direction, axes.up_vector, margin)
         for side, direction in towards.items()
     }
 
@@ -108,10 +108,10 @@ def patch_view(scene: BodyScene, axes: Axes) -> View:
         upward = axes.front_vector - (axes.front_vector @ towards) * towards
     upward /= np.linalg.norm(upward)
     finite = np.isfinite(scene.paths.lines.points).all(axis=-1)
-    framed = np.concatenate([points, scene.paths.lines.points[finite]])
+    shown = np.concatenate([points, scene.paths.lines.points[finite]])
     right = np.cross(upward, towards)
-    extent = max(float(np.ptp(framed @ upward)), float(np.ptp(framed @ right)))
-    view = _framed(framed, towards, upward, CLOSEUP_MARGIN * extent)
+    extent = max(float(np.ptp(shown @ upward)), float(np.ptp(shown @ right)))
+    view = framed(shown, towards, upward, CLOSEUP_MARGIN * extent)
     side = max(view.width, view.height)
     return View(view.center, towards, upward, side, side)
 
@@ -138,12 +138,13 @@ def outward(surface: Surface) -> float:
     return -1.0 if volume < 0.0 else 1.0
 
 
-def _framed(
+def framed(
     points: NDArray[np.float64],
     towards: NDArray[np.float64],
     up: NDArray[np.float64],
     margin: float,
 ) -> View:
+    """The view that holds some points, shape (k, 3), with a margin in the atlas's unit."""
     right = np.cross(up, towards)
     low = np.array([(points @ axis).min() for axis in (right, up, towards)])
     high = np.array([(points @ axis).max() for axis in (right, up, towards)])

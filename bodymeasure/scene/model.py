@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
 from numpy.typing import NDArray
+
+from bodymeasure.chart import TapeKind
 
 
 class PathKind(Enum):
@@ -108,3 +111,66 @@ class BodyScene:
     faded_edges: Polylines
     paths: Paths
     labels: tuple[Label, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class TapeLine:
+    """A tape as it is drawn: a curve of evenly spaced points.
+
+    Parameters
+    ----------
+    number : int
+        Of its measurement, as the labels say it.
+    key, group : str
+        Of its measurement.
+    kind : TapeKind
+    points : ndarray, shape (k, 3)
+        In the atlas's unit; a closed tape ends at its first point.
+    normals : ndarray, shape (k, 3)
+        Vectors away from the body; of length 1 where the tape lies on it, 0 where it stands free.
+    lift : ndarray, shape (k, 3)
+        The same, but where the tape stands free, turned from the one end to the other.
+    """
+
+    number: int
+    key: str
+    group: str
+    kind: TapeKind
+    points: NDArray[np.float64]
+    normals: NDArray[np.float64]
+    lift: NDArray[np.float64]
+
+    @property
+    def free(self) -> NDArray[np.bool_]:
+        """Where the tape stands free of the body, shape (k,)."""
+        return np.asarray(np.linalg.norm(self.normals, axis=-1) < 0.5)
+
+    @property
+    def through_body(self) -> bool:
+        """Whether it runs straight, whatever lies in its way, and is drawn over the body."""
+        return self.kind is TapeKind.STRAIGHT
+
+
+@dataclass(frozen=True, eq=False)
+class TapeScene:
+    """A body with the tapes of its measurements, ready to be drawn.
+
+    Parameters
+    ----------
+    surface : Surface
+    size : float
+        Of the body: its extent upwards, or a fraction of its largest if it is flat. Widths of tapes
+        are said in it.
+    numbers : mapping of str to int
+        Number of each measurement that has a value, by its key.
+    tapes : tuple of TapeLine
+        In the order of their numbers.
+    landmarks : mapping of str to tuple of Label
+        Landmarks of each measurement, by its key.
+    """
+
+    surface: Surface
+    size: float
+    numbers: Mapping[str, int]
+    tapes: tuple[TapeLine, ...]
+    landmarks: Mapping[str, tuple[Label, ...]]
