@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from surfaces import PH_CYLINDER
 
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
-from bodymeasure.bezier import restrict
+from bodymeasure.bezier import bernstein, evaluate, restrict
 
 _Array = NDArray[np.float64]
 
@@ -32,6 +32,46 @@ def cut(net: _Array, us: Sequence[float], vs: Sequence[float], *, turn: bool = T
         index[1::2] = np.rot90(index[1::2], axes=(1, 2))
         index[2::3] = index[2::3].transpose(0, 2, 1)
     return Atlas(lattice.reshape(-1, 3), index, Unit.CM)
+
+
+def on_cut(cuts: Sequence[Sequence[float]], uv: Sequence[float]) -> AtlasPoint:
+    """A point of the whole patch on an atlas that is cut and not turned."""
+    place, number = [], []
+    for value, lines in zip(uv, cuts, strict=True):
+        bounds = np.array([0.0, *lines, 1.0])
+        part = int(np.clip(np.searchsorted(bounds, value, side="right") - 1, 0, len(lines)))
+        number.append(part)
+        place.append((value - bounds[part]) / (bounds[part + 1] - bounds[part]))
+    return AtlasPoint(number[0] * (len(cuts[1]) + 1) + number[1], place[0], place[1])
+
+
+def slant_cut(net: _Array, rng: np.random.Generator) -> tuple[Atlas, _Array]:
+    """One patch of total degree 3 in u and v cut into nine along lines that are slanted in (u, v).
+
+    The seams are curves that meet at kinks. Such a surface over a quadrilateral, bilinearly
+    parametrized, is bicubic. Also (u, v) of each part's corners, shape (9, 2, 2, 2).
+    """
+    thirds = np.arange(4) / 3
+    grid = np.stack(np.meshgrid(thirds, thirds, indexing="ij"), axis=-1)
+    moves = rng.uniform(-0.1, 0.1, grid.shape)
+    # Points on the patch's edges stay on them.
+    grid += np.where((grid > 0.0) & (grid < 1.0), moves, 0.0)
+    from_values = np.linalg.inv(bernstein(3, thirds)[:, 0])
+    lattice, corners = np.empty((10, 10, 3)), np.empty((9, 2, 2, 2))
+    for i in range(3):
+        for j in range(3):
+            part = corners[3 * i + j] = grid[i : i + 2, j : j + 2]
+            values = evaluate(net, on_part(part, *np.meshgrid(thirds, thirds, indexing="ij")))
+            lattice[3 * i : 3 * i + 4, 3 * j : 3 * j + 4] = np.einsum(
+                "ai,bj,ijc->abc", from_values, from_values, values
+            )
+    return Atlas(lattice.reshape(-1, 3), grid_index(3, 3), Unit.CM), corners
+
+
+def on_part(corners: _Array, u: _Array | float, v: _Array | float) -> _Array:
+    """(u, v) on the whole patch of points of a part with these corners, shape (2, 2, 2)."""
+    us, vs = (np.stack([1.0 - np.asarray(w), np.asarray(w)]) for w in (u, v))
+    return np.asarray(np.einsum("i...,j...,ijc->...c", us, vs, corners))
 
 
 def corner_of(atlas: Atlas, position: Sequence[float]) -> AtlasPoint:

@@ -5,10 +5,20 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from cut_atlases import corner_of, cut, random_point, wavy_cylinder, wavy_plane
+from cut_atlases import (
+    corner_of,
+    cut,
+    on_cut,
+    on_part,
+    random_point,
+    slant_cut,
+    wavy_cylinder,
+    wavy_plane,
+)
 from grids import grid_atlas
+from numpy.typing import NDArray
 from scipy.optimize import brentq
-from surfaces import PARABOLOID, SURFACES, Surface
+from surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID, PH_CYLINDER, SURFACES, Surface
 
 import bodymeasure as bm
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
@@ -22,18 +32,8 @@ CUTS: dict[str, tuple[tuple[float, ...], tuple[float, ...]]] = {
     "in two": ((0.4,), ()),
     "in four": ((0.5,), (0.5,)),
     "in nine": ((0.3, 0.65), (0.2, 0.7)),
+    "in sixty-four": (tuple(np.arange(1, 8) / 8), tuple(np.arange(1, 8) / 8)),
 }
-
-
-def on_cut(cuts: tuple[tuple[float, ...], ...], uv: tuple[float, ...]) -> AtlasPoint:
-    """A point of the whole patch on an atlas that is cut and not turned."""
-    place, number = [], []
-    for value, lines in zip(uv, cuts, strict=True):
-        bounds = np.array([0.0, *lines, 1.0])
-        part = int(np.clip(np.searchsorted(bounds, value, side="right") - 1, 0, len(lines)))
-        number.append(part)
-        place.append((value - bounds[part]) / (bounds[part + 1] - bounds[part]))
-    return AtlasPoint(number[0] * (len(cuts[1]) + 1) + number[1], place[0], place[1])
 
 
 @pytest.mark.parametrize("cuts", CUTS.values(), ids=CUTS)
@@ -91,6 +91,25 @@ def test_helices_on_a_cylinder_with_curved_seams(rng: np.random.Generator) -> No
         expected = np.hypot(arcs[1] - arcs[0], heights[1] - heights[0])
         path = bm.geodesic_between(atlas, start, end)
         assert path.length == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    "net", [ENNEPER, PARABOLOID, HYPERBOLIC_PARABOLOID, PH_CYLINDER], ids=["e", "p", "h", "c"]
+)
+def test_cutting_along_curves_that_meet_at_kinks_changes_no_length(
+    net: NDArray[np.float64], rng: np.random.Generator
+) -> None:
+    compared = 0
+    for _ in range(8):
+        atlas, corners = slant_cut(net, rng)
+        start, end = random_point(rng, atlas), random_point(rng, atlas)
+        ends = [on_part(corners[point.patch], point.u, point.v).tolist() for point in (start, end)]
+        whole = bm.solve_geodesic(net, *ends)
+        path = bm.geodesic_between(atlas, start, end)
+        assert path.status is whole.status
+        compared += int(whole.status is bm.Status.CONVERGED)
+        assert path.length == pytest.approx(whole.length, rel=1e-9)
+    assert compared >= 4
 
 
 def rotation(rng: np.random.Generator) -> np.ndarray:
