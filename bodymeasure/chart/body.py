@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.normals import normal_vectors
+from bodymeasure.atlas.outward import outward_sign
 from bodymeasure.chart.joined import joined
 from bodymeasure.chart.measured import Tape, TapeKind
 from bodymeasure.chart.nearest import hint
@@ -42,6 +44,10 @@ class Body:
     missing: Mapping[str, str] = field(default_factory=dict)
     _legs: dict[tuple[str, str], AtlasPath] = field(default_factory=dict, repr=False)
     _girths: dict[tuple[str, bytes], Girth] = field(default_factory=dict, repr=False)
+
+    @cached_property
+    def _outwards(self) -> float:
+        return outward_sign(self.atlas)
 
     def point(self, name: str) -> AtlasPoint:
         """The landmark of that name.
@@ -109,14 +115,4 @@ class Body:
         normals = normal_vectors(self.atlas.control_points[patch], parameters[:, None])[:, 0]
         length = np.linalg.norm(normals, axis=1, keepdims=True)
         unit = np.divide(normals, length, out=np.zeros_like(normals), where=length > 0.0)
-        return np.asarray(self._outwards() * unit)
-
-    def _outwards(self) -> float:
-        """1 where patches' normals point out of the body, -1 where into it."""
-        nets = self.atlas.control_points
-        centers = np.full((len(nets), 1, 2), 0.5)
-        normals = normal_vectors(nets, centers)[:, 0]
-        middle = nets.mean(axis=(0, 1, 2))
-        # The sign of the volume between the patches and the middle of the body.
-        volume = ((nets.mean(axis=(1, 2)) - middle) * normals).sum()
-        return -1.0 if volume < 0.0 else 1.0
+        return np.asarray(self._outwards * unit)

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-import scipy
-from numpy.typing import NDArray
 
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.definitions import (
@@ -15,17 +13,19 @@ from bodymeasure.chart.definitions import (
     TapeWanted,
     TiltedGirthMeasure,
 )
-from bodymeasure.chart.measured import Measured, Outcome, Tape, TapeKind
+from bodymeasure.chart.measured import Measured, Outcome, TapeKind
 from bodymeasure.errors import InputError
-from bodymeasure.measure import Extremum, Girth, extreme_girth, limb_girth
-from bodymeasure.section import Plane, SectionLoop
-
-_Array = NDArray[np.float64]
+from bodymeasure.measure import Extremum, Girth, body_girth, extreme_girth, limb_girth
+from bodymeasure.section import Plane
 
 
 def measure_girth(body: Body, definition: GirthMeasure) -> Measured:
     """The horizontal girth at a landmark's height."""
-    return _measured(body, definition, body.level_girth(definition.at), (definition.at,))
+    at, cut = definition.at, definition.cut
+    if cut is None:
+        return _measured(body, definition, body.level_girth(at), (at,))
+    girth = body_girth(body.atlas, body.point(at), cut=(body.point(cut[0]), body.point(cut[1])))
+    return _measured(body, definition, girth, (at, *cut))
 
 
 def measure_tilted_girth(body: Body, definition: TiltedGirthMeasure) -> Measured:
@@ -73,9 +73,9 @@ def _measured(
     remark: str = "",
 ) -> Measured:
     wanted: TapeWanted = getattr(definition, "tape", "contact")
-    tapes = [_contact_tape(body, girth.loop)]
+    tapes = [body.tape(TapeKind.CONTACT, girth.contact_tape)]
     if wanted != "contact":
-        tapes.append(_taut_tape(tapes[0], girth))
+        tapes.append(body.tape(TapeKind.TAUT, girth.taut_tape))
     return Measured(
         definition,
         Outcome.MEASURED,
@@ -86,23 +86,5 @@ def _measured(
         error_estimate=girth.error_estimate,
         landmarks=landmarks,
         tapes=tuple(tapes),
-        length_by_region=girth.loop.length_by_region,
+        length_by_region=girth.tape.length_by_region,
     )
-
-
-def _contact_tape(body: Body, loop: SectionLoop) -> Tape:
-    normals = body.normals(loop.patch, loop.parameters)
-    around = np.append(np.arange(len(loop.positions)), 0)
-    return Tape(TapeKind.CONTACT, loop.positions[around], normals[around])
-
-
-def _taut_tape(contact: Tape, girth: Girth) -> Tape:
-    """The hull of the drawn loop and of the exact ends of the bridges."""
-    ends = girth.bridges.reshape(-1, 3)
-    near = scipy.spatial.KDTree(contact.points).query(ends)[1] if len(ends) else []
-    points = np.concatenate([contact.points[:-1], ends])
-    normals = np.concatenate([contact.normals[:-1], contact.normals[near]])
-    flat = (points - points[0]) @ girth.loop.surface.plane.frame().T
-    corners = scipy.spatial.ConvexHull(flat).vertices
-    around = np.append(corners, corners[0])
-    return Tape(TapeKind.TAUT, points[around], normals[around])
