@@ -17,7 +17,7 @@ from bodymeasure.errors import (
     InputError,
     MissingExtraError,
 )
-from bodymeasure.formats import read_atlas, write_atlas
+from bodymeasure.formats import read_atlas, read_population, write_atlas, write_population
 from bodymeasure.geodesic import (
     SEARCHES,
     WU_C2,
@@ -105,9 +105,11 @@ __all__ = [
     "measure_atlas",
     "plane_girth",
     "read_atlas",
+    "read_population",
     "sample_names",
     "solve_geodesic",
     "taut_tape",
     "tessellate",
     "write_atlas",
+    "write_population",
 ]

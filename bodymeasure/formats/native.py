@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import codecs
 import json
-import re
 from collections.abc import Sequence
 from typing import Annotated, Any
 
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 
 from bodymeasure.atlas import LARGEST_DEGREE, LEAST_DEGREE, Atlas, AtlasPoint, Axes, Unit
 from bodymeasure.errors import InputError
+from bodymeasure.formats.json_faults import place_of_fault
 
 FORMAT = "bodymeasure atlas"
 VERSION = 1
@@ -74,7 +74,7 @@ def read(content: bytes, source: str) -> Atlas:
         place = _place_of_misfit(content) or str(error)
         raise InputError(f"{source}: {place}; README.md describes the {FORMAT} format") from None
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise InputError(f"{source}{_place_of_fault(content, str(error))}") from None
+        raise InputError(f"{source}{place_of_fault(content, str(error))}") from None
     try:
         return _atlas(record)
     except InputError as error:
@@ -220,28 +220,6 @@ def _place_of_misfit(content: bytes) -> str | None:
                 called = f" ({label!r})" if isinstance(label, str) else ""
                 return f"{noun} {name}{called}: {error}"
     return None
-
-
-def _place_of_fault(content: bytes, reason: str) -> str:
-    """Line and reason of what is not JSON, to follow the file's name."""
-    try:
-        text = content.decode()
-        json.loads(text)
-    except UnicodeDecodeError:
-        return ": is not text in UTF-8; expected JSON"
-    except json.JSONDecodeError as error:
-        return (
-            f", line {error.lineno}: is not valid JSON ({error.msg}); "
-            "the file may have been cut off or edited by hand"
-        )
-    except RecursionError:
-        return ": is nested too deeply to be an atlas"
-    # The standard library takes NaN and Infinity, which JSON does not have.
-    match = re.search(r"-?\b(NaN|Infinity)\b", text)
-    if match is None:
-        return f": is not valid JSON ({reason})"
-    line = text.count("\n", 0, match.start()) + 1
-    return f", line {line}: {match.group()} is not a number; expected finite coordinates"
 
 
 def _line(value: Any) -> str:

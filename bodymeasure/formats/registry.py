@@ -2,59 +2,168 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import NamedTuple
 
-from bodymeasure.atlas import Atlas
+from bodymeasure.atlas import Atlas, Axes
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes, write_bytes
-from bodymeasure.formats import native
+from bodymeasure.formats import (
+    bez,
+    bpt,
+    geomdl,
+    native,
+    npz,
+    obj,
+    obj_mesh,
+    obj_surfaces,
+    patches,
+)
+from bodymeasure.formats.groups import select_groups
+from bodymeasure.formats.obj_mesh import Faces
+from bodymeasure.formats.options import ReadOptions
+from bodymeasure.formats.patches import ReadPatches
+
+Read = Callable[[bytes, str], Atlas | ReadPatches | Faces]
 
 
 class Format(NamedTuple):
-    """A file format: its name, and how bytes become an atlas and back."""
+    """A file format.
 
-    name: str
-    read: Callable[[bytes, str], Atlas]
-    write: Callable[[Atlas], bytes]
+    Parameters
+    ----------
+    title : str
+        What errors call it.
+    extensions : tuple of str
+        Of files that are taken for it.
+    read : callable
+        Content and name of a file to an atlas, or to patches or faces without a unit.
+    write : callable, optional
+        An atlas to the content of a file.
+    keeps : frozenset of str
+        What a file holds besides the geometry, of "unit" (with the axes), "names", "regions" and
+        "landmarks" (with the atlas's name and provenance).
+    """
+
+    title: str
+    extensions: tuple[str, ...]
+    read: Read
+    write: Callable[[Atlas], bytes] | None
+    keeps: frozenset[str] = frozenset()
 
 
-FORMATS = {".atlas": Format("bodymeasure atlas", native.read, native.write)}
+ALL = frozenset({"unit", "names", "regions", "landmarks"})
+FORMATS = {
+    "atlas": Format("a bodymeasure atlas", (".atlas",), native.read, native.write, ALL),
+    "npz": Format("an .npz file", (".npz",), npz.read, npz.write, ALL),
+    "bpt": Format("a BPT file", (".bpt",), bpt.read, bpt.write),
+    "bez": Format("a Geomview Bezier file", (".bez", ".bbp"), bez.read, bez.write),
+    "obj": Format(
+        "a Wavefront OBJ file",
+        (".obj",),
+        obj.read,
+        obj_surfaces.write,
+        frozenset({"names", "regions"}),
+    ),
+    "obj-surfaces": Format("a Wavefront OBJ file", (), obj_surfaces.read, None),
+    "obj-mesh": Format("a Wavefront OBJ file", (), obj_mesh.read, None),
+    "geomdl": Format("geomdl's JSON", (".json",), geomdl.read, geomdl.write, frozenset({"names"})),
+}
+EXTENSIONS = {extension: form for form in FORMATS.values() for extension in form.extensions}
 
 
-def read_atlas(path: str | PathLike[str]) -> Atlas:
+def read_atlas(
+    path: str | PathLike[str],
+    *,
+    unit: str | None = None,
+    up: str | None = None,
+    front: str | None = None,
+    group: str | Sequence[str] = (),
+    format: str | None = None,  # noqa: A002  (what the command line calls it)
+    tolerance: float | None = None,
+) -> Atlas:
     """Read an atlas from a file; the extension tells the format.
 
     Parameters
     ----------
     path : path-like
-        A ``.atlas`` file; README.md documents the format.
+        README.md lists the formats.
+    unit : Unit or str, optional
+        Of the file's coordinates, for formats that say none; never guessed.
+    up, front : str, optional
+        Which way is up and which way the body looks, one of ``+x -x +y -y +z -z``, for formats that
+        do not say; ``+z`` and ``-y`` if not given.
+    group : str or sequence of str, optional
+        Take only the patches of these groups (regions).
+    format : str, optional
+        One of `FORMATS`, instead of what the extension tells.
+    tolerance : float, optional
+        For formats of loose patches: how far apart edges may be that are joined, in the file's
+        unit. Without it, they may differ by rounding; wider gaps are for `check_atlas` to tell.
 
     Returns
     -------
     Atlas
+        Patches of lower degree are elevated, B-splines cut at their knots, both exactly; of a mesh
+        of polygons, one patch for each quad of its approximate Catmull-Clark surface.
 
     Raises
     ------
     InputError
-        If the file is missing, unreadable or not a valid atlas. The message names the file and the
-        place in it.
+        If the file is missing, unreadable or not valid, or it has no unit and none is given. The
+        message names the file and the place in it.
     """
     path = Path(path)
+    options = ReadOptions.checked(unit, up, front, group, tolerance)
     # First the content: of a missing file or a folder, the extension is beside the point.
     content = read_bytes(path)
-    return _format(path).read(content, str(path))
+    return decode(content, str(path), format_of(path, format), options)
 
 
-def write_atlas(atlas: Atlas, path: str | PathLike[str]) -> None:
-    """Write an atlas to a file, without loss; the extension tells the format.
+def decode(content: bytes, source: str, form: Format, options: ReadOptions) -> Atlas:
+    """The atlas in a file's content; `source` names the file in errors."""
+    # Of a file without a unit, that is the first thing to say.
+    unit = None if "unit" in form.keeps else options.known_unit(source, form.title)
+    read = form.read(content, source)
+    if isinstance(read, Atlas):
+        options.require_none(source, read.unit, read.axes)
+        atlas = read
+    else:
+        assert unit is not None, "only formats that keep the unit make an atlas themselves"
+        axes = options.axes or Axes()
+        if isinstance(read, ReadPatches):
+            atlas = patches.assemble(
+                read, source, unit=unit, axes=axes, tolerance=options.tolerance
+            )
+        else:
+            atlas = obj_mesh.assemble(read, unit=unit, axes=axes)
+    if not options.groups:
+        return atlas
+    try:
+        return select_groups(atlas, options.groups)
+    except InputError as error:
+        raise InputError(f"{source}: {error}") from None
+
+
+def write_atlas(
+    atlas: Atlas,
+    path: str | PathLike[str],
+    *,
+    format: str | None = None,  # noqa: A002
+) -> None:
+    """Write an atlas to a file; the extension tells the format.
+
+    Coordinates are written without loss. What else a format has room for, README.md lists:
+    ``.atlas`` and ``.npz`` keep everything, the others have no unit.
 
     Parameters
     ----------
     atlas : Atlas
     path : path-like
+    format : str, optional
+        One of `FORMATS`, instead of what the extension tells.
 
     Raises
     ------
@@ -62,14 +171,67 @@ def write_atlas(atlas: Atlas, path: str | PathLike[str]) -> None:
         If the extension is unknown or the file cannot be written; nothing half-written is left.
     """
     path = Path(path)
-    write_bytes(path, _format(path).write(atlas))
+    form = format_of(path, format)
+    if form.write is None:
+        raise InputError(f"{path}: {form.title} of this kind is only read; choose another format")
+    write_bytes(path, form.write(atlas))
 
 
-def _format(path: Path) -> Format:
-    try:
-        return FORMATS[path.suffix.lower()]
-    except KeyError:
-        known = ", ".join(FORMATS)
-        raise InputError(
-            f"{path}: unknown kind of file {path.suffix!r}; expected one of {known}"
-        ) from None
+def read_population(path: str | PathLike[str]) -> tuple[Atlas, ...]:
+    """Read all bodies of an ``.npz`` file.
+
+    Parameters
+    ----------
+    path : path-like
+
+    Returns
+    -------
+    tuple of Atlas
+        With the same patches, in the order in which they were written.
+
+    Raises
+    ------
+    InputError
+        If the file is missing, unreadable or not valid.
+    """
+    path = Path(path)
+    return npz.read_bodies(read_bytes(path), str(path))
+
+
+def write_population(atlases: Sequence[Atlas], path: str | PathLike[str]) -> None:
+    """Write bodies with the same patches to one ``.npz`` file, without loss.
+
+    Parameters
+    ----------
+    atlases : sequence of Atlas
+        They may differ in their points and names.
+    path : path-like
+
+    Raises
+    ------
+    InputError
+        If they differ in more, or the file cannot be written.
+    """
+    path = Path(path)
+    if path.suffix.lower() != ".npz":
+        raise InputError(f"{path}: many bodies go into an .npz file; give a name that ends so")
+    write_bytes(path, npz.write_bodies(atlases))
+
+
+def format_of(path: Path, name: str | None = None) -> Format:
+    """The format of that name, or else of a file's extension.
+
+    Raises
+    ------
+    InputError
+        If there is none; the message lists those that there are.
+    """
+    table, key = (EXTENSIONS, path.suffix.lower()) if name is None else (FORMATS, name)
+    if key in table:
+        return table[key]
+    what = (
+        f"{path}: unknown kind of file {path.suffix!r}"
+        if name is None
+        else f"unknown format {name!r}"
+    )
+    raise InputError(f"{what}; expected one of {', '.join(table)}")

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from bodymeasure.errors import InputError
 from bodymeasure.subdivision.quad_mesh import QuadMesh
+from bodymeasure.subdivision.sums import sum_at
 
 _Array = NDArray[np.float64]
 
@@ -31,14 +32,14 @@ def subdivide(mesh: QuadMesh) -> QuadMesh:
     quad_points = vertices[quads].mean(axis=1)
     midpoints = vertices[edges.ends].mean(axis=1)
 
-    across = _sum_at(edges.of_side, quad_points, len(edges.ends)) / 2.0
+    across = sum_at(edges.of_side, quad_points, len(edges.ends)) / 2.0
     boundary = edges.boundary[:, None]
     edge_points = np.where(boundary, midpoints, (midpoints + across) / 2.0)
 
     # Round an inner vertex there are as many quads as edges.
     valence = np.bincount(quads.ravel())[:, None]
-    quad_mean = _sum_at(quads, quad_points, len(vertices)) / valence
-    edge_mean = _sum_at(edges.ends, midpoints, len(vertices)) / valence
+    quad_mean = sum_at(quads, quad_points, len(vertices)) / valence
+    edge_mean = sum_at(edges.ends, midpoints, len(vertices)) / valence
     moved = (quad_mean + 2.0 * edge_mean + (valence - 3.0) * vertices) / valence
     on_boundary, neighbors = _boundary_neighbors(mesh)
     moved[on_boundary] = (6.0 * vertices[on_boundary] + neighbors) / 8.0
@@ -70,7 +71,7 @@ def limit_positions(mesh: QuadMesh) -> _Array:
     # Inside the mesh, each neighbor along an edge is the next corner of exactly one quad.
     following, opposite = vertices[np.roll(quads, -1, axis=1)], vertices[np.roll(quads, 2, axis=1)]
     around = np.stack([4.0 * following, opposite], axis=2).transpose(1, 2, 0, 3)
-    total = _sum_at(
+    total = sum_at(
         np.concatenate([np.arange(len(vertices)), np.repeat(quads.T, 2, axis=0).ravel()]),
         np.concatenate([valence**2 * vertices, around.reshape(-1, 3)]),
         len(vertices),
@@ -92,16 +93,5 @@ def _boundary_neighbors(mesh: QuadMesh) -> tuple[NDArray[np.int64], _Array]:
             "the quads round it have to form one fan"
         )
     on_boundary = np.flatnonzero(count)
-    sums = _sum_at(ends, mesh.vertices[ends[:, ::-1]], len(mesh.vertices))
+    sums = sum_at(ends, mesh.vertices[ends[:, ::-1]], len(mesh.vertices))
     return on_boundary, sums[on_boundary]
-
-
-def _sum_at(index: NDArray[np.int64], values: _Array, count: int) -> _Array:
-    """Sums of values (..., 3) over each number that occurs in `index`, shape (count, 3).
-
-    `values` has the shape of `index`, or one row for each row of it.
-    """
-    if values.ndim == index.ndim:
-        values = np.broadcast_to(values[:, None], (*index.shape, 3))
-    rows, flat = index.ravel(), values.reshape(-1, 3)
-    return np.stack([np.bincount(rows, flat[:, axis], count) for axis in range(3)], axis=-1)

@@ -1,0 +1,166 @@
+"""B-spline surfaces in the JSON of geomdl (NURBS-Python), ``.json``.
+
+``{"shape": {"type": "surface", "data": [...]}}``, as `geomdl.exchange.export_json` writes it. Each
+surface is cut into Bezier patches; its name is theirs. No unit. Surfaces with weights go as far as
+`ReadPatches` does; trimmed ones are refused. Only what the shape depends on is looked at.
+"""
+
+from __future__ import annotations
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas import Atlas
+from bodymeasure.errors import InputError
+from bodymeasure.formats.json_faults import place_of_fault
+from bodymeasure.formats.patches import ReadPatches
+from bodymeasure.formats.spline_patches import spline_patches
+
+_Array = NDArray[np.float64]
+# A Bezier patch as a B-spline.
+_KNOTS = [0.0] * 4 + [1.0] * 4
+
+
+class _ControlPoints(msgspec.Struct):
+    points: list[list[float]]
+    weights: list[float] | None = None
+
+
+class _Trims(msgspec.Struct):
+    count: int = 0
+    data: list[object] = []
+
+
+class _Surface(msgspec.Struct):
+    degree_u: int
+    degree_v: int
+    knotvector_u: list[float]
+    knotvector_v: list[float]
+    size_u: int
+    size_v: int
+    control_points: _ControlPoints
+    type: str = "spline"
+    dimension: int = 3
+    rational: bool = False
+    name: str = ""
+    trims: _Trims | None = None
+
+
+class _Shape(msgspec.Struct):
+    type: str
+    data: list[_Surface]
+    count: int | None = None
+
+
+class _File(msgspec.Struct):
+    shape: _Shape
+
+
+class _Kind(msgspec.Struct):
+    type: str = ""
+
+
+class _Header(msgspec.Struct):
+    """What is looked at first, so that a curve is not reported as a wrong field."""
+
+    shape: _Kind | None = None
+
+
+def read(content: bytes, source: str) -> ReadPatches:
+    """The patches in a file's content; `source` names the file in errors."""
+    try:
+        header = msgspec.json.decode(content, type=_Header)
+        if header.shape is None or header.shape.type != "surface":
+            kind = None if header.shape is None else header.shape.type
+            raise InputError(
+                f"{source}: has a shape of type {kind!r}; expected geomdl's JSON of a surface"
+            )
+        shape = msgspec.json.decode(content, type=_File).shape
+    except msgspec.ValidationError as error:
+        raise InputError(f"{source}: {error}; expected geomdl's JSON of a surface") from None
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise InputError(f"{source}{place_of_fault(content, str(error))}") from None
+    if shape.count is not None and shape.count != len(shape.data):
+        raise InputError(
+            f"{source}: says {shape.count} surfaces, but holds {len(shape.data)}; it may have been "
+            "edited by hand"
+        )
+    nets: list[_Array] = []
+    weights: list[_Array] = []
+    names: list[str] = []
+    places: list[str] = []
+    for number, surface in enumerate(shape.data):
+        place = f"surface {number}" + (f" ({surface.name!r})" if surface.name else "")
+        try:
+            surface_nets, surface_weights = _patches(surface)
+        except InputError as error:
+            raise InputError(f"{source}, {place}: {error}") from None
+        nets += surface_nets
+        weights += surface_weights
+        names += [surface.name] * len(surface_nets)
+        places += [place] * len(surface_nets)
+    return ReadPatches(nets, weights, names, places=places)
+
+
+def _patches(surface: _Surface) -> tuple[list[_Array], list[_Array]]:
+    """Control points and weights of a surface's patches."""
+    if surface.type != "spline" or surface.dimension != 3:
+        raise InputError(
+            f"is a {surface.type} of dimension {surface.dimension}; expected a spline of "
+            "dimension 3"
+        )
+    if surface.trims is not None and (surface.trims.count or surface.trims.data):
+        raise InputError(
+            "is trimmed; only whole surfaces can be read; take out its trims to have it untrimmed"
+        )
+    count = len(surface.control_points.points)
+    if min(surface.size_u, surface.size_v) < 1 or surface.size_u * surface.size_v != count:
+        raise InputError(
+            f"has {count} control points; expected {surface.size_u} x {surface.size_v} of them"
+        )
+    widths = {len(point) for point in surface.control_points.points}
+    if widths != {3}:
+        raise InputError(f"has points of {sorted(widths)} coordinates; expected 3 each")
+    weights = surface.control_points.weights if surface.rational else None
+    if weights is None:
+        weights = [1.0] * count
+    if len(weights) != count:
+        raise InputError(f"has {len(weights)} weights for {count} control points")
+    # v runs fastest in the file, which is a net's order.
+    shape = surface.size_u, surface.size_v
+    return spline_patches(
+        np.array(surface.control_points.points).reshape(*shape, 3),
+        np.array(weights).reshape(shape),
+        (surface.degree_u, surface.degree_v),
+        (np.array(surface.knotvector_u), np.array(surface.knotvector_v)),
+    )
+
+
+def write(atlas: Atlas) -> bytes:
+    """An atlas as the content of a file: a surface for each patch."""
+    surfaces = [
+        {
+            "type": "spline",
+            "rational": False,
+            "dimension": 3,
+            "degree_u": 3,
+            "degree_v": 3,
+            "knotvector_u": _KNOTS,
+            "knotvector_v": _KNOTS,
+            "size_u": 4,
+            "size_v": 4,
+            "control_points": {"points": net},
+            "name": name,
+        }
+        for name, net in zip(
+            atlas.patch_names, atlas.control_points.reshape(-1, 16, 3).tolist(), strict=True
+        )
+    ]
+    members = {"type": "surface", "count": len(surfaces), "data": surfaces}
+    try:
+        return msgspec.json.encode({"shape": members})
+    except UnicodeEncodeError:
+        raise InputError(
+            "a patch name holds what is no character; expected text that UTF-8 can write"
+        ) from None

@@ -1,0 +1,197 @@
+"""NumPy's ``.npz``, for large atlases and for many bodies with the same patches.
+
+Arrays: `points`, shape (n, 3) or (bodies, n, 3); `index`, shape (patches, 4, 4); and `header`, a
+text with everything else in JSON, under the names that the native format has. Nothing is unpickled.
+"""
+
+from __future__ import annotations
+
+import ast
+import io
+import zipfile
+import zlib
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas import Atlas, AtlasPoint, Axes, Unit
+from bodymeasure.errors import InputError
+
+FORMAT = "bodymeasure atlas"
+VERSION = 1
+# Coordinates of bodies shrink to a third or so; more than this is a file made to fill memory.
+MOST_EXPANSION = 200
+# A file without much in it may expand more.
+_SMALL = 1 << 20
+# Kinds of numbers that an array may hold: what is a coordinate, an index, a text.
+_KINDS = {"points": "f", "index": "iu", "header": "U"}
+
+
+class _Header(msgspec.Struct, forbid_unknown_fields=True):
+    format: str
+    version: int
+    unit: str
+    up: str
+    front: str
+    patch_names: list[str]
+    regions: list[str]
+    landmarks: dict[str, tuple[int, float, float]]
+    names: list[str]
+    provenance: dict[str, str]
+
+
+def read(content: bytes, source: str) -> Atlas:
+    """The atlas in a file's content; `source` names the file in errors."""
+    atlases = read_bodies(content, source)
+    if len(atlases) > 1:
+        raise InputError(
+            f"{source}: holds {len(atlases)} bodies; expected one; read them all with "
+            "bodymeasure.read_population, and write the one that is wanted"
+        )
+    return atlases[0]
+
+
+def read_bodies(content: bytes, source: str) -> tuple[Atlas, ...]:
+    """All atlases in a file's content."""
+    arrays = _arrays(content, source)
+    try:
+        header = msgspec.json.decode(str(arrays["header"][()]).encode(), type=_Header)
+        if (header.format, header.version) != (FORMAT, VERSION):
+            raise InputError(
+                f"has format {header.format!r}, version {header.version}; this bodymeasure reads "
+                f"{FORMAT!r}, version {VERSION}"
+            )
+        points = arrays["points"]
+        bodies = points[None] if points.ndim == 2 else points
+        if bodies.ndim != 3 or len(bodies) != len(header.names):
+            raise InputError(
+                f"points have shape {points.shape}, for {len(header.names)} names of bodies; "
+                "expected (bodies, n, 3)"
+            )
+        first = Atlas(
+            bodies[0],
+            arrays["index"],
+            Unit.parse(header.unit),
+            tuple(header.patch_names),
+            tuple(header.regions),
+            {name: AtlasPoint(*place) for name, place in header.landmarks.items()},
+            Axes(header.up, header.front),
+            header.names[0],
+            header.provenance,
+        )
+        rest = zip(bodies[1:], header.names[1:], strict=True)
+        return (first, *(replace(first, points=each, name=name) for each, name in rest))
+    except (msgspec.DecodeError, UnicodeError) as error:
+        raise InputError(f"{source}: its header is wrong: {error}") from None
+    except InputError as error:
+        raise InputError(f"{source}: {error}") from None
+
+
+def write(atlas: Atlas) -> bytes:
+    """An atlas as the content of a file, without loss."""
+    return write_bodies([atlas])
+
+
+def write_bodies(atlases: Sequence[Atlas]) -> bytes:
+    """Atlases that differ in their points and names alone as the content of a file."""
+    if not atlases:
+        raise InputError("no atlas to write; expected at least one")
+    first = atlases[0]
+    for number, atlas in enumerate(atlases):
+        for field in ("unit", "patch_names", "regions", "landmarks", "axes", "provenance"):
+            if getattr(atlas, field) != getattr(first, field):
+                raise InputError(
+                    f"atlas {number} ({atlas.name!r}) has other {field} than the first; expected "
+                    "the same patches, landmarks, unit and axes in all; write it to its own file"
+                )
+        if not np.array_equal(atlas.index, first.index) or len(atlas.points) != len(first.points):
+            raise InputError(
+                f"atlas {number} ({atlas.name!r}) has another index than the first; expected the "
+                "same patches in all; write it to its own file"
+            )
+    header = _Header(
+        FORMAT,
+        VERSION,
+        first.unit.value,
+        first.axes.up,
+        first.axes.front,
+        list(first.patch_names),
+        list(first.regions),
+        {name: (p.patch, p.u, p.v) for name, p in first.landmarks.items()},
+        [atlas.name for atlas in atlases],
+        dict(first.provenance),
+    )
+    try:
+        text = msgspec.json.encode(header).decode()
+    except UnicodeEncodeError:
+        raise InputError(
+            "a name holds what is no character; expected text that UTF-8 can write"
+        ) from None
+    buffer = io.BytesIO()
+    np.savez_compressed(
+        buffer,
+        points=np.stack([atlas.points for atlas in atlases]),
+        index=first.index,
+        header=np.array(text),
+    )
+    return buffer.getvalue()
+
+
+def _arrays(content: bytes, source: str) -> dict[str, NDArray[Any]]:
+    """The arrays of a file, none of them larger than the file can hold."""
+    try:
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            sizes = {info.filename: info.file_size for info in archive.infolist()}
+            expected = {f"{name}.npy" for name in _KINDS}
+            if set(sizes) != expected:
+                raise InputError(
+                    f"{source}: holds {', '.join(sorted(sizes)) or 'nothing'}; expected the arrays "
+                    f"{', '.join(sorted(_KINDS))}"
+                )
+            if sum(sizes.values()) > MOST_EXPANSION * len(content) + _SMALL:
+                raise InputError(
+                    f"{source}: says that it expands to {sum(sizes.values())} bytes, which is too "
+                    f"much for a file of {len(content)}; it is damaged"
+                )
+            return {
+                name: _array(archive.read(f"{name}.npy"), kinds, f"{source}, {name}")
+                for name, kinds in _KINDS.items()
+            }
+    except (
+        zipfile.BadZipFile,
+        zlib.error,
+        EOFError,
+        NotImplementedError,
+        RuntimeError,
+        OSError,
+        ValueError,
+    ) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f"{source}: is no .npz file, or damaged ({error})") from None
+
+
+def _array(content: bytes, kinds: str, place: str) -> NDArray[Any]:
+    """An array in NumPy's format, whose size is that of its bytes."""
+    file = io.BytesIO(content)
+    try:
+        version = np.lib.format.read_magic(file)
+        length = int.from_bytes(file.read(2 if version == (1, 0) else 4), "little")
+        described = ast.literal_eval(file.read(length).decode("latin1"))
+        shape, order = tuple(described["shape"]), described["fortran_order"]
+        dtype = np.dtype(described["descr"])
+        if dtype.kind not in kinds or dtype.hasobject:
+            raise ValueError(f"holds {dtype}")
+        data = content[file.tell() :]
+        count = 1
+        for size in shape:
+            count *= size
+        if count * dtype.itemsize != len(data) or min(shape, default=0) < 0:
+            raise ValueError(f"has shape {shape}, which {len(data)} bytes do not make")
+        return np.frombuffer(data, dtype).reshape(shape, order="F" if order else "C")
+    except (ValueError, TypeError, KeyError, SyntaxError, MemoryError, RecursionError) as error:
+        raise InputError(f"{place}: is no array ({error}); the file is damaged") from None

@@ -1,0 +1,161 @@
+"""Wavefront OBJ files as vertices and statements, whatever these mean."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.errors import InputError
+from bodymeasure.formats.text import TextFile, Words, quoted, whole_number
+
+# All that the format's description names and that has no bearing on shape: display, materials,
+# curves' and points' data, and how surfaces join, which their edges tell.
+IGNORED = frozenset(
+    {"vt", "vn", "vp", "p", "l", "curv2", "sp", "con", "s", "mg", "bevel", "c_interp", "d_interp"}
+    | {"lod", "usemtl", "mtllib", "shadow_obj", "trace_obj", "ctech", "stech", "maplib", "usemap"}
+)
+MEANINGFUL = frozenset(
+    {"cstype", "deg", "bmat", "step", "f", "fo", "curv", "surf", "parm", "trim", "hole", "scrv"}
+    | {"end", "g", "o", "t", "bzp", "bsp", "cdc", "cdp", "res", "call", "csh"}
+)
+# Coordinates of a vertex; with a weight; with a color; with both.
+_VERTEX_WORDS = (3, 4, 6, 7)
+
+
+class Statement(NamedTuple):
+    """A line that is no vertex.
+
+    Parameters
+    ----------
+    keyword : str
+    words : list of bytes
+        What follows it.
+    line : int
+        In the file, from 1.
+    vertices : int
+        How many vertices came before, from which negative numbers count back.
+    """
+
+    keyword: str
+    words: list[bytes]
+    line: int
+    vertices: int
+
+
+class ObjFile(NamedTuple):
+    """A file's vertices, with their weights (1 where none is given), and its statements."""
+
+    points: NDArray[np.float64]
+    weights: NDArray[np.float64]
+    statements: list[Statement]
+
+    def keywords(self) -> set[str]:
+        """The statements that occur."""
+        return {statement.keyword for statement in self.statements}
+
+
+def parse(content: bytes, source: str) -> ObjFile:
+    """Read a file's content.
+
+    Raises
+    ------
+    InputError
+        If a vertex is not made of numbers, or a statement is unknown; the message has the line.
+    """
+    file = TextFile.parse(content, source, continued=True)
+    vertices = Words()
+    statements: list[Statement] = []
+    for line, words in file:
+        if words[0] == b"v":
+            del words[0]
+            vertices.add(line, words)
+            continue
+        keyword = words[0].decode("ascii", "replace")
+        if keyword in MEANINGFUL:
+            statements.append(Statement(keyword, words[1:], line, len(vertices.lines)))
+        elif keyword not in IGNORED:
+            raise InputError(
+                f"{file.place(line)}: begins with {quoted(words[0])}, which is no statement of a "
+                "Wavefront OBJ file"
+            )
+    points, weights = _vertices(vertices, source)
+    return ObjFile(points, weights, statements)
+
+
+def _vertices(words: Words, source: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Points, and weights: 1 where none is given."""
+    ends = np.array(words.ends, dtype=np.int64)
+    widths = np.diff(ends, prepend=0)
+    wrong = np.flatnonzero(~np.isin(widths, _VERTEX_WORDS))
+    if len(wrong):
+        raise InputError(
+            f"{source}, line {words.lines[wrong[0]]}: a vertex of {widths[wrong[0]]} numbers; "
+            "expected v x y z, and perhaps a weight or a color"
+        )
+    values = words.numbers(source)
+    begin = ends - widths
+    weights = np.ones(len(ends))
+    weighted = (widths == 4) | (widths == 7)
+    weights[weighted] = values[begin[weighted] + 3]
+    return values[begin[:, None] + np.arange(3)], weights
+
+
+def vertex_numbers(
+    statement: Statement, words: Sequence[bytes], count: int, source: str
+) -> NDArray[np.int64]:
+    """The vertices that a statement refers to, from 0.
+
+    Of ``v/vt/vn`` the first counts. Numbers are from 1, or negative and count back from the
+    vertices that came before the statement.
+
+    Raises
+    ------
+    InputError
+        If a number is not one, or there is no such vertex among the `count` of the file.
+    """
+    try:
+        numbers = np.array([int(word) for word in words], dtype=np.int64)
+        if b"_" in b"".join(words):
+            raise ValueError("Python takes 1_000 for a number")
+    except (ValueError, OverflowError):
+        numbers = np.array([_number(statement, word, source) for word in words], dtype=np.int64)
+    numbers = np.where(numbers < 0, numbers + statement.vertices, numbers - 1)
+    outside = np.flatnonzero((numbers < 0) | (numbers >= count))
+    if len(outside):
+        raise InputError(
+            f"{source}, line {statement.line}: refers to vertex {quoted(words[outside[0]])}; "
+            f"expected 1 to {count}, or -1 to -{statement.vertices} to count back"
+        )
+    return numbers
+
+
+def _number(statement: Statement, word: bytes, source: str) -> int:
+    place = f"{source}, line {statement.line}"
+    number = whole_number(word.partition(b"/")[0], "the number of a vertex", place)
+    # No file holds so many, and the least would not fit an array of numbers.
+    return max(min(number, 2**40), -(2**40))
+
+
+class Labels(NamedTuple):
+    """The object and the groups that hold at a statement."""
+
+    name: str
+    groups: str
+
+
+def labelled(statements: Sequence[Statement]) -> Iterator[tuple[Statement, Labels]]:
+    """Each statement but ``o`` and ``g``, with what these say."""
+    labels = Labels("", "")
+    for statement in statements:
+        if statement.keyword in ("o", "g"):
+            text = b" ".join(statement.words).decode("utf-8", "replace")
+            labels = (
+                Labels(text, labels.groups)
+                if statement.keyword == "o"
+                else Labels(labels.name, text)
+            )
+        else:
+            yield statement, labels

@@ -1,0 +1,110 @@
+"""What a user says of a file that the file does not say itself."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Self
+
+from bodymeasure.atlas import Axes, Unit
+from bodymeasure.errors import InputError
+
+
+@dataclass(frozen=True)
+class ReadOptions:
+    """What to know when reading a file.
+
+    Parameters
+    ----------
+    unit : Unit, optional
+        Of its coordinates.
+    axes : Axes, optional
+        Which way is up and which way the body looks.
+    groups : tuple of str
+        The groups to take; all if empty.
+    tolerance : float, optional
+        How far apart edges may be that are joined, in the file's unit.
+    """
+
+    unit: Unit | None = None
+    axes: Axes | None = None
+    groups: tuple[str, ...] = ()
+    tolerance: float | None = None
+
+    @classmethod
+    def checked(
+        cls,
+        unit: Unit | str | None,
+        up: str | None,
+        front: str | None,
+        groups: str | Sequence[str],
+        tolerance: float | None,
+    ) -> Self:
+        """Options as a user gives them.
+
+        Raises
+        ------
+        InputError
+            If a unit or direction is unknown, the directions are not perpendicular, or the
+            tolerance is negative.
+        """
+        if tolerance is not None and not 0.0 <= tolerance < math.inf:
+            raise InputError(f"the tolerance is {tolerance}; expected a length of at least 0")
+        return cls(
+            None if unit is None else Unit.parse(unit),
+            _axes(up, front),
+            (groups,) if isinstance(groups, str) else tuple(groups),
+            tolerance,
+        )
+
+    def known_unit(self, source: str, title: str) -> Unit:
+        """The unit.
+
+        Raises
+        ------
+        InputError
+            If none was given.
+        """
+        if self.unit is None:
+            known = ", ".join(unit.value for unit in Unit)
+            raise InputError(
+                f"{source}: {title} says no unit, and none was given; say in which unit its "
+                f"coordinates are (one of {known}): unit=... in Python, --file-unit or --unit on "
+                "the command line"
+            )
+        return self.unit
+
+    def require_none(self, source: str, unit: Unit, axes: Axes) -> None:
+        """Refuse what contradicts a file that has its own unit and axes, and what it has not.
+
+        Raises
+        ------
+        InputError
+            What contradicts.
+        """
+        if self.unit not in (None, unit):
+            raise InputError(
+                f"{source}: is in {unit}, but the unit {self.unit} was given; leave it out, and "
+                "convert afterwards"
+            )
+        if self.axes not in (None, axes):
+            raise InputError(
+                f"{source}: has up {axes.up} and front {axes.front}, but others were given; leave "
+                "them out"
+            )
+        if self.tolerance is not None:
+            raise InputError(f"{source}: is joined already; leave the tolerance out")
+
+
+def _axes(up: str | None, front: str | None) -> Axes | None:
+    if up is None and front is None:
+        return None
+    standard = Axes()
+    try:
+        return Axes(up or standard.up, front or standard.front)
+    except InputError as error:
+        if up is not None and front is not None:
+            raise
+        missing = "front" if front is None else "up"
+        raise InputError(f"{error}; give {missing} too") from None

@@ -1,0 +1,127 @@
+"""A tensor product B-spline surface cut into its Bezier patches."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.bezier import BezierPieces, bezier_pieces, restrict
+from bodymeasure.errors import InputError
+
+_Array = NDArray[np.float64]
+
+
+def spline_patches(
+    points: _Array,
+    weights: _Array,
+    degrees: tuple[int, int],
+    knots: tuple[_Array, _Array],
+    ranges: Sequence[tuple[float, float]] | None = None,
+) -> tuple[list[_Array], list[_Array]]:
+    """The Bezier patches of a B-spline surface, rational or not.
+
+    Parameters
+    ----------
+    points : ndarray, shape (rows, columns, 3)
+        Control points; u runs along the first axis.
+    weights : ndarray, shape (rows, columns)
+        All equal where the surface is not rational.
+    degrees : tuple of int
+        In u and v.
+    knots : tuple of ndarray
+        In u and v, with all repetitions at the ends.
+    ranges : sequence of tuple of float, optional
+        Start and end in u and in v, if only that part of the surface is wanted.
+
+    Returns
+    -------
+    nets, weights : list of ndarray, each of shape (m + 1, n + 1, 3) and (m + 1, n + 1)
+        One for each patch; those along v follow each other.
+
+    Raises
+    ------
+    InputError
+        Which direction's knots or range are wrong, and how.
+    """
+    if _is_one_patch(points.shape, degrees, knots, ranges):
+        return [points], [weights]
+    is_rational = bool((weights != weights.flat[0]).any())
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        factor = weights[..., None]
+        net = np.concatenate([points * factor, factor], axis=-1) if is_rational else points
+        along_u = _pieces(net, degrees[0], knots[0], "u")
+        along_v = _pieces(along_u.control_points.transpose(2, 0, 1, 3), degrees[1], knots[1], "v")
+        nets = along_v.control_points.transpose(2, 0, 3, 1, 4)
+        if ranges is not None:
+            nets = _clipped(nets, (along_u.breaks, along_v.breaks), ranges)
+        patches = nets.reshape(-1, *nets.shape[2:])
+        if is_rational:
+            return list(patches[..., :3] / patches[..., 3:]), list(patches[..., 3])
+    return list(patches), list(np.broadcast_to(weights.flat[0], patches.shape[:-1]))
+
+
+def _is_one_patch(
+    shape: tuple[int, ...],
+    degrees: tuple[int, int],
+    knots: tuple[_Array, _Array],
+    ranges: Sequence[tuple[float, float]] | None,
+) -> bool:
+    """Whether a surface is a Bezier patch as it stands: files may hold many thousands."""
+    for axis, (degree, vector) in enumerate(zip(degrees, knots, strict=True)):
+        start, *inner, end = vector.tolist()
+        if shape[axis] != degree + 1 or len(inner) != 2 * degree or not start < end:
+            return False
+        if inner != [start] * degree + [end] * degree:
+            return False
+        if ranges is not None and ranges[axis] != (start, end):
+            return False
+    return True
+
+
+def _pieces(net: _Array, degree: int, knots: _Array, direction: str) -> BezierPieces:
+    try:
+        return bezier_pieces(net, degree, knots)
+    except InputError as error:
+        raise InputError(f"in {direction}: {error}") from None
+
+
+@lru_cache(maxsize=64)
+def clamped_knots(degree: int, breaks: tuple[float, ...]) -> _Array:
+    """The knots of Bezier pieces one after the other: inner ones `degree` times, ends once more.
+
+    Read-only.
+    """
+    times = np.full(len(breaks), degree)
+    times[[0, -1]] += 1
+    knots = np.repeat(breaks, times)
+    knots.flags.writeable = False
+    return knots
+
+
+def _clipped(
+    nets: _Array, breaks: tuple[_Array, _Array], ranges: Sequence[tuple[float, float]]
+) -> _Array:
+    """The part of patches (pieces_u, pieces_v, m + 1, n + 1, k) inside a parameter rectangle."""
+    kept, lower, upper = [], [], []
+    for direction, pieces, (start, end) in zip("uv", breaks, ranges, strict=True):
+        if not pieces[0, 0] <= start < end <= pieces[-1, 1]:
+            raise InputError(
+                f"in {direction}: the range from {start:g} to {end:g} is not inside the "
+                f"surface's from {pieces[0, 0]:g} to {pieces[-1, 1]:g}"
+            )
+        inside = (pieces[:, 1] > start) & (pieces[:, 0] < end)
+        begin, size = pieces[inside, 0], np.diff(pieces[inside])[:, 0]
+        kept.append(inside)
+        lower.append((np.maximum(begin, start) - begin) / size)
+        upper.append((np.minimum(pieces[inside, 1], end) - begin) / size)
+    nets = nets[kept[0]][:, kept[1]]
+    corner = np.stack(np.meshgrid(*lower, indexing="ij"), axis=-1)
+    opposite = np.stack(np.meshgrid(*upper, indexing="ij"), axis=-1)
+    cut = (corner != 0.0).any(axis=-1) | (opposite != 1.0).any(axis=-1)
+    if cut.any():
+        nets = nets.copy()
+        nets[cut] = restrict(nets[cut], corner[cut], opposite[cut])
+    return nets

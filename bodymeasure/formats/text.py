@@ -1,0 +1,180 @@
+"""Text files of numbers: their lines, and the numbers on them."""
+
+from __future__ import annotations
+
+import bisect
+import codecs
+import math
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.errors import InputError
+
+# Of an offending word, how much an error quotes.
+_QUOTED = 24
+_REMARK = re.compile(rb"(?:^|(?<=\s))#.*", re.DOTALL)
+
+
+@dataclass(frozen=True)
+class TextFile:
+    """The lines of a text file; iterating gives the number, from 1, and words of each with some.
+
+    Parameters
+    ----------
+    source : str
+        Names the file in errors.
+    lines : list of bytes
+        Without what follows ``#`` at the beginning of a word.
+    """
+
+    source: str
+    lines: list[bytes]
+
+    @classmethod
+    def parse(cls, content: bytes, source: str, *, continued: bool = False) -> Self:
+        """The lines of a file's content.
+
+        With `continued`, a backslash at the end of a line makes the next line part of it.
+
+        Raises
+        ------
+        InputError
+            If nothing is on them, or the content is binary.
+        """
+        content = content.removeprefix(codecs.BOM_UTF8)
+        if b"\0" in content:
+            raise InputError(f"{source}: is binary; expected text")
+        lines = content.splitlines()
+        if b"#" in content:
+            lines = [_REMARK.sub(b"", line) if b"#" in line else line for line in lines]
+        if continued and b"\\" in content:
+            lines = _joined(lines)
+        if not any(line.strip() for line in lines):
+            raise InputError(f"{source}: is empty; expected patches")
+        return cls(source, lines)
+
+    def __iter__(self) -> Iterator[tuple[int, list[bytes]]]:
+        for number, line in enumerate(self.lines, 1):
+            words = line.split()
+            if words:
+                yield number, words
+
+    def place(self, line: int) -> str:
+        """How an error calls a line."""
+        return f"{self.source}, line {line}"
+
+
+def _joined(lines: list[bytes]) -> list[bytes]:
+    """Lines with those appended that a backslash continues; these are left empty themselves."""
+    result: list[bytes] = []
+    parts: list[bytes] = []
+    for line in lines:
+        stripped = line.rstrip()
+        goes_on = stripped.endswith(b"\\")
+        parts.append(stripped[:-1] if goes_on else line)
+        if not goes_on:
+            result += [b" ".join(parts), *[b""] * (len(parts) - 1)]
+            parts = []
+    return [*result, b" ".join(parts)]
+
+
+@dataclass
+class Words:
+    """Words that are to be numbers, gathered line by line.
+
+    One flat list: a list for each line would keep the garbage collector busy.
+    """
+
+    words: list[bytes] = field(default_factory=list)
+    lines: list[int] = field(default_factory=list)
+    ends: list[int] = field(default_factory=list)
+
+    def add(self, line: int, words: Sequence[bytes]) -> None:
+        """Add the words of a line."""
+        self.words += words
+        self.lines.append(line)
+        self.ends.append(len(self.words))
+
+    def line_of(self, word: int) -> int:
+        """The line on which a word stands."""
+        return self.lines[bisect.bisect_right(self.ends, word)]
+
+    def numbers(self, source: str) -> NDArray[np.float64]:
+        """All numbers.
+
+        Raises
+        ------
+        InputError
+            The first word that is no finite number, and its line.
+        """
+        try:
+            values = np.fromiter(map(float, self.words), np.float64, len(self.words))
+            # Python reads 1_000 as a number; no file format does.
+            if np.isfinite(values).all() and b"_" not in b"".join(self.words):
+                return values
+        except ValueError:
+            pass
+        bad = next(number for number, word in enumerate(self.words) if not _is_number(word))
+        raise InputError(
+            f"{source}, line {self.line_of(bad)}: {quoted(self.words[bad])} is not a finite "
+            "number; expected numbers such as 1.25 or -3e-2"
+        )
+
+
+def few_numbers(words: Sequence[bytes], place: str) -> tuple[float, ...]:
+    """The numbers on one short line, of which a file may have very many.
+
+    Raises
+    ------
+    InputError
+        The first word that is no finite number.
+    """
+    try:
+        values = tuple(map(float, words))
+        if all(map(math.isfinite, values)) and b"_" not in b"".join(words):
+            return values
+    except ValueError:
+        pass
+    bad = next(word for word in words if not _is_number(word))
+    raise InputError(
+        f"{place}: {quoted(bad)} is not a finite number; expected numbers such as 1.25 or -3e-2"
+    )
+
+
+def whole_number(word: bytes, what: str, place: str) -> int:
+    """A count or an index.
+
+    Raises
+    ------
+    InputError
+        What was expected, if the word is not a whole number.
+    """
+    try:
+        if b"_" not in word:
+            return int(word)
+    except ValueError:
+        pass
+    raise InputError(f"{place}: {quoted(word)} is not a whole number; expected {what}")
+
+
+def quoted(word: bytes) -> str:
+    """A word as an error shows it: short, and without characters that a terminal minds."""
+    text = word.decode("utf-8", "replace")
+    return repr(text if len(text) <= _QUOTED else text[:_QUOTED] + "...")
+
+
+def written(points: NDArray[np.float64]) -> list[str]:
+    """Points (n, k) as text, a line each: the shortest that is read back to the last bit."""
+    return [" ".join(map(repr, row)) for row in points.tolist()]
+
+
+def _is_number(word: bytes) -> bool:
+    try:
+        return b"_" not in word and math.isfinite(float(word))
+    except ValueError:
+        return False

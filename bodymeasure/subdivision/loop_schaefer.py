@@ -1,0 +1,137 @@
+"""One bicubic Bezier patch for each quad: approximate Catmull-Clark surfaces.
+
+C. Loop and S. Schaefer, "Approximating Catmull-Clark subdivision surfaces with bicubic patches",
+ACM Transactions on Graphics 27 (2008).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.errors import InputError
+from bodymeasure.subdivision.polygon_mesh import PolygonMesh
+from bodymeasure.subdivision.sums import sum_at
+
+_Array = NDArray[np.float64]
+_Index = NDArray[np.int64]
+
+# Places (i, j) in a patch's net of what belongs to corner k of its quad: the corner itself, the
+# edge point beside it towards corner k + 1, that towards corner k - 1, and the inner point. u runs
+# from corner 0 to corner 1, v from corner 0 to corner 3.
+_CORNER = ((0, 0), (3, 0), (3, 3), (0, 3))
+_TO_NEXT = ((1, 0), (3, 1), (2, 3), (0, 2))
+_TO_LAST = ((0, 1), (2, 0), (3, 2), (1, 3))
+_INNER = ((1, 1), (2, 1), (2, 2), (1, 2))
+
+
+@dataclass(frozen=True, eq=False)
+class PatchNets:
+    """Bicubic patches that share control points by index.
+
+    Parameters
+    ----------
+    points : ndarray, shape (n, 3)
+    index : ndarray of int, shape (patches, 4, 4)
+    """
+
+    points: _Array
+    index: _Index
+
+
+def loop_schaefer(mesh: PolygonMesh) -> PatchNets:
+    """The patches of a mesh of quads.
+
+    Parameters
+    ----------
+    mesh : PolygonMesh
+        Of quads alone; others become such by `quads_of`.
+
+    Returns
+    -------
+    PatchNets
+        In the order of the quads. u runs from a quad's first corner to its second, v to its last.
+
+    Raises
+    ------
+    InputError
+        If a face is no quad.
+
+    Notes
+    -----
+    Where all four corners are regular (four quads round them, two on a boundary or crease, one at a
+    corner) the patch is the Catmull-Clark limit surface itself, a bicubic B-spline. Elsewhere the
+    corners are on it, but the patches meet with small kinks. Neighbors share their edge's four
+    control points everywhere.
+
+    Along the boundary and along creases the surface ends in the cubic B-spline of its polygon.
+    Corners stay where they are (`PolygonMesh.corner_vertices`), and a crease that ends inside the
+    surface fades out.
+    """
+    if (mesh.sizes != 4).any():
+        raise InputError("a face is no quad; expected four corners each")
+    quads = mesh.corners.reshape(-1, 4)
+    inner = _inner_points(mesh)
+    edge_points = _edge_points(mesh, inner)
+    corner_points = _corner_points(mesh, inner)
+
+    # An edge has two points, the first beside its lower vertex.
+    edge_number = len(corner_points) + 2 * mesh.edge
+    upwards = mesh.corners < mesh.heads
+    near_tail = (edge_number + ~upwards).reshape(-1, 4)
+    near_head = (edge_number + upwards).reshape(-1, 4)
+    inner_number = len(corner_points) + len(edge_points) + np.arange(quads.size).reshape(-1, 4)
+    index = np.empty((len(quads), 4, 4), dtype=np.int64)
+    for k in range(4):
+        index[:, *_CORNER[k]] = quads[:, k]
+        index[:, *_TO_NEXT[k]] = near_tail[:, k]
+        index[:, *_TO_LAST[k]] = near_head[:, k - 1]
+        index[:, *_INNER[k]] = inner_number[:, k]
+    return PatchNets(np.concatenate([corner_points, edge_points, inner]), index)
+
+
+def _inner_points(mesh: PolygonMesh) -> _Array:
+    """The inner control point beside each corner of each quad, shape (corners, 3)."""
+    vertices, corners = mesh.vertices, mesh.corners
+    opposite = mesh.following[mesh.following]
+    # A quad is a quarter of the way round a smooth vertex if it is one of four, round a crease if
+    # it is one of two, round a corner if it is the only one.
+    times = 1 + mesh.crease_vertices + 3 * mesh.corner_vertices
+    weight = (times[corners] * np.bincount(mesh.sector)[mesh.sector])[:, None]
+    total = (
+        weight * vertices[corners]
+        + 2.0 * (vertices[mesh.heads] + vertices[corners[mesh.preceding]])
+        + vertices[corners[opposite]]
+    )
+    return np.asarray(total / (weight + 5.0))
+
+
+def _edge_points(mesh: PolygonMesh, inner: _Array) -> _Array:
+    """The two control points inside each edge, shape (2 edges, 3)."""
+    upwards = mesh.corners < mesh.heads
+    # Beside each half-edge lie two inner points, one at its tail and one at its head.
+    number = 2 * mesh.edge
+    at = np.concatenate([number + ~upwards, number + upwards])
+    beside = np.concatenate([inner, inner[mesh.following]])
+    smooth = sum_at(at, beside, 2 * len(mesh.ends)) / np.repeat(mesh.sides, 2)[:, None]
+    # On sharp edges, of the cubic B-spline curve.
+    own = mesh.vertices[mesh.ends].reshape(-1, 3)
+    other = mesh.vertices[mesh.ends[:, ::-1]].reshape(-1, 3)
+    follows = (
+        np.repeat(mesh.sharp, 2) & (mesh.crease_vertices | mesh.corner_vertices)[mesh.ends.ravel()]
+    )
+    return np.where(follows[:, None], (2.0 * own + other) / 3.0, smooth)
+
+
+def _corner_points(mesh: PolygonMesh, inner: _Array) -> _Array:
+    """Where each vertex comes to lie, shape (vertices, 3)."""
+    count = len(mesh.vertices)
+    faces = np.bincount(mesh.corners, minlength=count)[:, None]
+    points = sum_at(mesh.corners, inner, count) / np.maximum(faces, 1)
+    ends = mesh.ends[mesh.sharp]
+    neighbors = sum_at(ends.ravel(), mesh.vertices[ends[:, ::-1]].reshape(-1, 3), count)
+    curve = (4.0 * mesh.vertices + neighbors) / 6.0
+    points = np.where(mesh.crease_vertices[:, None], curve, points)
+    return np.where(mesh.corner_vertices[:, None], mesh.vertices, points)

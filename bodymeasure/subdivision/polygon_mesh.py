@@ -1,0 +1,225 @@
+"""Meshes of polygons, with edges that stay sharp, and how their faces meet."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from bodymeasure.errors import InputError
+
+_Index = NDArray[np.int64]
+# Faces named in a message; the rest is counted.
+_NAMED = 4
+
+
+@dataclass(frozen=True, eq=False)
+class PolygonMesh:
+    """A manifold mesh of polygons that all face one way.
+
+    A half-edge is a side of a face, from a corner to the face's next; it has the corner's number.
+
+    Parameters
+    ----------
+    vertices : ndarray, shape (n, 3)
+    corners : ndarray of int
+        Vertex numbers round each face, one face after the other.
+    sizes : ndarray of int, shape (faces,)
+        How many corners each face has.
+    creases : ndarray of int, shape (creases, 2)
+        Ends of edges that stay sharp.
+    face_names : sequence of str, optional
+        What errors call the faces.
+
+    Raises
+    ------
+    InputError
+        If a face has fewer than three corners or one twice, faces run through an edge the same way,
+        more than two meet at an edge, faces touch at a vertex alone, or a crease is no edge. The
+        message names the faces.
+    """
+
+    vertices: NDArray[np.float64]
+    corners: _Index
+    sizes: _Index
+    creases: _Index
+    face_names: Sequence[str] = ()
+
+    def __post_init__(self) -> None:
+        _check_faces(self)
+        _check_edges(self)
+        _check_fans(self)
+        _check_creases(self)
+
+    @cached_property
+    def face(self) -> _Index:
+        """The face of each corner."""
+        return np.repeat(np.arange(len(self.sizes)), self.sizes)
+
+    @cached_property
+    def following(self) -> _Index:
+        """The next corner round the face of each corner."""
+        result = np.arange(1, len(self.corners) + 1)
+        ends = np.cumsum(self.sizes)
+        result[ends - 1] = ends - self.sizes
+        return result
+
+    @cached_property
+    def preceding(self) -> _Index:
+        """The corner before each round its face."""
+        result = np.empty_like(self.following)
+        result[self.following] = np.arange(len(result))
+        return result
+
+    @cached_property
+    def heads(self) -> _Index:
+        """The vertex to which each half-edge leads."""
+        return self.corners[self.following]
+
+    @cached_property
+    def edge(self) -> _Index:
+        """Number of the edge of each half-edge."""
+        return self._edges[1]
+
+    @cached_property
+    def ends(self) -> _Index:
+        """Vertex numbers of each edge, the lower first; shape (edges, 2)."""
+        return np.stack(np.divmod(self._edges[0], len(self.vertices)), axis=-1)
+
+    @cached_property
+    def sides(self) -> _Index:
+        """How many faces each edge has: 2, or 1 on the boundary."""
+        return np.bincount(self.edge)
+
+    @cached_property
+    def sharp(self) -> NDArray[np.bool_]:
+        """Which edges are creases or on the boundary."""
+        result = np.asarray(self.sides == 1)
+        if len(self.creases):
+            result[np.searchsorted(self._edges[0], _key(self, *self.creases.T))] = True
+        return result
+
+    @cached_property
+    def sector(self) -> _Index:
+        """For each corner a number that those share with which it is joined round its vertex.
+
+        Sharp edges part them.
+        """
+        return _joined_corners(self, ~self.sharp)
+
+    @cached_property
+    def corner_vertices(self) -> NDArray[np.bool_]:
+        """Vertices at which sharp edges have a corner, shape (n,).
+
+        Where three or more meet, and where two leave a single face between them: a smooth curve
+        would leave a patch there without a normal at its corner.
+        """
+        count = np.bincount(self.ends[self.sharp].ravel(), minlength=len(self.vertices))
+        result = np.asarray(count > 2)
+        alone = np.bincount(self.sector)[self.sector] == 1
+        result[self.corners[alone & (count[self.corners] == 2)]] = True
+        return result
+
+    @cached_property
+    def crease_vertices(self) -> NDArray[np.bool_]:
+        """Other vertices through which a crease or the boundary runs, shape (n,)."""
+        count = np.bincount(self.ends[self.sharp].ravel(), minlength=len(self.vertices))
+        return np.asarray((count == 2) & ~self.corner_vertices)
+
+    @cached_property
+    def _edges(self) -> tuple[_Index, _Index]:
+        keys, edge = np.unique(_key(self, self.corners, self.heads), return_inverse=True)
+        return keys, edge
+
+    def called(self, faces: Sequence[int] | _Index) -> str:
+        """Names of faces, for a message."""
+        names = [self.face_names[f] if self.face_names else f"face {f}" for f in faces[:_NAMED]]
+        more = f" and {len(faces) - _NAMED} more" if len(faces) > _NAMED else ""
+        return ", ".join(names) + more
+
+
+def _key(mesh: PolygonMesh, tail: _Index, head: _Index) -> _Index:
+    """A number for each pair of vertices, in either order."""
+    return np.asarray(np.minimum(tail, head) * len(mesh.vertices) + np.maximum(tail, head))
+
+
+def _joined_corners(mesh: PolygonMesh, passed: NDArray[np.bool_]) -> _Index:
+    """A number for each corner, the same for those joined over `passed` edges at their vertex."""
+    order = np.argsort(mesh.edge, kind="stable")
+    inner = (mesh.sides == 2) & passed
+    first, second = order[inner[mesh.edge[order]]].reshape(-1, 2).T
+    # The twin of a half-edge begins where it ends.
+    rows = np.concatenate([first, mesh.following[first]])
+    columns = np.concatenate([mesh.following[second], second])
+    count = len(mesh.corners)
+    links = scipy.sparse.coo_array(
+        (np.ones(len(rows), dtype=np.int8), (rows, columns)), shape=(count, count)
+    )
+    return np.asarray(scipy.sparse.csgraph.connected_components(links, directed=False)[1], np.int64)
+
+
+def _check_faces(mesh: PolygonMesh) -> None:
+    if len(mesh.sizes) == 0:
+        raise InputError("the mesh has no face; expected at least one")
+    small = np.flatnonzero(mesh.sizes < 3)
+    if len(small):
+        raise InputError(
+            f"{mesh.called(small)}: {mesh.sizes[small[0]]} corners; expected at least 3; remove "
+            "what is no face"
+        )
+    ordered = np.lexsort((mesh.corners, mesh.face))
+    same = (np.diff(mesh.corners[ordered]) == 0) & (np.diff(mesh.face[ordered]) == 0)
+    if same.any():
+        faces = np.unique(mesh.face[ordered][1:][same])
+        raise InputError(
+            f"{mesh.called(faces)}: a vertex occurs twice; expected each corner once; merge or "
+            "remove the face"
+        )
+
+
+def _check_edges(mesh: PolygonMesh) -> None:
+    crowded = np.flatnonzero(mesh.sides > 2)
+    if len(crowded):
+        faces = mesh.face[mesh.edge == crowded[0]]
+        raise InputError(
+            f"{mesh.called(faces)} share one edge, between the vertices "
+            f"{mesh.ends[crowded[0], 0] + 1} and {mesh.ends[crowded[0], 1] + 1}; expected at most "
+            "two faces on an edge (a manifold); remove or separate the others"
+        )
+    forwards = mesh.corners < mesh.heads
+    balance = np.bincount(mesh.edge, weights=np.where(forwards, 1.0, -1.0))
+    turned = np.flatnonzero((mesh.sides == 2) & (balance != 0.0))
+    if len(turned):
+        faces = mesh.face[mesh.edge == turned[0]]
+        raise InputError(
+            f"{mesh.called(faces)} face opposite ways: they run through their common edge, between "
+            f"the vertices {mesh.ends[turned[0], 0] + 1} and {mesh.ends[turned[0], 1] + 1}, in the "
+            f"same direction ({len(turned)} such edge{'s' if len(turned) > 1 else ''}); reverse "
+            "the corners of one of them"
+        )
+
+
+def _check_fans(mesh: PolygonMesh) -> None:
+    fan = _joined_corners(mesh, np.ones(len(mesh.sides), dtype=np.bool_))
+    pairs = np.unique(np.stack([mesh.corners, fan], axis=-1), axis=0)
+    fans = np.bincount(pairs[:, 0])
+    pinched = np.flatnonzero(fans > 1)
+    if len(pinched):
+        faces = mesh.face[mesh.corners == pinched[0]]
+        raise InputError(
+            f"{mesh.called(faces)} touch at vertex {pinched[0] + 1} alone; expected the faces "
+            "round each vertex to form one fan; give each fan a vertex of its own"
+        )
+
+
+def _check_creases(mesh: PolygonMesh) -> None:
+    if len(mesh.creases):
+        keys = _key(mesh, *mesh.creases.T)
+        missing = np.flatnonzero(~np.isin(keys, mesh._edges[0]))
+        if len(missing):
+            tail, head = mesh.creases[missing[0]] + 1
+            raise InputError(f"a crease runs from vertex {tail} to {head}, where no edge is")
