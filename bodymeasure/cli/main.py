@@ -19,7 +19,9 @@ from bodymeasure.cli.chart import chart
 from bodymeasure.cli.check import check
 from bodymeasure.cli.compare import compare
 from bodymeasure.cli.console import print_error, print_note
+from bodymeasure.cli.convert import convert
 from bodymeasure.cli.diagonals import diagonals
+from bodymeasure.cli.info import info
 from bodymeasure.cli.landmarks import landmarks
 from bodymeasure.cli.options import EXIT_CODES
 from bodymeasure.cli.paper import paper
@@ -123,7 +125,21 @@ def app(ctx: click.Context) -> int | None:
     return EXIT_BAD_INPUT
 
 
-for command in (report, chart, compare, landmarks, diagonals, check, view, samples, bench, paper):
+COMMANDS = (
+    report,
+    chart,
+    compare,
+    landmarks,
+    diagonals,
+    check,
+    info,
+    convert,
+    view,
+    samples,
+    bench,
+    paper,
+)
+for command in COMMANDS:
     app.add_command(command)
 
 

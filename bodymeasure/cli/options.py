@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import difflib
 import os
+from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
 import click
 
 from bodymeasure.atlas import Atlas, Severity, Unit, check_atlas
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.formats import read_atlas
-from bodymeasure.samples import load_sample, sample_names
+from bodymeasure.samples import sample_names, sample_path
 
 DEFAULT_SAMPLE = "female_average"
 # How many faults an error message tells in full.
@@ -51,6 +53,14 @@ unit_option = click.option(
     show_default=True,
     help="Unit of the lengths.",
 )
+_file_unit = partial(
+    click.option,
+    type=click.Choice([unit.value for unit in Unit]),
+    help="Unit of ATLAS's coordinates, if its format says none; never guessed.",
+)
+# Where --unit is that of the lengths, and where there is no other unit.
+file_unit_option = _file_unit("--file-unit", "file_unit")
+own_unit_option = _file_unit("--unit", "--file-unit", "file_unit")
 despite_errors_option = click.option(
     "--despite-errors",
     is_flag=True,
@@ -85,8 +95,10 @@ def available_cores() -> int:
     return os.cpu_count() or 1
 
 
-def load_atlas(name: str) -> Atlas:
+def load_atlas(name: str, *, file_unit: str | None = None, **options: Any) -> Atlas:
     """An atlas from a file, or a sample by its name if there is no such file.
+
+    `file_unit` and further options are those of `read_atlas`.
 
     Raises
     ------
@@ -96,8 +108,8 @@ def load_atlas(name: str) -> Atlas:
     path = Path(name)
     # A folder may well have the name of the sample whose report it holds.
     if name in sample_names() and not _is_file(path):
-        return load_sample(name)
-    if len(path.parts) == 1 and not _exists(path):
+        path = sample_path(name)
+    elif len(path.parts) == 1 and not _exists(path):
         # Whoever gives an extension means a file, unless it is nearly the name of a sample.
         nearest = difflib.get_close_matches(path.stem, sample_names(), n=1, cutoff=NEAR)
         hint = "`bodymeasure samples` lists the samples"
@@ -105,7 +117,7 @@ def load_atlas(name: str) -> Atlas:
             hint = f"did you mean the sample {nearest[0]!r}?"
         if nearest or not path.suffix:
             raise InputError(f"{name}: no such file, and no sample of that name; {hint}")
-    return read_atlas(path)
+    return read_atlas(path, unit=file_unit, **options)
 
 
 def _exists(path: Path) -> bool:
@@ -132,7 +144,7 @@ def require(*needs: tuple[str, str, str, str]) -> None:
             raise MissingExtraError(feature, package, extra)
 
 
-def load_sound_atlas(name: str, *, despite_errors: bool) -> Atlas:
+def load_sound_atlas(name: str, *, despite_errors: bool, file_unit: str | None = None) -> Atlas:
     """As `load_atlas`, and refuse an atlas whose check finds errors, unless told otherwise.
 
     Raises
@@ -140,7 +152,7 @@ def load_sound_atlas(name: str, *, despite_errors: bool) -> Atlas:
     InputError
         The errors found, by patch, and what to do.
     """
-    atlas = load_atlas(name)
+    atlas = load_atlas(name, file_unit=file_unit)
     if despite_errors:
         return atlas
     errors = [f"{f.kind}: {f.message}" for f in check_atlas(atlas) if f.severity == Severity.ERROR]

@@ -17,6 +17,7 @@ from bodymeasure.cli.options import (
     load_sound_atlas,
     no_cross_check_option,
     optional_atlas_argument,
+    own_unit_option,
     processes_option,
     require,
 )
@@ -37,12 +38,14 @@ PICTURE_SUFFIXES = (".png", "")
 )
 @no_cross_check_option
 @processes_option
+@own_unit_option
 @despite_errors_option
 def view(
     atlas: str,
     screenshot: Path | None,
     no_cross_check: bool,
     processes: int,
+    file_unit: str | None,
     despite_errors: bool,
 ) -> None:
     """Show ATLAS in a window: patches, diagonals colored by their difference from the mesh.
@@ -52,7 +55,7 @@ def view(
     """
     require(VIEWER, VIEWER_COLORS, *(() if no_cross_check else (COMPARISON,)))
     viewer = _viewer()
-    loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
+    loaded = load_sound_atlas(atlas, despite_errors=despite_errors, file_unit=file_unit)
     if screenshot is None:
         _check_display()
     else:

@@ -1,0 +1,85 @@
+"""An atlas in numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.joins import parts, seams_of
+from bodymeasure.atlas.normals import patch_sizes
+from bodymeasure.atlas.seams import edge_table
+from bodymeasure.atlas.units import Unit
+
+
+@dataclass(frozen=True)
+class AtlasSummary:
+    """What an atlas holds.
+
+    Parameters
+    ----------
+    patches, control_points : int
+    unit : Unit
+    height, width, depth : float
+        Of the box round the control points, along the atlas's axes: up, across, to the front.
+    seams, boundary_edges, parts : int
+        Edges that two patches share, that one has alone, and connected parts.
+    collapsed_edges : int
+        Sides whose four control points are one.
+    smallest_patch, largest_patch : float
+        Diagonals of the boxes round their control points.
+    regions, landmarks : tuple of str
+    """
+
+    patches: int
+    control_points: int
+    unit: Unit
+    height: float
+    width: float
+    depth: float
+    seams: int
+    boundary_edges: int
+    parts: int
+    collapsed_edges: int
+    smallest_patch: float
+    largest_patch: float
+    regions: tuple[str, ...]
+    landmarks: tuple[str, ...]
+
+
+def summarize(atlas: Atlas) -> AtlasSummary:
+    """An atlas in numbers, in its unit.
+
+    Parameters
+    ----------
+    atlas : Atlas
+
+    Returns
+    -------
+    AtlasSummary
+    """
+    table = edge_table(atlas.index)
+    control = table.control_index
+    collapsed = (control == control[:, :, :1]).all(axis=2)
+    sides = table.sides[table.edge][~collapsed]
+    axes = atlas.axes
+    frame = np.stack([axes.up_vector, axes.left_vector, axes.front_vector])
+    box = np.ptp(atlas.control_points.reshape(-1, 3) @ frame.T, axis=0)
+    sizes = patch_sizes(atlas.control_points)
+    return AtlasSummary(
+        patches=len(atlas),
+        control_points=len(np.unique(atlas.index)),
+        unit=atlas.unit,
+        height=float(box[0]),
+        width=float(box[1]),
+        depth=float(box[2]),
+        seams=int((sides == 2).sum()) // 2,
+        boundary_edges=int((sides == 1).sum()),
+        parts=int(parts(seams_of(table, collapsed), len(atlas)).max()) + 1,
+        collapsed_edges=int(collapsed.sum()),
+        smallest_patch=float(sizes.min()),
+        largest_patch=float(sizes.max()),
+        regions=tuple(sorted(set(atlas.regions) - {""})),
+        landmarks=tuple(atlas.landmarks),
+    )

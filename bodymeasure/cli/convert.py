@@ -1,0 +1,111 @@
+"""`bodymeasure convert`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+from rich.text import Text
+
+from bodymeasure.atlas import Atlas, summarize
+from bodymeasure.atlas.axes import DIRECTIONS
+from bodymeasure.cli.console import RESULTS, counted, print_note
+from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, own_unit_option
+from bodymeasure.files import require_writable
+from bodymeasure.formats import FORMATS, format_of, write_atlas
+
+_direction = click.Choice(DIRECTIONS)
+
+
+@click.command(short_help="Turn one kind of file into another.", epilog=EXIT_CODES)
+@atlas_argument
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    required=True,
+    help="File to write; its extension tells the format.",
+)
+@own_unit_option
+@click.option("--up", type=_direction, help="Which way is up, if the file does not say: +z.")
+@click.option(
+    "--front", type=_direction, help="Which way the body looks, if the file does not say: -y."
+)
+@click.option(
+    "--group",
+    "groups",
+    multiple=True,
+    metavar="NAME",
+    help="Take only this group (region) of patches; may be given several times.",
+)
+@click.option(
+    "--weld",
+    "tolerance",
+    type=click.FloatRange(min=0.0),
+    metavar="LENGTH",
+    help="Join edges of loose patches that are no farther apart than this, in the file's unit.",
+)
+@click.option(
+    "--from",
+    "source_format",
+    type=click.Choice(list(FORMATS)),
+    help="Format of ATLAS, instead of what its extension tells.",
+)
+@click.option(
+    "--format",
+    "target_format",
+    type=click.Choice([name for name, form in FORMATS.items() if form.write]),
+    help="Format of FILE, instead of what its extension tells.",
+)
+def convert(
+    atlas: str,
+    output: Path,
+    file_unit: str | None,
+    up: str | None,
+    front: str | None,
+    groups: tuple[str, ...],
+    tolerance: float | None,
+    source_format: str | None,
+    target_format: str | None,
+) -> None:
+    """Read ATLAS and write it in another format.
+
+    B-splines become Bezier patches, loose patches are joined, and of a mesh of polygons each quad
+    becomes a patch of its Catmull-Clark surface; README.md lists the formats.
+    """
+    target = format_of(output, target_format)
+    require_writable(output)
+    loaded = load_atlas(
+        atlas,
+        file_unit=file_unit,
+        up=up,
+        front=front,
+        group=groups,
+        tolerance=tolerance,
+        format=source_format,
+    )
+    write_atlas(loaded, output, format=target_format)
+    summary = summarize(loaded)
+    RESULTS.print(
+        Text(
+            f"{output}: {counted(len(loaded), 'patch', 'patches')}, "
+            f"{counted(summary.seams, 'seam')}, {counted(summary.parts, 'part')}, in {loaded.unit}"
+        ),
+        soft_wrap=True,
+    )
+    lost = _lost(loaded, target.keeps)
+    if lost:
+        print_note(f"{target.title} has no room for {', '.join(lost)}; these are not in it.")
+
+
+def _lost(atlas: Atlas, keeps: frozenset[str]) -> list[str]:
+    """What an atlas has that a format does not hold."""
+    has_names = any(name != f"patch {i}" for i, name in enumerate(atlas.patch_names))
+    there = {
+        "unit": (f"its unit ({atlas.unit}) and axes", True),
+        "names": ("the names of its patches", has_names),
+        "regions": ("its regions", any(atlas.regions)),
+        "landmarks": (counted(len(atlas.landmarks), "landmark"), bool(atlas.landmarks)),
+    }
+    return [words for what, (words, has) in there.items() if has and what not in keeps]

@@ -1,0 +1,84 @@
+"""`bodymeasure info`."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import click
+from rich.table import Table
+from rich.text import Text
+
+from bodymeasure.atlas import Atlas, Finding, Severity, check_atlas, summarize
+from bodymeasure.cli.console import counted, print_table
+from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, own_unit_option
+
+# Names that are listed; the rest is counted.
+LISTED = 8
+
+
+@click.command(short_help="Say what an atlas holds.", epilog=EXIT_CODES)
+@atlas_argument
+@own_unit_option
+def info(atlas: str, file_unit: str | None) -> None:
+    """Say what ATLAS holds: patches, size and unit, seams, landmarks, and how sound it is."""
+    loaded = load_atlas(atlas, file_unit=file_unit)
+    table = Table(
+        title=Text(loaded.name or atlas),
+        title_justify="left",
+        title_style="bold",
+        show_header=False,
+    )
+    table.box = None
+    table.add_column(style="dim", no_wrap=True)
+    table.add_column(overflow="fold")
+    for label, value in _rows(loaded, check_atlas(loaded)):
+        table.add_row(label, Text(value))
+    print_table(table)
+
+
+def _rows(atlas: Atlas, findings: tuple[Finding, ...]) -> list[tuple[str, str]]:
+    summary, axes = summarize(atlas), atlas.axes
+    unit = f" {summary.unit}"
+    rows = [
+        ("patches", f"{summary.patches:,}, {counted(summary.control_points, 'control point')}"),
+        ("degree", "3 in u and v, not rational"),
+        ("unit", summary.unit.value),
+        ("axes", f"up {axes.up}, front {axes.front}"),
+        (
+            "size",
+            f"{summary.height:.4g} high, {summary.width:.4g} wide, {summary.depth:.4g} deep{unit}",
+        ),
+        (
+            "size of patches",
+            f"{summary.smallest_patch:.3g} to {summary.largest_patch:.3g}{unit} across",
+        ),
+        (
+            "seams",
+            f"{summary.seams:,}; {counted(summary.boundary_edges, 'edge')} on the boundary, "
+            f"{summary.collapsed_edges:,} collapsed to a point",
+        ),
+        ("parts", f"{summary.parts:,}"),
+        ("regions", _listed(summary.regions)),
+        ("landmarks", _listed(summary.landmarks)),
+        ("quality", _quality(findings)),
+    ]
+    return rows + [(key, value) for key, value in atlas.provenance.items()]
+
+
+def _listed(names: tuple[str, ...]) -> str:
+    if not names:
+        return "none"
+    more = f" and {len(names) - LISTED} more" if len(names) > LISTED else ""
+    return f"{len(names)}: {', '.join(names[:LISTED])}{more}"
+
+
+def _quality(findings: tuple[Finding, ...]) -> str:
+    if not findings:
+        return "nothing to say"
+    errors = sum(finding.severity == Severity.ERROR for finding in findings)
+    kinds = Counter(str(finding.kind) for finding in findings)
+    listed = ", ".join(f"{kind} ({times})" for kind, times in kinds.items())
+    return (
+        f"{counted(errors, 'error')}, {counted(len(findings) - errors, 'warning')}: {listed}; "
+        "`bodymeasure check` tells more"
+    )
