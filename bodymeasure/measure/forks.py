@@ -129,7 +129,7 @@ def _stretch(atlas: Atlas, regions: tuple[str, str]) -> tuple[float, float]:
             raise InputError(
                 f"the atlas has no region whose name begins with {name!r}; it has: {known}"
             )
-        heights = atlas.control_points[patches] @ up
+        heights = atlas.points[atlas.index[patches]] @ up
         ends.append((float(heights.min()), float(heights.max())))
     low, high = max(end[0] for end in ends), min(end[1] for end in ends)
     if low >= high:

@@ -6,20 +6,24 @@ from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import brentq
 
-from bodymeasure.atlas import EDGES, Atlas, AtlasPoint, EdgeTable, edge_table
-from bodymeasure.bezier import bernstein, derivatives
+from bodymeasure.atlas import EDGES, Atlas, AtlasPoint
+from bodymeasure.atlas.neighbors import Neighbors, Place, on_side
+from bodymeasure.bezier import derivatives, project
 
 _Array = NDArray[np.float64]
 
 # Newton's method starts from so many points a side of each patch.
 STARTS = 5
+# Steps along each seam that tell its level places apart; a cubic has two.
+SAMPLES = 16
 STEPS = 30
 # In (u, v): at rest. Newton's error is squared by each step, so only rounding is left.
 REST = 1e-12
 # In (u, v): so far outside its patch a stationary point may be by rounding.
 OUTSIDE = 1e-9
-# Of the patch's own range of heights: slopes that small have no sign.
+# Of the height's largest derivatives: slopes that small have no sign.
 LEVEL = 1e-9
 # Of the atlas's size: saddles this close together are one.
 SAME = 1e-7
@@ -41,10 +45,11 @@ def saddles_between(atlas: Atlas, low: float, high: float, near: _Array) -> list
         Each once. Inside patches, or on seams; corners of patches between the two heights if there
         is neither.
     """
-    heights = atlas.control_points @ atlas.axes.up_vector
+    up = atlas.axes.up_vector
+    heights = project(atlas.control_points) @ up
     inside = (heights.min(axis=(1, 2)) <= high) & (heights.max(axis=(1, 2)) >= low)
     patches = np.flatnonzero(inside)
-    found = [*_in_patches(heights, patches), *_on_seams(heights, patches, edge_table(atlas.index))]
+    found = [*_in_patches(atlas, patches), *_on_seams(atlas, patches)]
     corners = [
         AtlasPoint(int(p), float(u), float(v)) for p in patches for u in (0, 1) for v in (0, 1)
     ]
@@ -61,22 +66,21 @@ def saddles_between(atlas: Atlas, low: float, high: float, near: _Array) -> list
     return []
 
 
-def _in_patches(heights: _Array, patches: NDArray[np.int64]) -> Iterator[AtlasPoint]:
+def _in_patches(atlas: Atlas, patches: NDArray[np.int64]) -> Iterator[AtlasPoint]:
     """Where a patch's height has no gradient and an indefinite Hessian."""
     side = (np.arange(STARTS) + 0.5) / STARTS
     grid = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
     row = np.repeat(patches, len(grid))
     place = np.tile(grid, (len(patches), 1))
-    nets = heights[row][..., None]
     for _ in range(STEPS):
-        slope, bend = _slopes(nets, place)
+        slope, bend = _slopes(atlas, row, place)
         determinant = bend[:, 0, 0] * bend[:, 1, 1] - bend[:, 0, 1] ** 2
         bend[determinant == 0.0] = np.eye(2)
         step = np.linalg.solve(bend, slope[..., None])[..., 0]
         # No further than a patch's width, so that none is lost for good.
         step *= np.minimum(1.0, 0.5 / np.maximum(np.abs(step).max(axis=1), 1e-300))[:, None]
         place = np.clip(place - step, -1.0, 2.0)
-    slope, bend = _slopes(nets, place)
+    slope, bend = _slopes(atlas, row, place)
     rests = np.abs(step).max(axis=1) <= REST
     rests &= ((place >= -OUTSIDE) & (place <= 1.0 + OUTSIDE)).all(axis=1)
     rests &= np.linalg.det(bend) < 0.0
@@ -85,48 +89,52 @@ def _in_patches(heights: _Array, patches: NDArray[np.int64]) -> Iterator[AtlasPo
         yield AtlasPoint(int(row[number]), u, v)
 
 
-def _slopes(nets: _Array, place: _Array) -> tuple[_Array, _Array]:
-    s = derivatives(nets, place, order=2)[..., 0]
+def _slopes(atlas: Atlas, patch: NDArray[np.int64], place: _Array) -> tuple[_Array, _Array]:
+    """Gradients (k, 2) and Hessians (k, 2, 2) of the height by (u, v)."""
+    s = derivatives(atlas.control_points[patch], place, order=2) @ atlas.axes.up_vector
     bend = np.stack([s[:, 2, 0], s[:, 1, 1], s[:, 1, 1], s[:, 0, 2]], axis=1).reshape(-1, 2, 2)
     return np.stack([s[:, 1, 0], s[:, 0, 1]], axis=1), bend
 
 
-def _on_seams(
-    heights: _Array, patches: NDArray[np.int64], table: EdgeTable
-) -> Iterator[AtlasPoint]:
+def _on_seams(atlas: Atlas, patches: NDArray[np.int64]) -> Iterator[AtlasPoint]:
     """Where the height is least along a seam and falls to both sides, or the other way round."""
-    edges = table.edge[patches]
-    for edge in np.unique(edges[table.sides[edges] == 2]).tolist():
-        (first, side), (second, other) = np.argwhere(table.edge == edge).tolist()
-        cubic = _along(heights[first], side)
-        for t in _stationary(cubic):
-            there = 1.0 - t if table.reversed[first, side] != table.reversed[second, other] else t
-            slopes = (_inwards(heights[first], side, t), _inwards(heights[second], other, there))
-            # Of a cubic in Bernstein form, the second derivative is 6 (b'' (1 - t) + ...).
-            bend = np.diff(cubic, 2) @ (1.0 - t, t)
-            least = LEVEL * float(np.ptp(heights[[first, second]]))
-            falls = max(slopes) < -least and bend > 0.0
-            rises = min(slopes) > least and bend < 0.0
+    neighbors = Neighbors(atlas)
+    for (patch, side), crossings in neighbors.over.items():
+        if patch not in patches or len(crossings) != 1:
+            continue
+        axis = EDGES[side].fixed_axis
+        for along in _level_places(atlas, patch, side):
+            here = Place(patch, *on_side(side, along))
+            there = next(s.place for s in neighbors.steps(here) if s.crossing == crossings[0])
+            rows = np.array([here.patch, there.patch])
+            slope, bend = _slopes(atlas, rows, np.array([here[1:], there[1:]]))
+            curvature = bend[0, 1 - axis, 1 - axis]
+            other = EDGES[crossings[0].to_side]
+            inwards = np.array(
+                [
+                    (1.0 - 2.0 * edge.fixed_value) * slope[row, edge.fixed_axis]
+                    for row, edge in enumerate((EDGES[side], other))
+                ]
+            )
+            least = LEVEL * float(np.abs(slope).max() + np.abs(bend).max())
+            falls = inwards.max() < -least and curvature > 0.0
+            rises = inwards.min() > least and curvature < 0.0
             if falls or rises:
-                fixed = EDGES[side]
-                u, v = (fixed.fixed_value, t) if fixed.fixed_axis == 0 else (t, fixed.fixed_value)
-                yield AtlasPoint(first, u, v)
+                yield AtlasPoint(*here)
 
 
-def _along(net: _Array, side: int) -> _Array:
-    edge = EDGES[side]
-    return np.asarray(np.take(net, int(3 * edge.fixed_value), axis=edge.fixed_axis))
+def _level_places(atlas: Atlas, patch: int, side: int) -> _Array:
+    """Where the height has no slope along a side of a patch, as parameters inside (0, 1)."""
+    axis = EDGES[side].fixed_axis
 
+    def slope(along: _Array) -> _Array:
+        place = np.array([on_side(side, t) for t in along.tolist()])
+        rows = np.full(len(along), patch)
+        return _slopes(atlas, rows, place)[0][:, 1 - axis]
 
-def _inwards(net: _Array, side: int, t: float) -> float:
-    """Slope of the height away from a side, into the patch."""
-    edge = EDGES[side]
-    next_row = np.take(net, 1 + int(edge.fixed_value), axis=edge.fixed_axis)
-    return float(3.0 * bernstein(3, t)[0] @ (next_row - _along(net, side)))
-
-
-def _stationary(cubic: _Array) -> list[float]:
-    """Where a cubic in Bernstein form has no slope inside (0, 1)."""
-    first, middle, last = np.diff(cubic)
-    roots = np.roots([first - 2.0 * middle + last, 2.0 * (middle - first), first])
-    return [float(t.real) for t in roots if t.imag == 0.0 and 0.0 < t.real < 1.0]
+    t = np.linspace(0.0, 1.0, SAMPLES + 1)
+    value = slope(t)
+    rows = np.flatnonzero(value[1:] * value[:-1] < 0.0)
+    roots = [brentq(lambda x: slope(np.array([x]))[0], *t[i : i + 2], xtol=REST) for i in rows]
+    # A place that is met exactly, as in the middle of a symmetric seam.
+    return np.array(roots + t[1:-1][value[1:-1] == 0.0].tolist())
