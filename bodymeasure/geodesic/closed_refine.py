@@ -1,0 +1,91 @@
+"""Refinement of loops: the shortest one along a closed route, as far as a trial space goes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.geodesic.box_newton import BoxMinimum, minimize_in_box
+from bodymeasure.geodesic.closed_length import ClosedProblem
+from bodymeasure.geodesic.closed_route import ClosedRoute
+from bodymeasure.geodesic.polynomial_space import polynomial_space
+
+_Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class RefinedLoop:
+    """A loop along a route.
+
+    Parameters
+    ----------
+    problem : ClosedProblem
+    minimum : BoxMinimum
+    values : ndarray, shape (pieces, 2, n + 1)
+        (u, v) at the nodes of all pieces.
+    lengths : ndarray, shape (pieces,)
+        Of the pieces, in parts of the problem's size.
+    """
+
+    problem: ClosedProblem
+    minimum: BoxMinimum
+    values: _Array
+    lengths: _Array
+
+    @property
+    def length(self) -> float:
+        """Of the whole loop, in the atlas's unit."""
+        return float(self.lengths.sum()) * self.problem.size
+
+    @property
+    def route(self) -> ClosedRoute:
+        """With its crossings where the loop has them."""
+        return self.problem.at(self.minimum.unknowns)
+
+    @property
+    def held_nodes(self) -> NDArray[np.bool_]:
+        """Inner nodes that an edge of their patch holds, by coordinate: (pieces, 2, n - 1)."""
+        held = self.minimum.held[self.problem.rows[:, 1:-1]]
+        return held.reshape(self.problem.pieces, 2, -1)
+
+    @property
+    def held_joints(self) -> NDArray[np.bool_]:
+        """Crossings that an end of their seam holds, shape (pieces,)."""
+        return self.minimum.held[self.problem.joints]
+
+
+def refine_loop(
+    atlas: Atlas, route: ClosedRoute, degree: int, size: float, before: RefinedLoop | None = None
+) -> RefinedLoop:
+    """The shortest loop along a route.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    route : ClosedRoute
+    degree : int
+        Of the polynomial on each patch, at least 2.
+    size : float
+        About the length of the loop.
+    before : RefinedLoop, optional
+        A loop along the same route to start from; straight lines in (u, v) if not given.
+    """
+    problem = ClosedProblem(atlas, route, polynomial_space(degree), size)
+    start = problem.straight()
+    if before is not None:
+        place = before.problem.space.functions.values(problem.space.nodes[1:-1])
+        start = problem.unknowns(np.array(before.route.along), before.values @ place.T)
+    minimum = minimize_in_box(problem.expand, start, np.zeros(problem.count, bool))
+    values = problem.values(minimum.unknowns)
+    return RefinedLoop(problem, minimum, values, _lengths(problem, values))
+
+
+def _lengths(problem: ClosedProblem, values: _Array) -> _Array:
+    place, slopes, _ = problem.space.at_quadrature
+    du, dv = ((values - values[:, :, :1]) @ slopes.T).transpose(1, 0, 2)
+    _, s_u, s_v = problem.surface.jet((values @ place.T).transpose(0, 2, 1), 1)
+    speed = np.linalg.norm(s_u * du + s_v * dv, axis=0)
+    return np.asarray(speed @ problem.space.quadrature.weights)

@@ -1,0 +1,128 @@
+"""From a first loop to the shortest one that it contracts to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.neighbors import Crossing, Neighbors
+from bodymeasure.atlas.seams import EDGES
+from bodymeasure.geodesic.closed_error import LoopLength, loop_length
+from bodymeasure.geodesic.closed_refine import RefinedLoop, refine_loop
+from bodymeasure.geodesic.closed_repair import other_loops
+from bodymeasure.geodesic.closed_route import ClosedRoute
+from bodymeasure.geodesic.route_search import (
+    CONTACT_SAFETY,
+    CONTACT_TOLERANCE,
+    DEGREES,
+    GOOD_ENOUGH,
+    ROUNDING,
+    SHORTER,
+    TOLERANCE,
+)
+
+# Of the polynomials on each patch while the loop slides: they only have to tell which way.
+SLIDING = 4
+# Routes that are refined for a loop, at most: from the hip to the waist it takes some twenty.
+MOST_ROUTES = 400
+# Of the first loop's length: one so short has contracted to a point.
+COLLAPSED = 1e-3
+
+
+@dataclass(frozen=True, eq=False)
+class FoundLoop:
+    """The loop that was found.
+
+    Parameters
+    ----------
+    refined : RefinedLoop
+    length : LoopLength
+    contact : bool
+        Whether an edge of the atlas holds it for a part.
+    good : bool
+        Whether its length is known.
+    """
+
+    refined: RefinedLoop
+    length: LoopLength
+    contact: bool
+    good: bool
+
+
+def contracted(
+    atlas: Atlas, neighbors: Neighbors, route: ClosedRoute, size: float
+) -> FoundLoop | None:
+    """The shortest loop that a route contracts to; None if that is a point.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    neighbors : Neighbors
+    route : ClosedRoute
+    size : float
+        About the length of the loop.
+    """
+    tried: set[tuple[Crossing, ...]] = {route.key}
+    best: RefinedLoop | None = refine_loop(atlas, route, SLIDING, size)
+    history: list[float] = []
+    for degree in (SLIDING, *DEGREES):
+        if best is not None and degree > SLIDING:
+            best = refine_loop(atlas, best.route, degree, size, best)
+        best, missed = _repaired(atlas, neighbors, best, tried) if best is not None else (None, 0.0)
+        if best is None or best.length < COLLAPSED * size:
+            return None
+        length, contact = loop_length(best), _on_boundary(neighbors, best)
+        length = length._replace(error=length.error + missed)
+        if contact:
+            # The formulas hold for geodesics, which a loop along an edge is not.
+            changes = [abs(best.length - before) for before in history[-2:]]
+            error = CONTACT_SAFETY * max(changes, default=float("inf"))
+            length = length._replace(corrected=length.raw, error=error)
+            good = error <= CONTACT_TOLERANCE * length.raw
+        else:
+            good = length.trusted and length.error <= GOOD_ENOUGH * length.raw
+        history.append(best.length)
+        good = good and best.minimum.converged
+        if good and not contact and length.error <= TOLERANCE * length.raw:
+            break
+    return FoundLoop(best, length, contact, good)
+
+
+def _repaired(
+    atlas: Atlas, neighbors: Neighbors, best: RefinedLoop, tried: set[tuple[Crossing, ...]]
+) -> tuple[RefinedLoop | None, float]:
+    """The best along any route that a loop asks for, and those ask for, as long as it gets shorter.
+
+    What was tried is remembered. Also by how much a route was shorter that was not better by
+    enough. None if nothing is left to cross.
+    """
+    degree, missed = best.problem.space.size, 0.0
+    improved = True
+    while improved:
+        improved = False
+        for route in other_loops(neighbors, best):
+            if not route.crossings:
+                return None, 0.0
+            if route.key in tried or len(tried) >= MOST_ROUTES:
+                continue
+            tried.add(route.key)
+            other = refine_loop(atlas, route, degree, best.problem.size)
+            simpler = len(route.crossings) < len(best.route.crossings)
+            margin = 1.0 + ROUNDING if simpler else 1.0 - SHORTER
+            if other.length < best.length * margin:
+                best, improved, missed = other, True, 0.0
+                break
+            missed = max(missed, best.length - other.length)
+    return best, missed
+
+
+def _on_boundary(neighbors: Neighbors, loop: RefinedLoop) -> bool:
+    """Whether an edge without a neighbor holds a loop."""
+    held, values = loop.held_nodes, loop.values[:, :, 1:-1]
+    for piece, patch in enumerate(loop.route.patches):
+        for side, edge in enumerate(EDGES):
+            axis = edge.fixed_axis
+            here = held[piece, axis] & (values[piece, axis] == edge.fixed_value)
+            if here.any() and not neighbors.over.get((patch, side)):
+                return True
+    return False
