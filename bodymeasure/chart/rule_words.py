@@ -21,6 +21,7 @@ _TOWARDS = {
     "right": "to the right",
     "up": "up",
     "down": "down",
+    "{side}": "to the {side}",
 }
 
 
@@ -43,14 +44,11 @@ def rule_words(rule: LandmarkRule) -> str:
                 f"{rule.of}"
             )
         case Prominent():
-            limits = [
-                f"{word} {name}"
-                for word, name in (("above", rule.above), ("below", rule.below))
-                if name is not None
-            ]
-            return f"farthest {_TOWARDS[rule.direction]} of {_listed(rule.regions)}" + "".join(
-                f" {limit}" for limit in [" and ".join(limits)] if limit
-            )
+            above = "" if rule.above is None else f" above {rule.above}"
+            below = "" if rule.below is None else f" below {rule.below}"
+            both = " and" if above and below else ""
+            regions = _listed(rule.regions)
+            return f"farthest {_TOWARDS[rule.direction]} of {regions}{above}{both}{below}"
         case Fork():
             return f"where {rule.regions[0]} and {rule.regions[1]} part"
         case Hollow():
