@@ -134,7 +134,10 @@ def png(width: int, height: int) -> bytes:
 def tape_pictures() -> Any:
     measured = [item.definition.key for item in MEASURED if np.isfinite(item.value)]
     return SimpleNamespace(
-        body={side: png(300, 500) for side in ("front", "back", "left", "right")},
+        body={
+            (group, side): png(300, 500)
+            for group, side in (("Girths", "back"), ("Girths", "front"), ("", "left"))
+        },
         closeups={key: png(64, 48) for key in measured},
         numbers={key: number for number, key in enumerate(measured, start=1)},
         note="Drawn without <OpenGL>.",

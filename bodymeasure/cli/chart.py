@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 EXIT_NOT_MEASURED = 1
 # What an atlas without a landmark leads to. Of the default set, no body has all.
 ABSENT = ("missing landmark", "missing operand")
-BODY_PICTURES = 4
+SIDES = 4
 # Of what could not be measured; the page has all.
 NAMED = 6
 
@@ -133,9 +133,11 @@ def measured_chart(atlas: Atlas, definitions: Definitions) -> Chart:
 def _pictures(chart: Chart) -> TapePictures:
     from bodymeasure.scene import tape_pictures
 
-    drawn = sum(bool(item.tapes) for item in chart.measured)
+    drawn = [item for item in chart.measured if item.tapes]
+    # Not all sides of all groups are drawn, so the bar may end early.
+    most = SIDES * len({item.definition.group for item in drawn}) + len(drawn)
     done = 0
-    with progress_bar("drawing", BODY_PICTURES + drawn) as progress:
+    with progress_bar("drawing", most) as progress:
 
         def advance(_name: str) -> None:
             nonlocal done

@@ -6,7 +6,7 @@ import base64
 from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from importlib.resources import files
-from typing import Any, TypeVar
+from typing import Any, TypedDict, TypeVar
 
 from bodymeasure.errors import MissingExtraError
 from bodymeasure.report import numbers
@@ -86,9 +86,17 @@ def data_uri(content: bytes) -> str:
     return f"data:{kind};base64,{base64.b64encode(content).decode()}"
 
 
-def images(pictures: Mapping[Key, bytes]) -> dict[Key, dict[str, Any]]:
+class Image(TypedDict):
+    """A picture for a page, and its size in pixels."""
+
+    uri: str
+    width: int
+    height: int
+
+
+def images(pictures: Mapping[Key, bytes]) -> dict[Key, Image]:
     """PNG pictures by key, each with its address, width and height."""
-    found = {}
+    found: dict[Key, Image] = {}
     for key, content in pictures.items():
         # The header chunk of a PNG comes first: width and height as big-endian words.
         width, height = (int.from_bytes(content[at : at + 4], "big") for at in (16, 20))

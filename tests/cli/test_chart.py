@@ -127,7 +127,7 @@ def test_pictures_and_progress(
     ran = run("chart", "--set", definitions, "-o", tmp_path / "out")
     assert (ran.code, ran.err) == (0, "Drawn without <OpenGL>.\n")
     page = (tmp_path / "out" / "chart.html").read_text("utf-8")
-    assert page.count("data:image/png") == 5
+    assert page.count("data:image/png") == 3
     assert [label for label, _, _ in bars] == ["measuring", "drawing"]
     assert bars[0][1:] == (3, [1, 2, 3])
 

@@ -21,7 +21,9 @@ def page_of(unit: str = "cm", pictures: Any = None, **changes: Any) -> Page:
 
 @pytest.fixture
 def page() -> Page:
-    return page_of(pictures=tape_pictures())
+    pictures = tape_pictures()
+    pictures.numbers = {key: number + 3 for key, number in pictures.numbers.items()}
+    return page_of(pictures=pictures)
 
 
 def test_the_page_is_well_formed_and_stands_alone(page: Page) -> None:
@@ -40,12 +42,17 @@ def test_names_are_escaped(page: Page) -> None:
 
 def test_every_tape_has_its_picture_and_its_number(page: Page) -> None:
     images = page.all("img")
-    assert len(images) == 4 + 5
+    assert len(images) == 3 + 5
     assert all(len(image["alt"] or "") > 20 for image in images)
     assert {(i["width"], i["height"]) for i in images} == {("300", "500"), ("64", "48")}
-    # The numbers are those drawn, not the places in the chart.
-    assert "5. Shoulder slope" in page.text
-    assert "7. Shoulder slope" in page_of().text
+    seen = [
+        re.sub(r".* seen from the (\w+).* under “(.*)” .*", r"\2, \1", i["alt"] or "")
+        for i in images
+    ]
+    assert seen[:3] == ["Girths, front", "Girths, back", "Other measurements, left"]
+    # The numbers are those drawn; without pictures, they are those of what has a value.
+    assert "8. Shoulder slope" in page.text
+    assert "5. Shoulder slope" in page_of().text
     # What was not drawn has none.
     assert re.search(rf"\d\. {re.escape(HOSTILE)}", page.text) is None
 

@@ -53,6 +53,8 @@ def test_records_say_all_that_is_known() -> None:
     assert (bust.seamly, bust.freesewing) == (["bust_circ"], "chest")
     assert (bust.status, bust.words) == ("converged", BUST.words)
     assert (shoulder.value, shoulder.gap, shoulder.status) == (None, None, "no_route")
+    # Numbers are those of the pictures, which show what has a value.
+    assert [m.number for m in document.measurements] == [1, 2, 3, None, None, 4, 5]
     assert shoulder.iso_clause is None
     assert (height.outcome, height.status) == ("missing landmark", None)
     assert [(p.name, p.given) for p in document.landmarks] == [

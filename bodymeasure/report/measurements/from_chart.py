@@ -33,6 +33,8 @@ def chart_document(
     """
     unit = Unit.parse(unit)
     atlas = chart.atlas
+    valued = [item.definition.key for item in chart.measured if math.isfinite(item.value)]
+    numbers = {key: number for number, key in enumerate(valued, start=1)}
     return ChartDocument(
         name=atlas.name,
         created=(created or datetime.now(UTC)).isoformat(timespec="seconds"),
@@ -59,8 +61,8 @@ def chart_document(
             for name, reason in chart.missing_landmarks.items()
         ],
         measurements=[
-            _record(item, number, atlas.unit, unit)
-            for number, item in enumerate(chart.measured, start=1)
+            _record(item, numbers.get(item.definition.key), atlas.unit, unit)
+            for item in chart.measured
         ],
     )
 
@@ -75,7 +77,7 @@ def is_angle(definition: Measurement) -> bool:
     return bool(getattr(definition, "angle", False))
 
 
-def _record(item: Measured, number: int, source: Unit, target: Unit) -> BodyMeasurement:
+def _record(item: Measured, number: int | None, source: Unit, target: Unit) -> BodyMeasurement:
     definition = item.definition
     angle = is_angle(definition)
 

@@ -16,8 +16,11 @@ class TapePictures(Protocol):
     """Pictures of a chart's tapes, as `bodymeasure.scene.tape_pictures` returns them."""
 
     @property
-    def body(self) -> Mapping[str, bytes]:
-        """PNG of the body with all tapes, numbered, by side: front, back, left, right."""
+    def body(self) -> Mapping[tuple[str, str], bytes]:
+        """PNG of the body with a group's tapes, numbered, by group and side.
+
+        Sides are front, back, left and right. To be shown at half the size in pixels.
+        """
 
     @property
     def closeups(self) -> Mapping[str, bytes]:
@@ -58,7 +61,9 @@ def render_chart(document: ChartDocument, pictures: TapePictures | None = None) 
 def _context(document: ChartDocument, pictures: TapePictures | None) -> dict[str, Any]:
     return {
         "document": document,
-        "groups": views.groups(document, None if pictures is None else pictures.numbers),
+        "groups": views.groups(document)
+        if pictures is None
+        else views.groups(document, pictures.numbers, images(pictures.body)),
         "tiles": views.tiles(document),
         "sentences": views.summary_sentences(document),
         "absences": views.absences(document),
@@ -66,7 +71,6 @@ def _context(document: ChartDocument, pictures: TapePictures | None) -> dict[str
         "inches": document.unit == "inch",
         "unit_name": UNIT_NAMES[document.unit],
         "created": moment(document.created),
-        "body": {} if pictures is None else images(pictures.body),
         "closeups": {} if pictures is None else images(pictures.closeups),
         "picture_note": "" if pictures is None else pictures.note,
         "text": {"small": small_text},

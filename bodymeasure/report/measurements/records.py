@@ -20,7 +20,13 @@ ValueUnit = Literal["m", "cm", "mm", "inch", "deg"]
 class BodyMeasurement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """One measurement of a body. Null stands where there is no such value."""
 
-    number: Annotated[int, Meta(ge=1, description="Place in the chart, from 1.")]
+    number: Annotated[
+        int | None,
+        Meta(
+            description="On the page and in its pictures: from 1, of those that have a value, in "
+            "the order of the chart."
+        ),
+    ]
     key: Annotated[str, Meta(description="Unique; formulas and other files name it so.")]
     name: str
     group: Annotated[str, Meta(description="Heading in tables; may be empty.")]

@@ -8,9 +8,12 @@ from dataclasses import dataclass
 from bodymeasure.report.measurements.records import BodyMeasurement, ChartDocument
 from bodymeasure.report.measurements.tape import small_text, tailor_inches, tape_text
 from bodymeasure.report.numbers import NONE, as_bound, counted
+from bodymeasure.report.templating import Image
 from bodymeasure.report.views import UNIT_NAMES
 
 MEASURED = "measured"
+# In the order in which they are shown.
+SIDES = ("front", "back", "left", "right")
 OTHER_GROUP = "Other measurements"
 # Outcomes that only say that something is not there; the others deserve a look.
 ABSENT = ("missing landmark", "missing operand")
@@ -34,7 +37,7 @@ class Row:
     @property
     def anchor(self) -> str:
         """Identifier of its close-up in the page."""
-        return f"measurement-{self.record.number}"
+        return f"measurement-{self.record.key}"
 
 
 @dataclass(frozen=True)
@@ -44,24 +47,37 @@ class Group:
     name: str
     anchor: str
     rows: tuple[Row, ...]
+    sides: Mapping[str, Image]
 
 
-def groups(document: ChartDocument, numbers: Mapping[str, int] | None = None) -> list[Group]:
+def groups(
+    document: ChartDocument,
+    numbers: Mapping[str, int] | None = None,
+    body: Mapping[tuple[str, str], Image] | None = None,
+) -> list[Group]:
     """The measurements by group, groups as they first occur.
 
     Parameters
     ----------
     document : ChartDocument
     numbers : mapping of str to int, optional
-        Numbers in the pictures by key; places in the chart if not given.
+        Numbers in the pictures by key; those of the document if not given.
+    body : mapping of (str, str) to Image, optional
+        Pictures by group and side.
     """
     grouped: dict[str, list[Row]] = {}
     for record in document.measurements:
         number = record.number if numbers is None else numbers.get(record.key)
         row = _row(record, "" if number is None else str(number))
-        grouped.setdefault(record.group or OTHER_GROUP, []).append(row)
+        grouped.setdefault(record.group, []).append(row)
+    pictures = body or {}
     return [
-        Group(name, f"group-{place}", tuple(rows))
+        Group(
+            name or OTHER_GROUP,
+            f"group-{place}",
+            tuple(rows),
+            {side: pictures[name, side] for side in SIDES if (name, side) in pictures},
+        )
         for place, (name, rows) in enumerate(grouped.items(), start=1)
     ]
 
