@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.chart.landmark_rules import (
+    AtHeight,
     Between,
     Boundary,
     Fork,
@@ -19,6 +20,7 @@ from bodymeasure.chart.landmark_rules import (
 )
 from bodymeasure.chart.rule_boundary import boundary_point
 from bodymeasure.chart.rule_extremes import prominent_point
+from bodymeasure.chart.rule_heights import at_height_point
 from bodymeasure.chart.rule_order import expanded, in_order, references
 from bodymeasure.chart.rule_paths import between_point, hollow_point
 from bodymeasure.chart.rule_sections import girth_level_point, level_point, median_point
@@ -98,6 +100,8 @@ def _point(atlas: Atlas, rule: LandmarkRule, landmarks: dict[str, AtlasPoint]) -
     match rule:
         case Between():
             return between_point(atlas, rule, landmarks)
+        case AtHeight():
+            return at_height_point(atlas, rule, landmarks)
         case Hollow():
             return hollow_point(atlas, rule, landmarks)
         case Level():

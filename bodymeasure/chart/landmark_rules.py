@@ -34,6 +34,14 @@ class Between(Rule, frozen=True, kw_only=True, tag="between"):
     fraction: float = 0.5
 
 
+class AtHeight(Rule, frozen=True, kw_only=True, tag="at height"):
+    """Where the geodesic between two landmarks first passes the height of a third."""
+
+    start: str
+    end: str
+    of: str
+
+
 class Level(Rule, frozen=True, kw_only=True, tag="level"):
     """The outermost point, in a direction, of the horizontal section at a landmark's height.
 
@@ -101,4 +109,6 @@ class Boundary(Rule, frozen=True, kw_only=True, tag="boundary"):
     regions: tuple[str, ...]
 
 
-LandmarkRule = Between | Level | Median | Prominent | Fork | Hollow | GirthLevel | Boundary
+LandmarkRule = (
+    Between | AtHeight | Level | Median | Prominent | Fork | Hollow | GirthLevel | Boundary
+)

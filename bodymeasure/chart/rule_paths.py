@@ -35,7 +35,7 @@ def between_point(atlas: Atlas, rule: Between, landmarks: dict[str, AtlasPoint])
     """
     if not 0.0 <= rule.fraction <= 1.0:
         raise InputError(f"the fraction is {rule.fraction}; expected a number from 0 to 1")
-    path = _path(atlas, rule.start, rule.end, landmarks)
+    path = path_between(atlas, rule.start, rule.end, landmarks)
     patch, (u, v) = path.path(rule.fraction)
     return AtlasPoint(int(patch), float(u), float(v))
 
@@ -56,7 +56,7 @@ def hollow_point(atlas: Atlas, rule: Hollow, landmarks: dict[str, AtlasPoint]) -
     Below the chord is where the surface's outer side faces the chord. There, the distance x from
     the chord is largest where ``x . x' = 0``.
     """
-    path = _path(atlas, rule.start, rule.end, landmarks)
+    path = path_between(atlas, rule.start, rule.end, landmarks)
     ends = np.stack([atlas.position(landmarks[name]) for name in (rule.start, rule.end)])
     length = float(np.linalg.norm(ends[1] - ends[0]))
     if length == 0.0:
@@ -77,7 +77,8 @@ def hollow_point(atlas: Atlas, rule: Hollow, landmarks: dict[str, AtlasPoint]) -
     return max(found, key=lambda candidate: candidate[0])[1]
 
 
-def _path(atlas: Atlas, start: str, end: str, landmarks: dict[str, AtlasPoint]) -> AtlasPath:
+def path_between(atlas: Atlas, start: str, end: str, landmarks: dict[str, AtlasPoint]) -> AtlasPath:
+    """The geodesic between two landmarks, refused if it cannot be trusted."""
     path = geodesic_between(atlas, landmarks[start], landmarks[end], on_failure="status")
     if not path.converged:
         raise InputError(

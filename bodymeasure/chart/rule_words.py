@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bodymeasure.chart.landmark_rules import (
+    AtHeight,
     Between,
     Boundary,
     Fork,
@@ -36,6 +37,8 @@ def rule_words(rule: LandmarkRule) -> str:
     match rule:
         case Between():
             return f"{rule.fraction:.4g} of the way from {rule.start} to {rule.end}"
+        case AtHeight():
+            return f"on the way from {rule.start} to {rule.end} at the height of {rule.of}"
         case Level():
             return f"outermost {_TOWARDS[rule.facing]} at the height of {rule.of}"
         case Median():
