@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from bodymeasure.chart.definitions import FormulaMeasure
-from bodymeasure.chart.formula import Estimate, evaluate_formula, parse_formula
+from bodymeasure.chart.formula import parse_formula
+from bodymeasure.chart.formula_value import Estimate, evaluate_formula
 from bodymeasure.chart.measured import Measured, Outcome
 from bodymeasure.errors import InputError
 

@@ -2,51 +2,25 @@
 
 from __future__ import annotations
 
-import graphlib
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
+import unicodedata
+from collections.abc import Iterator, Sequence
 
 import msgspec
 
 from bodymeasure.chart.definitions import (
     Definitions,
-    FormulaMeasure,
     LimbGirthMeasure,
     Measurement,
     PathMeasure,
 )
-from bodymeasure.chart.formula import (
-    FUNCTIONS,
-    Formula,
-    Quantity,
-    parse_formula,
-    quantity_of,
-)
+from bodymeasure.chart.formula import FUNCTIONS
+from bodymeasure.chart.formula_checks import Fault, formula_faults
 from bodymeasure.chart.landmark_rules import Between, LandmarkRule
-from bodymeasure.chart.nearest import hint
 from bodymeasure.chart.sides import SIDE, both_sides, texts
-from bodymeasure.errors import InputError
 
 _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _BRACED = re.compile(r"\{[^{}]*\}|[{}]")
-
-
-class Fault(NamedTuple):
-    """What is wrong with one definition.
-
-    Parameters
-    ----------
-    definition : msgspec.Struct
-        As it stands in the set: with ``{side}``.
-    member : str
-        The member at fault; empty for the whole.
-    words : str
-    """
-
-    definition: msgspec.Struct
-    member: str
-    words: str
 
 
 def first_fault(definitions: Definitions) -> Fault | None:
@@ -61,7 +35,7 @@ def _faults(definitions: Definitions) -> Iterator[Fault]:
         yield from _measurement_faults(measurement)
     yield from _repeated(definitions.landmark, "name")
     yield from _repeated(definitions.measurement, "key")
-    yield from _formula_faults(definitions.measurement)
+    yield from formula_faults(definitions.measurement)
 
 
 def _rule_faults(rule: LandmarkRule) -> Iterator[Fault]:
@@ -83,6 +57,14 @@ def _measurement_faults(measurement: Measurement) -> Iterator[Fault]:
         )
     if plain in FUNCTIONS:
         yield Fault(measurement, "key", f"the key {plain!r} is a function's name; choose another")
+    for name in measurement.seamly:
+        if not _KEY.fullmatch(name):
+            yield Fault(
+                measurement,
+                "seamly",
+                f"seamly holds {name!r}, which Seamly2D would not take; expected letters, digits "
+                "and underscores, not a digit first",
+            )
     yield from _side_faults(measurement, "key", measurement.key)
     match measurement:
         case PathMeasure(through=through) if len(through) < 2:
@@ -99,6 +81,8 @@ def _text_faults(definition: msgspec.Struct) -> Iterator[Fault]:
     for member, text in texts(definition):
         if not text.strip() and member not in _MAY_BE_EMPTY:
             yield Fault(definition, member, f"{member} is empty; expected a name")
+        if member != "words" and any(unicodedata.category(sign) == "Cc" for sign in text):
+            yield Fault(definition, member, f"{member} is {text!r}; expected text on one line")
         for braced in _BRACED.findall(text):
             if braced != SIDE:
                 yield Fault(
@@ -155,74 +139,3 @@ def _repeated(definitions: Sequence[msgspec.Struct], label: str) -> Iterator[Fau
                     f"the {label} {name!r} is there twice{also}; rename or remove one of the two",
                 )
             seen[name] = written
-
-
-def _formula_faults(measurements: Sequence[Measurement]) -> Iterator[Fault]:
-    written: dict[str, Measurement] = {}
-    for measurement in measurements:
-        written |= {one.key: measurement for one in both_sides([measurement])}
-    formulas: dict[str, Formula] = {}
-    every = {one.key: one for one in both_sides(measurements)}
-    for key, one in every.items():
-        if not isinstance(one, FormulaMeasure):
-            continue
-        try:
-            formulas[key] = parse_formula(one.formula)
-        except InputError as error:
-            yield Fault(written[key], "formula", str(error))
-            return
-        for name in formulas[key].names:
-            if name not in every:
-                words = f"the formula {one.formula!r} names {name!r}, which is no key here"
-                yield Fault(written[key], "formula", f"{words}; {_key_hint(name, every)}")
-                return
-    try:
-        order = evaluation_order(formulas)
-    except graphlib.CycleError as error:
-        chain = " -> ".join(reversed(error.args[1]))
-        key = error.args[1][0]
-        yield Fault(
-            written[key],
-            "formula",
-            f"the formulas go round in a circle: {chain}; define one of them by landmarks",
-        )
-        return
-    quantities = dict.fromkeys(every, Quantity.LENGTH)
-    for key in order:
-        one = every[key]
-        assert isinstance(one, FormulaMeasure)
-        wanted = Quantity.ANGLE if one.angle else Quantity.LENGTH
-        try:
-            found = quantity_of(formulas[key], quantities)
-        except InputError as error:
-            yield Fault(written[key], "formula", str(error))
-            return
-        if found is not wanted:
-            yield Fault(written[key], "formula", _wrong_quantity(one, found, wanted))
-            return
-        quantities[key] = found
-
-
-def _key_hint(name: str, known: Mapping[str, Measurement]) -> str:
-    near = hint(name, known)
-    return near if near.startswith("did you mean") else "name measurements by their keys"
-
-
-def _wrong_quantity(one: FormulaMeasure, found: Quantity, wanted: Quantity) -> str:
-    remedy = "say `angle = true`" if found is Quantity.ANGLE else "change the formula"
-    return f"the formula {one.formula!r} has mixed units: it gives {found}, not {wanted}; {remedy}"
-
-
-def evaluation_order(formulas: Mapping[str, Formula]) -> tuple[str, ...]:
-    """Keys of formulas, each after those that it needs.
-
-    Raises
-    ------
-    graphlib.CycleError
-        If they need one another in a circle.
-    """
-    needs = {
-        key: [name for name in formula.names if name in formulas]
-        for key, formula in formulas.items()
-    }
-    return tuple(graphlib.TopologicalSorter(needs).static_order())

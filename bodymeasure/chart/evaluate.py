@@ -9,7 +9,6 @@ from dataclasses import replace
 from bodymeasure.atlas import Atlas
 from bodymeasure.chart.arithmetic import measure_formula
 from bodymeasure.chart.body import Body, MissingLandmarkError
-from bodymeasure.chart.checks import evaluation_order
 from bodymeasure.chart.definitions import (
     BreadthMeasure,
     ChordMeasure,
@@ -28,6 +27,7 @@ from bodymeasure.chart.definitions import (
 )
 from bodymeasure.chart.derive import derive_landmarks
 from bodymeasure.chart.formula import parse_formula
+from bodymeasure.chart.formula_checks import evaluation_order
 from bodymeasure.chart.lengths import measure_drop, measure_path
 from bodymeasure.chart.measured import Chart, Measured, Outcome
 from bodymeasure.chart.over import measure_over

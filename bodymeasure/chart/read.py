@@ -23,6 +23,7 @@ from bodymeasure.chart.entries import (
     entry_of,
 )
 from bodymeasure.chart.nearest import hint
+from bodymeasure.chart.sides import SIDE
 from bodymeasure.chart.source_lines import SourceLines
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes
@@ -117,6 +118,9 @@ def _parsed(content: bytes, source: str) -> tuple[str, dict[str, Any]]:
             f"{source}, line {line}: is not valid TOML ({what}{column}); "
             "compare with the default set, or look it up on toml.io"
         ) from None
+    except ValueError as error:
+        # Such as whole numbers of thousands of digits.
+        raise InputError(f"{source}: holds a value that cannot be read ({error})") from None
     except RecursionError:
         raise InputError(f"{source}: is nested too deeply to hold definitions") from None
 
@@ -198,7 +202,11 @@ def _extended(own: Definitions, lines: SourceLines, source: str) -> Definitions:
     for dropped in own.drop:
         if dropped not in droppable:
             known = (
-                hint(dropped, droppable, expected="give keys and names of the default set, such as")
+                hint(
+                    _as_written(dropped),
+                    droppable,
+                    expected="give keys and names of the default set, such as",
+                )
                 if base
                 else 'a set without extends = "default" has nothing to drop'
             )
@@ -213,6 +221,11 @@ def _extended(own: Definitions, lines: SourceLines, source: str) -> Definitions:
         landmark=_merged(rules, own.landmark, own.drop, "name"),
         measurement=_merged(measurements, own.measurement, own.drop, "key"),
     )
+
+
+def _as_written(name: str) -> str:
+    """A name as it stands in a set, if it is that of one side."""
+    return re.sub(r"(?<![^\W_])(left|right)(?![^\W_])", SIDE, name)
 
 
 def _merged(
