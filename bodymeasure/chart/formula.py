@@ -79,11 +79,11 @@ def formula_fault(text: str, what: str) -> InputError:
 def _check(node: ast.expr, text: str) -> None:
     """Refuse all that is not plain arithmetic."""
     match node:
-        case ast.Constant(value=int() | float()) | ast.Name():
-            if isinstance(node, ast.Name) and node.id in FUNCTIONS:
-                raise formula_fault(
-                    text, f"has {node.id!r} without arguments; write {node.id}(...)"
-                )
+        case ast.Constant(value=int() | float() as number) if not isinstance(number, bool):
+            return
+        case ast.Name(id=name):
+            if name in FUNCTIONS:
+                raise formula_fault(text, f"has {name!r} without arguments; write {name}(...)")
         case ast.UnaryOp(op=ast.USub() | ast.UAdd(), operand=operand):
             _check(operand, text)
         case ast.BinOp(left=left, op=ast.Add() | ast.Sub() | ast.Mult() | ast.Div(), right=right):
