@@ -20,13 +20,15 @@ class AtlasSummary:
     Parameters
     ----------
     patches, control_points : int
+    degree : int
+    rational : bool
     unit : Unit
     height, width, depth : float
         Of the box round the control points, along the atlas's axes: up, across, to the front.
     seams, boundary_edges, parts : int
         Edges that two patches share, that one has alone, and connected parts.
     collapsed_edges : int
-        Sides whose four control points are one.
+        Sides whose control points are one.
     smallest_patch, largest_patch : float
         Diagonals of the boxes round their control points.
     regions, landmarks : tuple of str
@@ -34,6 +36,8 @@ class AtlasSummary:
 
     patches: int
     control_points: int
+    degree: int
+    rational: bool
     unit: Unit
     height: float
     width: float
@@ -63,13 +67,15 @@ def summarize(atlas: Atlas) -> AtlasSummary:
     control = table.control_index
     collapsed = (control == control[:, :, :1]).all(axis=2)
     sides = table.sides[table.edge][~collapsed]
-    axes = atlas.axes
+    axes, nets = atlas.axes, atlas.points[atlas.index]
     frame = np.stack([axes.up_vector, axes.left_vector, axes.front_vector])
-    box = np.ptp(atlas.control_points.reshape(-1, 3) @ frame.T, axis=0)
-    sizes = patch_sizes(atlas.control_points)
+    box = np.ptp(nets.reshape(-1, 3) @ frame.T, axis=0)
+    sizes = patch_sizes(nets)
     return AtlasSummary(
         patches=len(atlas),
         control_points=len(np.unique(atlas.index)),
+        degree=atlas.degree,
+        rational=atlas.is_rational,
         unit=atlas.unit,
         height=float(box[0]),
         width=float(box[1]),

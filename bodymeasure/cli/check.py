@@ -7,7 +7,7 @@ from rich.text import Text
 
 from bodymeasure.atlas import Severity, check_atlas
 from bodymeasure.cli.console import RESULTS, counted
-from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, own_unit_option
+from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, same_unit_option
 
 EXIT_FOUND_ERRORS = 1
 COLORS = {Severity.ERROR: "bold red", Severity.WARNING: "yellow"}
@@ -15,13 +15,13 @@ COLORS = {Severity.ERROR: "bold red", Severity.WARNING: "yellow"}
 
 @click.command(short_help="Say what is wrong with an atlas.", epilog=EXIT_CODES)
 @atlas_argument
-@own_unit_option
-def check(atlas: str, file_unit: str | None) -> int:
+@same_unit_option
+def check(atlas: str) -> int:
     """Say what is wrong with ATLAS: gaps in seams, folds, collapsed edges, kinks.
 
     Errors spoil lengths, and end with exit code 1; warnings do not.
     """
-    loaded = load_atlas(atlas, file_unit=file_unit)
+    loaded = load_atlas(atlas)
     findings = check_atlas(loaded)
     for finding in findings:
         severity = (str(finding.severity), COLORS[finding.severity])

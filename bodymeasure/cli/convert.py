@@ -10,7 +10,7 @@ from rich.text import Text
 from bodymeasure.atlas import Atlas, summarize
 from bodymeasure.atlas.axes import DIRECTIONS
 from bodymeasure.cli.console import RESULTS, counted, print_note
-from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, own_unit_option
+from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, same_unit_option
 from bodymeasure.files import require_writable
 from bodymeasure.formats import FORMATS, format_of, write_atlas
 
@@ -27,7 +27,7 @@ _direction = click.Choice(DIRECTIONS)
     required=True,
     help="File to write; its extension tells the format.",
 )
-@own_unit_option
+@same_unit_option
 @click.option("--up", type=_direction, help="Which way is up, if the file does not say: +z.")
 @click.option(
     "--front", type=_direction, help="Which way the body looks, if the file does not say: -y."
@@ -61,7 +61,6 @@ _direction = click.Choice(DIRECTIONS)
 def convert(
     atlas: str,
     output: Path,
-    file_unit: str | None,
     up: str | None,
     front: str | None,
     groups: tuple[str, ...],
@@ -78,7 +77,6 @@ def convert(
     require_writable(output)
     loaded = load_atlas(
         atlas,
-        file_unit=file_unit,
         up=up,
         front=front,
         group=groups,

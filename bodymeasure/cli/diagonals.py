@@ -13,7 +13,6 @@ from bodymeasure.cli.options import (
     EXIT_CODES,
     atlas_argument,
     despite_errors_option,
-    file_unit_option,
     load_sound_atlas,
     unit_option,
 )
@@ -36,11 +35,8 @@ DECIMALS = {"m": 6, "cm": 4, "mm": 3, "inch": 5}
     help="How to print the lengths; json has the layout of a report's measurements.json.",
 )
 @unit_option
-@file_unit_option
 @despite_errors_option
-def diagonals(
-    atlas: str, form: str, unit: str, file_unit: str | None, despite_errors: bool
-) -> None:
+def diagonals(atlas: str, form: str, unit: str, despite_errors: bool) -> None:
     """Print both diagonal geodesics of every patch of ATLAS.
 
     A diagonal without a good length has none; its status says why.
@@ -49,7 +45,7 @@ def diagonals(
     from bodymeasure.measure import measure_atlas
     from bodymeasure.report import survey_document, to_csv, to_json
 
-    loaded = load_sound_atlas(atlas, despite_errors=despite_errors, file_unit=file_unit)
+    loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
     survey = measure_atlas(loaded, compare=False)
     document = survey_document(survey, unit, kinds=("diagonal",))
     # As bytes: these are UTF-8 whatever the terminal speaks.

@@ -10,7 +10,7 @@ from rich.text import Text
 
 from bodymeasure.atlas import Atlas, Finding, Severity, check_atlas, summarize
 from bodymeasure.cli.console import counted, print_table
-from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, own_unit_option
+from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, same_unit_option
 
 # Names that are listed; the rest is counted.
 LISTED = 8
@@ -18,10 +18,10 @@ LISTED = 8
 
 @click.command(short_help="Say what an atlas holds.", epilog=EXIT_CODES)
 @atlas_argument
-@own_unit_option
-def info(atlas: str, file_unit: str | None) -> None:
+@same_unit_option
+def info(atlas: str) -> None:
     """Say what ATLAS holds: patches, size and unit, seams, landmarks, and how sound it is."""
-    loaded = load_atlas(atlas, file_unit=file_unit)
+    loaded = load_atlas(atlas)
     table = Table(
         title=Text(loaded.name or atlas),
         title_justify="left",
@@ -41,7 +41,7 @@ def _rows(atlas: Atlas, findings: tuple[Finding, ...]) -> list[tuple[str, str]]:
     unit = f" {summary.unit}"
     rows = [
         ("patches", f"{summary.patches:,}, {counted(summary.control_points, 'control point')}"),
-        ("degree", "3 in u and v, not rational"),
+        ("degree", f"{summary.degree}, {'rational' if summary.rational else 'polynomial'}"),
         ("unit", summary.unit.value),
         ("axes", f"up {axes.up}, front {axes.front}"),
         (

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import difflib
 import os
+from collections.abc import Callable
 from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import click
 
@@ -42,10 +43,38 @@ BENCHMARK_FIGURE = ("the benchmark's figure", "matplotlib", "matplotlib", "bench
 VIEWER = ("the viewer", "pyvista", "pyvista", "viewer")
 VIEWER_COLORS = ("the viewer", "matplotlib", "matplotlib", "viewer")
 
-atlas_argument = click.argument("atlas", metavar="ATLAS")
-optional_atlas_argument = click.argument(
-    "atlas", metavar="[ATLAS]", default=DEFAULT_SAMPLE, required=False
+# Where `load_atlas` finds the unit of the file that it is to read.
+_FILE_UNIT = f"{__name__}.file_unit"
+_Command = TypeVar("_Command", bound=Callable[..., Any])
+
+
+def _keep_unit(ctx: click.Context, _parameter: click.Parameter, unit: str | None) -> None:
+    if unit is not None:
+        ctx.meta[_FILE_UNIT] = unit
+
+
+_file_unit_option = partial(
+    click.option,
+    type=click.Choice([unit.value for unit in Unit]),
+    expose_value=False,
+    callback=_keep_unit,
 )
+# For commands that have no other unit.
+same_unit_option = _file_unit_option("--unit", help="The same as --file-unit.")
+
+
+def _of_atlas(**settings: Any) -> Callable[[_Command], _Command]:
+    """The argument ATLAS, and the option that says its unit; `load_atlas` is told of that."""
+    argument = click.argument("atlas", **settings)
+    option = _file_unit_option(
+        "--file-unit",
+        help="Unit of ATLAS's coordinates, if its format says none; never guessed.",
+    )
+    return lambda command: argument(option(command))
+
+
+atlas_argument = _of_atlas(metavar="ATLAS")
+optional_atlas_argument = _of_atlas(metavar="[ATLAS]", default=DEFAULT_SAMPLE, required=False)
 unit_option = click.option(
     "--unit",
     type=click.Choice([unit.value for unit in Unit]),
@@ -53,14 +82,6 @@ unit_option = click.option(
     show_default=True,
     help="Unit of the lengths.",
 )
-_file_unit = partial(
-    click.option,
-    type=click.Choice([unit.value for unit in Unit]),
-    help="Unit of ATLAS's coordinates, if its format says none; never guessed.",
-)
-# Where --unit is that of the lengths, and where there is no other unit.
-file_unit_option = _file_unit("--file-unit", "file_unit")
-own_unit_option = _file_unit("--unit", "--file-unit", "file_unit")
 despite_errors_option = click.option(
     "--despite-errors",
     is_flag=True,
@@ -95,10 +116,10 @@ def available_cores() -> int:
     return os.cpu_count() or 1
 
 
-def load_atlas(name: str, *, file_unit: str | None = None, **options: Any) -> Atlas:
+def load_atlas(name: str, **options: Any) -> Atlas:
     """An atlas from a file, or a sample by its name if there is no such file.
 
-    `file_unit` and further options are those of `read_atlas`.
+    `options` are those of `read_atlas`; the unit is what the user said of the file.
 
     Raises
     ------
@@ -117,7 +138,9 @@ def load_atlas(name: str, *, file_unit: str | None = None, **options: Any) -> At
             hint = f"did you mean the sample {nearest[0]!r}?"
         if nearest or not path.suffix:
             raise InputError(f"{name}: no such file, and no sample of that name; {hint}")
-    return read_atlas(path, unit=file_unit, **options)
+    context = click.get_current_context(silent=True)
+    unit = None if context is None else context.meta.get(_FILE_UNIT)
+    return read_atlas(path, unit=unit, **options)
 
 
 def _exists(path: Path) -> bool:
@@ -144,7 +167,7 @@ def require(*needs: tuple[str, str, str, str]) -> None:
             raise MissingExtraError(feature, package, extra)
 
 
-def load_sound_atlas(name: str, *, despite_errors: bool, file_unit: str | None = None) -> Atlas:
+def load_sound_atlas(name: str, *, despite_errors: bool) -> Atlas:
     """As `load_atlas`, and refuse an atlas whose check finds errors, unless told otherwise.
 
     Raises
@@ -152,7 +175,7 @@ def load_sound_atlas(name: str, *, despite_errors: bool, file_unit: str | None =
     InputError
         The errors found, by patch, and what to do.
     """
-    atlas = load_atlas(name, file_unit=file_unit)
+    atlas = load_atlas(name)
     if despite_errors:
         return atlas
     errors = [f"{f.kind}: {f.message}" for f in check_atlas(atlas) if f.severity == Severity.ERROR]

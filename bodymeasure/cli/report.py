@@ -17,7 +17,6 @@ from bodymeasure.cli.options import (
     PAGE,
     PICTURES,
     despite_errors_option,
-    file_unit_option,
     load_sound_atlas,
     no_cross_check_option,
     optional_atlas_argument,
@@ -62,7 +61,6 @@ BODY_PICTURES = 4
 @no_cross_check_option
 @click.option("--no-pictures", is_flag=True, help="Leave out the pictures.")
 @processes_option
-@file_unit_option
 @despite_errors_option
 def report(
     atlas: str,
@@ -71,7 +69,6 @@ def report(
     no_cross_check: bool,
     no_pictures: bool,
     processes: int,
-    file_unit: str | None,
     despite_errors: bool,
 ) -> int:
     """Measure ATLAS, check the lengths against libigl, and write a report.
@@ -80,7 +77,7 @@ def report(
     """
     begin = time.perf_counter()
     require(PAGE, *(() if no_cross_check else (COMPARISON,)), *(() if no_pictures else (PICTURES,)))
-    loaded = load_sound_atlas(atlas, despite_errors=despite_errors, file_unit=file_unit)
+    loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
     with output_folder(output):
         # Not needed by `--help` and the like, and slow to load.
         from bodymeasure.report import disagreements, survey_document, write_report

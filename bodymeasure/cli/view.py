@@ -17,9 +17,9 @@ from bodymeasure.cli.options import (
     load_sound_atlas,
     no_cross_check_option,
     optional_atlas_argument,
-    own_unit_option,
     processes_option,
     require,
+    same_unit_option,
 )
 from bodymeasure.errors import InputError
 from bodymeasure.files import require_writable
@@ -30,6 +30,7 @@ PICTURE_SUFFIXES = (".png", "")
 
 @click.command(short_help="Show a body and its diagonals in a window.", epilog=EXIT_CODES)
 @optional_atlas_argument
+@same_unit_option
 @click.option(
     "--screenshot",
     type=click.Path(path_type=Path),
@@ -38,14 +39,12 @@ PICTURE_SUFFIXES = (".png", "")
 )
 @no_cross_check_option
 @processes_option
-@own_unit_option
 @despite_errors_option
 def view(
     atlas: str,
     screenshot: Path | None,
     no_cross_check: bool,
     processes: int,
-    file_unit: str | None,
     despite_errors: bool,
 ) -> None:
     """Show ATLAS in a window: patches, diagonals colored by their difference from the mesh.
@@ -55,7 +54,7 @@ def view(
     """
     require(VIEWER, VIEWER_COLORS, *(() if no_cross_check else (COMPARISON,)))
     viewer = _viewer()
-    loaded = load_sound_atlas(atlas, despite_errors=despite_errors, file_unit=file_unit)
+    loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
     if screenshot is None:
         _check_display()
     else:

@@ -21,6 +21,8 @@ from bodymeasure.formats.text import TextFile, Words, quoted, written
 _HEADER = re.compile(
     rb"(?P<st>ST)?BBP|(?P<c>C)?BEZ(?P<u>[1-6])(?P<v>[1-6])(?P<n>[34])(?P<st2>_ST)?"
 )
+# Of the degrees, each of which is one digit.
+LARGEST = 6
 _COLORS = 4 * 4
 _TEXTURE = 4 * 2
 
@@ -64,6 +66,23 @@ def read(content: bytes, source: str) -> ReadPatches:
 
 
 def write(atlas: Atlas) -> bytes:
-    """An atlas as the content of a file."""
-    nets = atlas.control_points.transpose(0, 2, 1, 3).reshape(len(atlas), 16, 3)
-    return ("BBP\n" + "".join("\n".join(written(net)) + "\n\n" for net in nets)).encode()
+    """An atlas as the content of a file.
+
+    Raises
+    ------
+    InputError
+        If its degree is above 6, for which there is no header.
+    """
+    if atlas.degree > LARGEST:
+        raise InputError(
+            f"an atlas of degree {atlas.degree} cannot be written to a Geomview file, whose header "
+            f"goes up to {LARGEST}; choose .bpt or .obj"
+        )
+    coordinates = atlas.control_points.shape[-1]
+    header = (
+        "BBP"
+        if (atlas.degree, coordinates) == (3, 3)
+        else f"BEZ{atlas.degree}{atlas.degree}{coordinates}"
+    )
+    nets = atlas.control_points.transpose(0, 2, 1, 3).reshape(len(atlas), -1, coordinates)
+    return (header + "\n" + "".join("\n".join(written(net)) + "\n\n" for net in nets)).encode()

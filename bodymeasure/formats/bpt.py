@@ -92,10 +92,21 @@ def _there(found: _Line | None, number: int, file: TextFile) -> _Line:
 
 
 def write(atlas: Atlas) -> bytes:
-    """An atlas as the content of a file."""
-    nets = atlas.control_points.transpose(0, 2, 1, 3).reshape(len(atlas), 16, 3)
+    """An atlas as the content of a file.
+
+    Raises
+    ------
+    InputError
+        If it is rational, for which there is no room.
+    """
+    if atlas.is_rational:
+        raise InputError(
+            "a rational atlas cannot be written to a BPT file, which holds no weights; choose .bez "
+            "or .obj"
+        )
+    nets = atlas.control_points.transpose(0, 2, 1, 3).reshape(len(atlas), -1, 3)
     lines = [str(len(atlas))]
     for net in nets:
-        lines.append("3 3")
+        lines.append(f"{atlas.degree} {atlas.degree}")
         lines += written(net)
     return ("\n".join(lines) + "\n").encode()

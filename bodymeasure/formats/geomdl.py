@@ -7,6 +7,8 @@ surface is cut into Bezier patches; its name is theirs. No unit. Surfaces with w
 
 from __future__ import annotations
 
+from typing import Any
+
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
@@ -18,8 +20,6 @@ from bodymeasure.formats.patches import ReadPatches
 from bodymeasure.formats.spline_patches import spline_patches
 
 _Array = NDArray[np.float64]
-# A Bezier patch as a B-spline.
-_KNOTS = [0.0] * 4 + [1.0] * 4
 
 
 class _ControlPoints(msgspec.Struct):
@@ -139,24 +139,29 @@ def _patches(surface: _Surface) -> tuple[list[_Array], list[_Array]]:
 
 def write(atlas: Atlas) -> bytes:
     """An atlas as the content of a file: a surface for each patch."""
-    surfaces = [
+    degree, nets = atlas.degree, atlas.points[atlas.index].reshape(len(atlas), -1, 3).tolist()
+    # A Bezier patch as a B-spline.
+    knots = [0.0] * (degree + 1) + [1.0] * (degree + 1)
+    surfaces: list[dict[str, Any]] = [
         {
             "type": "spline",
-            "rational": False,
+            "rational": atlas.is_rational,
             "dimension": 3,
-            "degree_u": 3,
-            "degree_v": 3,
-            "knotvector_u": _KNOTS,
-            "knotvector_v": _KNOTS,
-            "size_u": 4,
-            "size_v": 4,
+            "degree_u": degree,
+            "degree_v": degree,
+            "knotvector_u": knots,
+            "knotvector_v": knots,
+            "size_u": degree + 1,
+            "size_v": degree + 1,
             "control_points": {"points": net},
             "name": name,
         }
-        for name, net in zip(
-            atlas.patch_names, atlas.control_points.reshape(-1, 16, 3).tolist(), strict=True
-        )
+        for name, net in zip(atlas.patch_names, nets, strict=True)
     ]
+    if atlas.weights is not None:
+        weights = atlas.weights.reshape(len(atlas), -1).tolist()
+        for surface, own in zip(surfaces, weights, strict=True):
+            surface["control_points"]["weights"] = own
     members = {"type": "surface", "count": len(surfaces), "data": surfaces}
     try:
         return msgspec.json.encode({"shape": members})

@@ -54,7 +54,8 @@ def select_groups(atlas: Atlas, groups: Sequence[str]) -> Atlas:
     return replace(
         atlas,
         points=atlas.points[used],
-        index=index.reshape(-1, 4, 4),
+        index=index.reshape(len(chosen), *atlas.index.shape[1:]),
+        weights=None if atlas.weights is None else atlas.weights[chosen],
         patch_names=tuple(atlas.patch_names[number] for number in chosen),
         regions=tuple(atlas.regions[number] for number in chosen),
         landmarks={

@@ -1,7 +1,8 @@
 """NumPy's ``.npz``, for large atlases and for many bodies with the same patches.
 
-Arrays: `points`, shape (n, 3) or (bodies, n, 3); `index`, shape (patches, 4, 4); and `header`, a
-text with everything else in JSON, under the names that the native format has. Nothing is unpickled.
+Arrays: `points`, shape (n, 3) or (bodies, n, 3); `index`, shape (patches, 4, 4); `weights`
+like it, of rational patches; and `header`, a text with everything else in JSON. Nothing is
+unpickled.
 """
 
 from __future__ import annotations
@@ -28,7 +29,8 @@ MOST_EXPANSION = 200
 # A file without much in it may expand more.
 _SMALL = 1 << 20
 # Kinds of numbers that an array may hold: what is a coordinate, an index, a text.
-_KINDS = {"points": "f", "index": "iu", "header": "U"}
+_KINDS = {"points": "f", "index": "iu", "header": "U", "weights": "f"}
+_OPTIONAL = {"weights"}
 
 
 class _Header(msgspec.Struct, forbid_unknown_fields=True):
@@ -82,6 +84,7 @@ def read_bodies(content: bytes, source: str) -> tuple[Atlas, ...]:
             Axes(header.up, header.front),
             header.names[0],
             header.provenance,
+            arrays.get("weights"),
         )
         rest = zip(bodies[1:], header.names[1:], strict=True)
         return (first, *(replace(first, points=each, name=name) for each, name in rest))
@@ -108,10 +111,14 @@ def write_bodies(atlases: Sequence[Atlas]) -> bytes:
                     f"atlas {number} ({atlas.name!r}) has other {field} than the first; expected "
                     "the same patches, landmarks, unit and axes in all; write it to its own file"
                 )
-        if not np.array_equal(atlas.index, first.index) or len(atlas.points) != len(first.points):
+        if not (
+            np.array_equal(atlas.index, first.index)
+            and len(atlas.points) == len(first.points)
+            and _same(atlas.weights, first.weights)
+        ):
             raise InputError(
-                f"atlas {number} ({atlas.name!r}) has another index than the first; expected the "
-                "same patches in all; write it to its own file"
+                f"atlas {number} ({atlas.name!r}) has another index or other weights than the "
+                "first; expected the same patches in all; write it to its own file"
             )
     header = _Header(
         FORMAT,
@@ -132,13 +139,21 @@ def write_bodies(atlases: Sequence[Atlas]) -> bytes:
             "a name holds what is no character; expected text that UTF-8 can write"
         ) from None
     buffer = io.BytesIO()
-    np.savez_compressed(
-        buffer,
-        points=np.stack([atlas.points for atlas in atlases]),
-        index=first.index,
-        header=np.array(text),
-    )
+    arrays = {
+        "points": np.stack([atlas.points for atlas in atlases]),
+        "index": first.index,
+        "header": np.array(text),
+    }
+    if first.weights is not None:
+        arrays["weights"] = first.weights
+    np.savez_compressed(buffer, allow_pickle=False, **arrays)
     return buffer.getvalue()
+
+
+def _same(first: NDArray[np.float64] | None, second: NDArray[np.float64] | None) -> bool:
+    if first is None or second is None:
+        return first is second
+    return np.array_equal(first, second)
 
 
 def _arrays(content: bytes, source: str) -> dict[str, NDArray[Any]]:
@@ -146,8 +161,8 @@ def _arrays(content: bytes, source: str) -> dict[str, NDArray[Any]]:
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
             sizes = {info.filename: info.file_size for info in archive.infolist()}
-            expected = {f"{name}.npy" for name in _KINDS}
-            if set(sizes) != expected:
+            there = {name for name in _KINDS if f"{name}.npy" in sizes}
+            if len(there) != len(archive.infolist()) or not there >= _KINDS.keys() - _OPTIONAL:
                 raise InputError(
                     f"{source}: holds {', '.join(sorted(sizes)) or 'nothing'}; expected the arrays "
                     f"{', '.join(sorted(_KINDS))}"
@@ -160,6 +175,7 @@ def _arrays(content: bytes, source: str) -> dict[str, NDArray[Any]]:
             return {
                 name: _array(archive.read(f"{name}.npy"), kinds, f"{source}, {name}")
                 for name, kinds in _KINDS.items()
+                if name in there
             }
     except (
         zipfile.BadZipFile,

@@ -197,11 +197,19 @@ def _knots(surface: _Surface, count: int) -> tuple[_Array, _Array]:
 
 def write(atlas: Atlas) -> bytes:
     """An atlas as the content of a file: an object for each patch, a group for each region."""
-    lines = ["# bicubic Bezier patches"]
-    lines += [f"v {point}" for point in written(atlas.points)]
-    lines += ["cstype bezier", "deg 3 3"]
+    points, index = atlas.points, atlas.index
+    if atlas.weights is not None:
+        # Weights belong to a patch's control points, so that patches have their own.
+        points = np.concatenate([points[index], atlas.weights[..., None]], axis=-1).reshape(-1, 4)
+        index = np.arange(len(points)).reshape(index.shape)
+    lines = ["# Bezier patches"]
+    lines += [f"v {point}" for point in written(points)]
+    lines += [
+        f"cstype {'rat ' if atlas.is_rational else ''}bezier",
+        f"deg {atlas.degree} {atlas.degree}",
+    ]
     region = ""
-    index = atlas.index.transpose(0, 2, 1).reshape(len(atlas), 16) + 1
+    index = index.transpose(0, 2, 1).reshape(len(atlas), -1) + 1
     for name, group, numbers in zip(atlas.patch_names, atlas.regions, index.tolist(), strict=True):
         lines.append(f"o {_label(name, 'patch name')}")
         if group != region:

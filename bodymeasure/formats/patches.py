@@ -10,12 +10,9 @@ from itertools import count
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.atlas import Atlas, Axes, Unit, weld
-from bodymeasure.bezier import elevate
+from bodymeasure.atlas import LARGEST_DEGREE, LEAST_DEGREE, Atlas, Axes, Unit, weld
+from bodymeasure.bezier import elevate, homogeneous, project
 from bodymeasure.errors import InputError
-
-# What the solver of an atlas takes so far.
-DEGREE = 3
 
 _Array = NDArray[np.float64]
 
@@ -51,7 +48,7 @@ class ReadPatches:
 def assemble(
     patches: ReadPatches, source: str, *, unit: Unit, axes: Axes, tolerance: float | None = None
 ) -> Atlas:
-    """An atlas of patches as read: elevated to bicubic ones, and welded.
+    """An atlas of patches as read: elevated to one degree, at least 3, and welded.
 
     Parameters
     ----------
@@ -66,62 +63,72 @@ def assemble(
     Raises
     ------
     InputError
-        If there is no patch, or one is rational, of a degree above 3 or not finite.
+        If there is no patch, one has a degree above 9 or weights that are not positive, or one is
+        not finite.
     """
     if not patches.nets:
         raise InputError(f"{source}: holds no patch; expected at least one")
-    _refuse_rational(patches, source)
-    control_points = _bicubic(patches, source)
-    finite = np.isfinite(control_points).all(axis=(1, 2, 3))
+    _check_weights(patches, source)
+    nets, weights = _elevated(patches, source)
+    finite = np.isfinite(nets).all(axis=(1, 2, 3))
     if not finite.all():
         bad = int(np.argmin(finite))
         raise InputError(
             f"{source}{patches.place(bad)} has control points that are not finite numbers"
         )
     try:
-        points, index = weld(control_points, tolerance)
+        points, index = weld(nets, tolerance)
+        return Atlas(
+            points,
+            index,
+            unit,
+            patch_names=unique_names(patches.names),
+            regions=tuple(patches.groups),
+            axes=axes,
+            weights=weights,
+        )
     except InputError as error:
         raise InputError(f"{source}: {error}") from None
-    return Atlas(
-        points,
-        index,
-        unit,
-        patch_names=unique_names(patches.names),
-        regions=tuple(patches.groups),
-        axes=axes,
-    )
 
 
-def _refuse_rational(patches: ReadPatches, source: str) -> None:
+def _check_weights(patches: ReadPatches, source: str) -> None:
     for number, weights in enumerate(patches.weights):
-        # A common factor of the weights cancels.
-        if not (weights == weights.flat[0]).all() or not weights.flat[0] > 0.0:
+        if not ((weights > 0.0) & (weights < np.inf)).all():
             raise InputError(
-                f"{source}{patches.place(number)} is rational, with weights from "
-                f"{weights.min():g} to {weights.max():g}; only patches whose weights are all "
-                "equal and positive can be read; approximate it by polynomial patches where it "
-                "was made"
+                f"{source}{patches.place(number)} has weights from {weights.min():g} to "
+                f"{weights.max():g}; expected positive ones, with which a patch has no poles"
             )
 
 
-def _bicubic(patches: ReadPatches, source: str) -> _Array:
-    """All nets elevated to degree 3, shape (patches, 4, 4, 3)."""
+def _elevated(patches: ReadPatches, source: str) -> tuple[_Array, _Array | None]:
+    """All nets with one degree, shape (patches, d + 1, d + 1, 3), and weights if some differ."""
     by_shape: dict[tuple[int, ...], list[int]] = {}
     for number, net in enumerate(patches.nets):
         by_shape.setdefault(net.shape, []).append(number)
-    control_points = np.empty((len(patches.nets), DEGREE + 1, DEGREE + 1, 3))
+    degree = max(LEAST_DEGREE, *(max(shape[:2]) - 1 for shape in by_shape))
     for shape, numbers in by_shape.items():
-        degrees = shape[0] - 1, shape[1] - 1
-        if max(degrees) > DEGREE:
+        if max(shape[:2]) - 1 > LARGEST_DEGREE:
             raise InputError(
-                f"{source}{patches.place(numbers[0])} has the degrees {degrees[0]} and "
-                f"{degrees[1]}; only degrees up to {DEGREE} can be read; reduce the degree where "
-                "it was made"
+                f"{source}{patches.place(numbers[0])} has the degrees {shape[0] - 1} and "
+                f"{shape[1] - 1}; only degrees up to {LARGEST_DEGREE} can be read; reduce the "
+                "degree where it was made"
             )
+    # A common factor of a patch's weights cancels.
+    is_rational = any(bool((w != w.flat[0]).any()) for w in patches.weights)
+    side = degree + 1
+    points = np.empty((len(patches.nets), side, side, 3))
+    all_weights = np.ones(points.shape[:-1])
+    for shape, numbers in by_shape.items():
         nets = np.stack([patches.nets[number] for number in numbers])
         with np.errstate(over="ignore", invalid="ignore"):
-            control_points[numbers] = elevate(nets, DEGREE, DEGREE)
-    return control_points
+            if is_rational:
+                weights = np.stack([patches.weights[number] for number in numbers])
+                if shape != points.shape[1:]:
+                    elevated = elevate(homogeneous(nets, weights), degree, degree)
+                    nets, weights = project(elevated), elevated[..., 3]
+                all_weights[numbers] = weights
+            points[numbers] = elevate(nets, degree, degree)
+    return points, all_weights if is_rational else None
 
 
 def unique_names(names: Sequence[str]) -> tuple[str, ...]:
