@@ -3,6 +3,8 @@
 from bodymeasure.geodesic.alternatives import geodesic_alternatives
 from bodymeasure.geodesic.atlas_path import AtlasPath, PathPiece, SeamCrossing
 from bodymeasure.geodesic.between import geodesic_between
+from bodymeasure.geodesic.closed import ClosedPath, contract
+from bodymeasure.geodesic.closed_error import LoopKind
 from bodymeasure.geodesic.kernels import WU_C2, WU_C4, WU_C6, WU_C10, Kernel
 from bodymeasure.geodesic.method import EdgeContact, Method
 from bodymeasure.geodesic.polynomial import PolynomialCollocation
@@ -22,10 +24,12 @@ __all__ = [
     "WU_C6",
     "WU_C10",
     "AtlasPath",
+    "ClosedPath",
     "EdgeContact",
     "GeodesicSolution",
     "HasDerivatives",
     "Kernel",
+    "LoopKind",
     "Method",
     "PathPiece",
     "PolynomialCollocation",
@@ -36,6 +40,7 @@ __all__ = [
     "Search",
     "Shooting",
     "Status",
+    "contract",
     "geodesic_alternatives",
     "geodesic_between",
     "solve_geodesic",

@@ -59,7 +59,7 @@ def _all_at_once(route: ClosedRoute, changes: list[_Change]) -> Iterator[ClosedR
     """With the first change of each stretch, if there are several."""
     chosen: list[_Change] = []
     for change in changes:
-        if not chosen or change.first >= chosen[-1].last and change.first > chosen[-1].first:
+        if not chosen or (change.first >= chosen[-1].last and change.first > chosen[-1].first):
             chosen.append(change)
     if len(chosen) > 1:
         yield _changed(route, chosen)

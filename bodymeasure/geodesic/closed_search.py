@@ -22,7 +22,7 @@ from bodymeasure.geodesic.route_search import (
 )
 
 # Of the polynomials on each patch while the loop slides: they only have to tell which way.
-SLIDING = 4
+SLIDING = 3
 # Routes that are refined for a loop, at most: from the hip to the waist it takes some twenty.
 MOST_ROUTES = 400
 # Of the first loop's length: one so short has contracted to a point.

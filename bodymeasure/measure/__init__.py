@@ -1,6 +1,7 @@
 """Measurements of an atlas: diagonals and boundary curves of patches, girths, straight measures."""
 
 from bodymeasure.measure.boundary import BoundaryLengths, boundary_lengths
+from bodymeasure.measure.closed_girth import closed_geodesic
 from bodymeasure.measure.diagonals import diagonals
 from bodymeasure.measure.drops import Drop, drop
 from bodymeasure.measure.extreme_girth import ExtremeGirth, Extremum, extreme_girth
@@ -20,6 +21,7 @@ __all__ = [
     "boundary_lengths",
     "breadth",
     "chord",
+    "closed_geodesic",
     "depth",
     "diagonals",
     "drop",

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from bodymeasure.atlas import Atlas, Unit
 from bodymeasure.errors import InputError
 from bodymeasure.measure.cutting import cut_loop
-from bodymeasure.measure.merging import merged, refuse_merged
+from bodymeasure.measure.merging import UNJUDGED, merged, refuse_merged
 from bodymeasure.measure.places import Place, position_of
 from bodymeasure.section import (
     BridgedLoop,
@@ -44,6 +44,8 @@ class Girth:
     hull : Hull
         Where the taut tape leaves it.
     unit : Unit
+    remark : str
+        What was not judged; empty if nothing.
     """
 
     contact: float
@@ -53,6 +55,7 @@ class Girth:
     tape: SectionLoop | BridgedLoop
     hull: Hull
     unit: Unit
+    remark: str = ""
 
     @property
     def gap(self) -> float:
@@ -108,7 +111,8 @@ def girth_of_loop(loop: SectionLoop, tape: SectionLoop | BridgedLoop | None = No
     """Contact and taut length of a closed loop, or of what is left of it."""
     tape = loop if tape is None else tape
     hull = convex_hull(tape)
-    return Girth(tape.length, hull.length, hull.error_estimate, loop, tape, hull, loop.unit)
+    remark = "" if any(loop.regions) else UNJUDGED
+    return Girth(tape.length, hull.length, hull.error_estimate, loop, tape, hull, loop.unit, remark)
 
 
 def body_girth(atlas: Atlas, at: Place, *, cut: tuple[Place, Place] | None = None) -> Girth:

@@ -10,11 +10,17 @@ ARM = ("upper arm", "elbow", "forearm", "wrist", "hand")
 TRUNK = ("torso", "hip", "crotch")
 SIDES = ("left", "right")
 
+UNJUDGED = (
+    "whether the loop goes round more than one part of the body was not judged, since the atlas "
+    "names no regions"
+)
+
 
 def refuse_merged(section: PlaneSection, loop: SectionLoop, *, limb: bool) -> None:
     """Refuse a loop that goes round the trunk and an arm, or, for a limb, round both sides.
 
-    Judged by the names of the patches' regions; an atlas without regions cannot be judged.
+    Judged by the names of the patches' regions; an atlas without regions cannot be judged, and its
+    girths say so (`Girth.remark`).
 
     Parameters
     ----------
