@@ -12,13 +12,13 @@ _Array = NDArray[np.float64]
 
 # Samples of the profile: what they leave of the arcs is measured exactly, and takeoffs are known to
 # a step, whose cube counts.
-SAMPLES = 6000
+SAMPLES = 1200
 
 
 def profile_hull(atlas: Atlas, start: AtlasPoint, end: AtlasPoint) -> float:
     """Length of a tape drawn taut over the median profile, on the shorter way round."""
     first, last = atlas.position(start), atlas.position(end)
-    loop = plane_section(atlas, Plane(first, (1.0, 0.0, 0.0))).nearest(first)
+    loop = plane_section(atlas, Plane(first, np.array([1.0, 0.0, 0.0]))).nearest(first)
     begin, finish = sorted(_place(loop, position) for position in (first, last))
     arcs = [_arc(begin, finish)]
     if loop.closed:
@@ -31,10 +31,10 @@ def _place(loop: SectionLoop, position: _Array) -> float:
     """Where a loop passes closest to a position."""
     count = float(len(loop.pieces))
     place, width = 0.5 * count, 0.5 * count
-    for _ in range(12):
-        places = np.clip(np.linspace(place - width, place + width, 2001), 0.0, count)
+    for steps in (2000, *(40,) * 10):
+        places = np.clip(np.linspace(place - width, place + width, steps + 1), 0.0, count)
         gap = np.linalg.norm(loop.positions_at(places) - position, axis=1)
-        place, width = float(places[np.argmin(gap)]), 2.0 * width / 1000.0
+        place, width = float(places[np.argmin(gap)]), 4.0 * width / steps
     assert gap.min() < 1e-9
     return place
 

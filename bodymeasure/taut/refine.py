@@ -48,8 +48,7 @@ def measured(skin: Skin, nodes: _Array) -> Measured:
     c = np.linalg.norm(chords, axis=1)
     fractions = np.array([0.25, 0.5, 0.75])
     inner = nodes[:-1, None] + fractions[:, None] * chords[:, None]
-    gap = skin.feet(inner.reshape(-1, 3)).gap.reshape(-1, 3)
-    depth = np.maximum(0.0, -gap)
+    depth = skin.feet(inner.reshape(-1, 3)).depth.reshape(-1, 3)
     middle = depth[:, 1]
     size = np.maximum(c, np.finfo(np.float64).tiny)
     one = c + 8.0 * middle**2 / (3.0 * size)

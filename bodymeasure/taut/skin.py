@@ -42,7 +42,9 @@ class Feet(NamedTuple):
     normal : ndarray, shape (k, 3)
         Unit vectors out of the body; on a seam's kink, towards the position.
     gap : ndarray, shape (k,)
-        How far the positions are outside the body, negative inside.
+        How far the positions are outside the plane through their foot, negative inside.
+    depth : ndarray, shape (k,)
+        How deep they are inside the body, 0 outside: the distance of the foot.
     bend : ndarray, shape (k, 3, 3)
         Second derivatives of the gap by the position, at the foot: minus the shape operator.
     """
@@ -52,6 +54,7 @@ class Feet(NamedTuple):
     position: _Array
     normal: _Array
     gap: _Array
+    depth: _Array
     bend: _Array
 
 
@@ -129,7 +132,8 @@ class Skin:
         gap[ridge] = distance[ridge]
         normal[ridge] = offset[ridge] / distance[ridge, None]
         bend[ridge | beyond] = 0.0
-        return Feet(patch, x, foot, normal, gap, bend)
+        depth = np.where(gap < 0.0, np.where(beyond, -gap, distance), 0.0)
+        return Feet(patch, x, foot, normal, gap, depth, bend)
 
     def creases(self, positions: _Array, feet: Feet, reach: _Array) -> tuple[_Ints, Feet]:
         """Feet on the other side of valleys between patches that pass within reach of feet.
@@ -171,7 +175,7 @@ class Skin:
         x, _ = descend(self.coefficients[to_patch], positions[row], start)
         foot, normal, bend = self._frame(to_patch, x)
         gap = np.einsum("kc,kc->k", positions[row] - foot, normal)
-        return row, Feet(to_patch, x, foot, normal, gap, bend)
+        return row, Feet(to_patch, x, foot, normal, gap, np.maximum(0.0, -gap), bend)
 
     def _frame(self, patch: _Ints, x: _Array) -> tuple[_Array, _Array, _Array]:
         """Positions, unit normals out of the body, and second derivatives of the gap."""
