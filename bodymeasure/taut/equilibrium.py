@@ -9,6 +9,7 @@ import scipy
 from numpy.typing import NDArray
 
 from bodymeasure.taut.skin import Feet, Skin
+from bodymeasure.taut.valleys import feet_over_valleys
 
 _Array = NDArray[np.float64]
 _Flags = NDArray[np.bool_]
@@ -37,7 +38,7 @@ def walls_of(skin: Skin, positions: _Array, feet: Feet, reach: _Array) -> Walls:
     normal = np.repeat(feet.normal[:, None], 2, axis=1)
     gap = np.stack([feet.gap, np.full(count, np.inf)], axis=1)
     bend = np.stack([feet.bend, np.zeros_like(feet.bend)], axis=1)
-    row, second = skin.creases(positions, feet, reach)
+    row, second = feet_over_valleys(skin, positions, feet, reach)
     normal[row, 1], gap[row, 1], bend[row, 1] = second.normal, second.gap, second.bend
     there = np.ones((count, 2), dtype=np.bool_)
     parallel = np.linalg.norm(normal[:, 1] - normal[:, 0], axis=1) < PARALLEL

@@ -10,11 +10,12 @@ import scipy
 from numpy.typing import NDArray
 
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.seams import EDGES, EdgeTable, edge_table
+from bodymeasure.atlas.seams import edge_table
 from bodymeasure.bezier import evaluate
 from bodymeasure.taut.foot_search import descend
-from bodymeasure.taut.jets import jets, power_coefficients
+from bodymeasure.taut.jets import power_coefficients
 from bodymeasure.taut.outside import Outside, outward_signs
+from bodymeasure.taut.sides import entered, on_sides, over_sides
 from bodymeasure.taut.tangents import normals_and_bends
 
 _Array = NDArray[np.float64]
@@ -27,8 +28,8 @@ SAMPLES = 12
 MAX_CROSSINGS = 6
 # Of the atlas's size: positions this close to the skin have no direction from their foot.
 TOUCHING = 1e-9
-# Sine: valleys so shallow between two patches hold no string.
-FLAT = 1e-7
+# Of the atlas's size: feet on two patches that are equally close up to this are one on their seam.
+TIED = 1e-12
 
 
 class Feet(NamedTuple):
@@ -83,7 +84,7 @@ class Skin:
         flat = samples.reshape(-1, 3)
         self.tree = scipy.spatial.KDTree(flat)
         self.size = float(np.ptp(flat, axis=0).max())
-        self.to_patch, self.to_side, self.flipped = _neighbors(table)
+        self.to_patch, self.to_side, self.flipped = over_sides(table)
 
     def feet(self, positions: _Array) -> Feet:
         """The closest points of the skin to positions (k, 3)."""
@@ -97,33 +98,32 @@ class Skin:
         """Go on over the seams on which searches ended, where that leads closer; in place."""
         pending = np.arange(len(patch))
         for _ in range(MAX_CROSSINGS):
-            row, side = _sides(x[pending])
+            row, side = on_sides(x[pending])
             row = pending[row]
             joined = self.to_patch[patch[row], side] >= 0
             row, side = row[joined], side[joined]
             if not len(row):
                 return
-            here = patch[row]
-            to_patch, to_side = self.to_patch[here, side], self.to_side[here, side]
-            start = _entered(x[row], side, to_side, self.flipped[here, side])
+            to_patch, start = self.entered(patch[row], x[row], side)
             there, closer = descend(self.coefficients[to_patch], positions[row], start)
-            # A position may have reached two sides of its patch: the better one counts.
-            improved: list[int] = []
-            limit = (TOUCHING * self.size) ** 2
-            for k in np.argsort(closer):
-                if closer[k] < squared[row[k]] - limit * 1e-3 and row[k] not in improved:
-                    patch[row[k]], x[row[k]], squared[row[k]] = to_patch[k], there[k], closer[k]
-                    improved.append(int(row[k]))
-            pending = np.array(sorted(improved), dtype=np.int64)
-            if not len(pending):
-                return
+            # At a corner two sides lead on: of those, the closer one is written last, and stays.
+            order = np.argsort(-closer)
+            better = order[closer[order] < squared[row[order]] - (TIED * self.size) ** 2]
+            found = row[better]
+            patch[found], x[found], squared[found] = to_patch[better], there[better], closer[better]
+            pending = np.unique(found)
+
+    def entered(self, patch: _Ints, x: _Array, side: _Ints) -> tuple[_Ints, _Array]:
+        """The patches over sides of patches, and the parameters of the same points on them."""
+        to_patch, to_side = self.to_patch[patch, side], self.to_side[patch, side]
+        return to_patch, entered(x, side, to_side, self.flipped[patch, side])
 
     def _read(self, positions: _Array, patch: _Ints, x: _Array) -> Feet:
-        foot, normal, bend = self._frame(patch, x)
+        foot, normal, bend = self.frame(patch, x)
         offset = positions - foot
         gap = np.einsum("kc,kc->k", offset, normal)
         distance = np.linalg.norm(offset, axis=1)
-        row, side = _sides(x)
+        row, side = on_sides(x)
         at_side, beyond = np.zeros((2, len(x)), dtype=np.bool_)
         at_side[row] = True
         beyond[row[self.to_patch[patch[row], side] < 0]] = True
@@ -135,49 +135,7 @@ class Skin:
         depth = np.where(gap < 0.0, np.where(beyond, -gap, distance), 0.0)
         return Feet(patch, x, foot, normal, gap, depth, bend)
 
-    def creases(self, positions: _Array, feet: Feet, reach: _Array) -> tuple[_Ints, Feet]:
-        """Feet on the other side of valleys between patches that pass within reach of feet.
-
-        Parameters
-        ----------
-        positions : ndarray, shape (k, 3)
-        feet : Feet
-            Of the positions.
-        reach : ndarray, shape (k,)
-
-        Returns
-        -------
-        row : ndarray of int, shape (m,)
-            The positions that have one.
-        feet : Feet
-            On the neighboring patch, continued by its tangent plane where the position is not
-            over it.
-        """
-        s = jets(self.coefficients[feet.patch], feet.parameters)
-        speed = np.linalg.norm(np.stack([s[:, 1, 0], s[:, 0, 1]], axis=1), axis=2)
-        away = np.abs(feet.parameters[:, _AXIS] - _VALUE) * speed[:, _AXIS]
-        away[self.to_patch[feet.patch] < 0] = np.inf
-        side = np.argmin(away, axis=1)
-        row = np.flatnonzero(away[np.arange(len(side)), side] <= reach)
-        here, side = feet.patch[row], side[row]
-        to_patch, to_side = self.to_patch[here, side], self.to_side[here, side]
-        start = _entered(feet.parameters[row], side, to_side, self.flipped[here, side])
-        on_seam = feet.parameters[row].copy()
-        on_seam[np.arange(len(row)), _AXIS[side]] = _VALUE[side]
-        _, own, _ = self._frame(here, on_seam)
-        entered = jets(self.coefficients[to_patch], start)
-        # From the seam into the patch on its other side; a valley if that leads up from the first.
-        inward = np.where(_AXIS[to_side] == 0, 1, 0)
-        along_axis = entered[np.arange(len(row)), inward, 1 - inward]
-        rises = np.einsum("kc,kc->k", along_axis, own) * np.where(_VALUE[to_side] == 0.0, 1.0, -1.0)
-        valley = rises > FLAT * np.linalg.norm(along_axis, axis=1)
-        row, to_patch, start = row[valley], to_patch[valley], start[valley]
-        x, _ = descend(self.coefficients[to_patch], positions[row], start)
-        foot, normal, bend = self._frame(to_patch, x)
-        gap = np.einsum("kc,kc->k", positions[row] - foot, normal)
-        return row, Feet(to_patch, x, foot, normal, gap, np.maximum(0.0, -gap), bend)
-
-    def _frame(self, patch: _Ints, x: _Array) -> tuple[_Array, _Array, _Array]:
+    def frame(self, patch: _Ints, x: _Array) -> tuple[_Array, _Array, _Array]:
         """Positions, unit normals out of the body, and second derivatives of the gap."""
         position, normal, bend = normals_and_bends(self.coefficients[patch], x)
         sign = self.signs[patch]
@@ -188,39 +146,3 @@ class Skin:
 def skin_of(atlas: Atlas, outside: Outside) -> Skin:
     """The skin of an atlas, made once."""
     return Skin(atlas, outside)
-
-
-def _neighbors(table: EdgeTable) -> tuple[_Ints, _Ints, NDArray[np.bool_]]:
-    """Patch and side over each side (patches, 4), -1 on a boundary, and whether it runs against."""
-    to_patch = np.full(table.edge.shape, -1, dtype=np.int64)
-    to_side = np.full(table.edge.shape, -1, dtype=np.int64)
-    flipped = np.zeros(table.edge.shape, dtype=np.bool_)
-    shared = np.flatnonzero(table.sides[table.edge.ravel()] == 2)
-    pairs = shared[np.argsort(table.edge.ravel()[shared], kind="stable")].reshape(-1, 2)
-    against = table.reversed.ravel()[pairs]
-    for one, other in ((0, 1), (1, 0)):
-        here, there = np.divmod(pairs[:, one], 4), np.divmod(pairs[:, other], 4)
-        to_patch[here], to_side[here] = there
-        flipped[here] = against[:, 0] != against[:, 1]
-    return to_patch, to_side, flipped
-
-
-def _sides(x: _Array) -> tuple[_Ints, _Ints]:
-    """Rows and sides of the parameters that lie on sides; a corner lies on two."""
-    on = np.stack([x[:, edge.fixed_axis] == edge.fixed_value for edge in EDGES], axis=1)
-    row, side = np.nonzero(on)
-    return row, side
-
-
-_AXIS = np.array([edge.fixed_axis for edge in EDGES])
-_VALUE = np.array([edge.fixed_value for edge in EDGES])
-
-
-def _entered(x: _Array, side: _Ints, to_side: _Ints, flipped: NDArray[np.bool_]) -> _Array:
-    """Parameters of the same points on the patches over their sides."""
-    rows = np.arange(len(x))
-    along = x[rows, 1 - _AXIS[side]]
-    result = np.empty_like(x)
-    result[rows, _AXIS[to_side]] = _VALUE[to_side]
-    result[rows, 1 - _AXIS[to_side]] = np.where(flipped, 1.0 - along, along)
-    return result

@@ -18,7 +18,7 @@ TOLERANCE = 1e-6
 # Strings that are tried: the first, one with more points where they count, and then twice as many
 # each time.
 LEVELS = 4
-# Of the length: ends so close are one point.
+# Of the atlas's size: a path so short is one point.
 NEGLIGIBLE = 1e-10
 # Of the length: what kinks and takeoffs leave to chance. Strings of 100 points and more on bodies
 # differ by some 1e-8, and now and then two agree better than either is right.

@@ -1,0 +1,74 @@
+"""Second feet of positions, beyond the seams of valleys nearby."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.taut.foot_search import descend
+from bodymeasure.taut.jets import jets
+from bodymeasure.taut.sides import AXIS, VALUE
+from bodymeasure.taut.skin import Feet, Skin
+
+_Array = NDArray[np.float64]
+_Ints = NDArray[np.int64]
+
+# Sine: valleys so shallow between two patches hold no string.
+FLAT = 1e-7
+
+
+def feet_over_valleys(
+    skin: Skin, positions: _Array, feet: Feet, reach: _Array
+) -> tuple[_Ints, Feet]:
+    """Feet on the other side of valleys between patches that pass within reach of feet.
+
+    Parameters
+    ----------
+    skin : Skin
+    positions : ndarray, shape (k, 3)
+    feet : Feet
+        Of the positions.
+    reach : ndarray, shape (k,)
+
+    Returns
+    -------
+    row : ndarray of int, shape (m,)
+        The positions that have one.
+    feet : Feet
+        On the neighboring patch, continued by its tangent plane where a position is not over it.
+    """
+    side, away = _nearest_sides(skin, feet)
+    row = np.flatnonzero(away <= reach)
+    side, patch = side[row], feet.patch[row]
+    seam = feet.parameters[row]
+    seam[np.arange(len(row)), AXIS[side]] = VALUE[side]
+    to_patch, start = skin.entered(patch, seam, side)
+    rises = _rises(skin, patch, seam, side)
+    row, to_patch, start = row[rises], to_patch[rises], start[rises]
+    x, _ = descend(skin.coefficients[to_patch], positions[row], start)
+    foot, normal, bend = skin.frame(to_patch, x)
+    gap = np.einsum("kc,kc->k", positions[row] - foot, normal)
+    return row, Feet(to_patch, x, foot, normal, gap, np.maximum(0.0, -gap), bend)
+
+
+def _nearest_sides(skin: Skin, feet: Feet) -> tuple[_Ints, _Array]:
+    """The joined side that is nearest to each foot, and about how far it is."""
+    s = jets(skin.coefficients[feet.patch], feet.parameters)
+    speed = np.linalg.norm(np.stack([s[:, 1, 0], s[:, 0, 1]], axis=1), axis=2)
+    away = np.abs(feet.parameters[:, AXIS] - VALUE) * speed[:, AXIS]
+    away[skin.to_patch[feet.patch] < 0] = np.inf
+    side = np.argmin(away, axis=1)
+    return side, away[np.arange(len(side)), side]
+
+
+def _rises(skin: Skin, patch: _Ints, seam: _Array, side: _Ints) -> NDArray[np.bool_]:
+    """Whether the patches over some sides rise from the tangent planes of those before."""
+    _, normal, _ = skin.frame(patch, seam)
+    to_patch, start = skin.entered(patch, seam, side)
+    to_side = skin.to_side[patch, side]
+    s = jets(skin.coefficients[to_patch], start)
+    # The derivative by the parameter that leads off the side.
+    off_side = np.where((AXIS[to_side] == 0)[:, None], s[:, 1, 0], s[:, 0, 1])
+    inward = np.where(VALUE[to_side] == 0.0, 1.0, -1.0)[:, None] * off_side
+    rise = np.einsum("kc,kc->k", inward, normal)
+    return np.asarray(rise > FLAT * np.linalg.norm(inward, axis=1))
