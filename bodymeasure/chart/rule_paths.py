@@ -7,9 +7,11 @@ import scipy
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.atlas.closest import closest_points
 from bodymeasure.atlas.outward import outward_sign
 from bodymeasure.bezier import derivatives
 from bodymeasure.chart.landmark_rules import Between, Hollow
+from bodymeasure.chart.rule_choice import TIE, atlas_size
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import AtlasPath, geodesic_between
 
@@ -23,7 +25,7 @@ STRAIGHT = 1e-9
 
 
 def between_point(atlas: Atlas, rule: Between, landmarks: dict[str, AtlasPoint]) -> AtlasPoint:
-    """The point that a `Between` rule gives.
+    """The point that a `Between` rule gives; of mirror images, the one on the wearer's left.
 
     Raises
     ------
@@ -37,11 +39,11 @@ def between_point(atlas: Atlas, rule: Between, landmarks: dict[str, AtlasPoint])
         raise InputError(f"the fraction is {rule.fraction}; expected a number from 0 to 1")
     path = path_between(atlas, rule.start, rule.end, landmarks)
     patch, (u, v) = path.path(rule.fraction)
-    return AtlasPoint(int(patch), float(u), float(v))
+    return _on_the_left(atlas, path, AtlasPoint(int(patch), float(u), float(v)))
 
 
 def hollow_point(atlas: Atlas, rule: Hollow, landmarks: dict[str, AtlasPoint]) -> AtlasPoint:
-    """The point that a `Hollow` rule gives.
+    """The point that a `Hollow` rule gives; of mirror images, the one on the wearer's left.
 
     Raises
     ------
@@ -74,7 +76,23 @@ def hollow_point(atlas: Atlas, rule: Hollow, landmarks: dict[str, AtlasPoint]) -
             f"the path from {rule.start!r} to {rule.end!r} nowhere runs below its chord, so it has "
             "no hollow"
         )
-    return max(found, key=lambda candidate: candidate[0])[1]
+    return _on_the_left(atlas, path, max(found, key=lambda candidate: candidate[0])[1])
+
+
+def _on_the_left(atlas: Atlas, path: AtlasPath, point: AtlasPoint) -> AtlasPoint:
+    """The point of a path, or its mirror image if that is a point of the body on the left.
+
+    Along the ridge of a symmetric body a shortest path leaves the middle to one side, and another,
+    as short, to the other one; which of them is found is an accident.
+    """
+    start, end = (atlas.position(place) for place in (path.points[0], path.points[-1]))
+    left, near = atlas.axes.left_vector, TIE * atlas_size(atlas)
+    aside = float((atlas.position(point) - start) @ left)
+    if aside >= 0.0 or abs(float((end - start) @ left)) > near:
+        return point
+    mirrored = atlas.position(point) - 2.0 * aside * left
+    (twin,), (apart,) = closest_points(atlas, mirrored[None])
+    return twin if apart <= near else point
 
 
 def path_between(atlas: Atlas, start: str, end: str, landmarks: dict[str, AtlasPoint]) -> AtlasPath:

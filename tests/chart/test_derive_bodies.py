@@ -90,7 +90,9 @@ def test_the_default_landmarks_move_along_with_the_body(name: str) -> None:
     pytest.importorskip("pygeodesic")
     atlas, rules = load_sample(name), load_definitions().landmark
     derived = derive_landmarks(atlas, rules)
-    assert len(derived.missing) <= 1
+    known = ("cannot be trusted", "it has no hollow")
+    assert all(any(word in reason for word in known) for reason in derived.missing.values())
+    assert len(derived.landmarks) > 60
     assert_moves_along(atlas, rules, derived)
 
 

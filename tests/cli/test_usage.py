@@ -11,7 +11,17 @@ from command_line import Run, run_apart, start
 
 from bodymeasure import read_atlas, sample_names
 
-COMMANDS = ("report", "chart", "compare", "diagonals", "check", "view", "samples", "bench")
+COMMANDS = (
+    "report",
+    "chart",
+    "compare",
+    "landmarks",
+    "diagonals",
+    "check",
+    "view",
+    "samples",
+    "bench",
+)
 
 
 def test_the_version_is_that_of_the_package(run: Run) -> None:
