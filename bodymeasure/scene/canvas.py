@@ -52,33 +52,33 @@ def draw_on(
         from matplotlib.collections import LineCollection
         from matplotlib.figure import Figure
         from matplotlib.patheffects import withStroke
+        from matplotlib.transforms import Affine2D
     except ImportError:
         raise MissingExtraError("a picture", "matplotlib", "report") from None
     height, width = image.shape[:2]
     figure = Figure(figsize=(width / DPI, height / DPI), dpi=DPI)
     figure.patch.set_alpha(0.0)
-    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
-    axes.set_axis_off()
-    axes.set_xlim(0, width)
-    axes.set_ylim(height, 0)
+    # Without axes, whose ticks take longer than all that is drawn.
+    from_top_left = Affine2D().scale(1.0, -1.0).translate(0.0, height)
     for curves, colors, line_width in lines:
-        axes.add_collection(
+        figure.add_artist(
             LineCollection(
                 list(curves),
                 colors=np.insert(colors, 3, 1.0, axis=1),
                 linewidths=line_width,
                 capstyle="round",
-            ),
-            autolim=False,
+                transform=from_top_left,
+            )
         )
     for text in texts:
-        axes.text(
+        figure.text(
             text.x,
             text.y,
             text.text,
             size=text.size,
             ha=text.horizontal,
             va=text.vertical,
+            transform=from_top_left,
             color=INK,
             path_effects=[withStroke(linewidth=text.size / 4, foreground="white")],
         )

@@ -37,6 +37,8 @@ def session(surface: Surface) -> Iterator[Drawing]:
     with pyvista.vtk_verbosity("off"):
         plotter: Any = pyvista.Plotter(off_screen=True, lighting="none")
         plotter.background_color = BACKGROUND
+        # Edges are smooth by our own samples; OpenGL's on top take most of the time.
+        plotter.disable_anti_aliasing()
         body = surface_mesh(surface)
         body.point_data["colors"] = np.zeros(surface.points.shape, dtype=np.uint8)
         plotter.add_mesh(body, scalars="colors", rgb=True, lighting=False, render=False)

@@ -89,12 +89,14 @@ def rasterize(
     buffer = np.full(height * width, -np.inf)
     nearest = np.full(height * width, -1)
     corner = pixels[triangles] - 0.5  # pixel centers now lie at whole numbers
-    edge, area = _edge_functions(corner)
-    edge /= np.where(np.abs(area) > EDGE_ON, area, np.inf)[:, None, None]
-    plane = _planes(edge, depth[triangles])
     low, high = corner.min(axis=1), corner.max(axis=1)
     inside = (high[:, 0] >= 0) & (low[:, 0] < width) & (high[:, 1] >= 0) & (low[:, 1] < height)
-    seen = np.flatnonzero(inside & (np.abs(area) > EDGE_ON))
+    seen = np.flatnonzero(inside)
+    edge, plane = np.zeros((len(triangles), 3, 3)), np.zeros((len(triangles), 3))
+    function, area = _edge_functions(corner[seen])
+    seen, function, area = (values[np.abs(area) > EDGE_ON] for values in (seen, function, area))
+    edge[seen] = function / area[:, None, None]
+    plane[seen] = _planes(edge[seen], depth[triangles[seen]])
     for chunk in np.array_split(seen, max(1, -(-len(seen) // CHUNK))):
         which, row = _rows(corner[chunk, :, 1], height)
         which = chunk[which]

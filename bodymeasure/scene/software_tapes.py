@@ -73,7 +73,11 @@ def _body(surface: Surface, view: View, size: tuple[int, int]) -> _Body:
     pixels, depth = view.project(surface.points, size)
     buffer = rasterize(pixels, depth, surface.triangles, size)
     of_white, of_body = glow(surface, view)
-    white, body = buffer.interpolated(of_white, 1.0), buffer.interpolated(of_body, 0.0)
+    # Where nothing is faded, only the background is white.
+    white = np.asarray(buffer.triangle < 0, dtype=np.float64)
+    if of_white.any():
+        white = buffer.interpolated(of_white, 1.0)
+    body = buffer.interpolated(of_body, 0.0)
     return _Body(view, size, buffer, white, body, glowing(downsampled(white), downsampled(body)))
 
 

@@ -18,12 +18,12 @@ from bodymeasure.scene.tape_mesh import COLORS, forward, tape_mesh
 from bodymeasure.scene.tape_text import column_texts, leaders, wrapped
 from bodymeasure.scene.visibility import Sight
 
-SIZE = (720, 600)
-NUMBER_PIXELS = 40
-NAME_PIXELS = 21
+SIZE = (600, 500)
+NUMBER_PIXELS = 36
+NAME_PIXELS = 20
 NAME_COLUMNS = 12
 # Room for the names at either side, in pixels.
-NAME_ROOM = 150
+NAME_ROOM = 132
 # Radius of a contact tape, as a fraction of the picture's height, and at most so much of the body.
 RADIUS = 0.0075
 # Hidden parts are dashed, this far apart along the curve, and paler.
