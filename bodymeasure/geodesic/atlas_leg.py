@@ -95,6 +95,8 @@ def _pieces(leg: Leg) -> list[PathPiece]:
     if leg.found is None:
         stays = np.repeat(np.array(leg.at[1:])[:, None], 2, axis=1)
         return [PathPiece(leg.at.patch, STANDSTILL, stays, 0.0)]
+    if leg.found.held is not None:
+        return list(leg.found.held.pieces)
     refined = leg.found.refined
     lengths = (refined.lengths * refined.problem.size).tolist()
     parts = zip(refined.route.patches, refined.values, lengths, strict=True)
@@ -105,13 +107,18 @@ def _crossings(legs: list[Leg], pieces: tuple[PathPiece, ...]) -> tuple[SeamCros
     ends = np.cumsum([piece.length for piece in pieces])
     result, passed = [], 0
     for leg in legs:
-        if leg.found is None:
-            passed += 1
-            continue
-        route = leg.found.refined.route
-        for number in range(len(route.crossings)):
-            before, after = route.exit(number), route.entry(number + 1)
+        for number, (before, after) in _leg_crossings(leg):
             t = float(ends[passed + number] / ends[-1])
             result.append(SeamCrossing(AtlasPoint(*before), AtlasPoint(*after), t))
-        passed += len(route.patches)
+        passed += len(_pieces(leg))
     return tuple(result)
+
+
+def _leg_crossings(leg: Leg) -> list[tuple[int, tuple[Place, Place]]]:
+    """After which piece of a leg a seam is crossed, and the point there on both patches."""
+    if leg.found is None:
+        return []
+    if leg.found.held is not None:
+        return list(leg.found.held.crossings)
+    route = leg.found.refined.route
+    return [(n, (route.exit(n), route.entry(n + 1))) for n in range(len(route.crossings))]

@@ -71,7 +71,10 @@ class BoxMinimum:
 
 
 def minimize_in_box(
-    expand: Callable[[_Array], Expansion], start: _Array, idle: NDArray[np.bool_]
+    expand: Callable[[_Array], Expansion],
+    start: _Array,
+    idle: NDArray[np.bool_],
+    most_steps: int = MAX_STEPS,
 ) -> BoxMinimum:
     """A local minimum over [0, 1]^k.
 
@@ -85,10 +88,12 @@ def minimize_in_box(
         Within the box.
     idle : ndarray of bool, shape (unknowns,)
         Unknowns that stay as they are.
+    most_steps : int
+        Steps at most.
     """
     place, here, damping = start, expand(start), FIRST
     converged, iterations = False, 0
-    while iterations < MAX_STEPS and not converged and damping <= MOST:
+    while iterations < most_steps and not converged and damping <= MOST:
         iterations += 1
         step, foretold = _step(here, place, damping, idle)
         trial = np.clip(place + step, 0.0, 1.0)

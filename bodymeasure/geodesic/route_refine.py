@@ -12,6 +12,7 @@ from bodymeasure.geodesic.box_newton import BoxMinimum, minimize_in_box
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.route import Route
 from bodymeasure.geodesic.route_length import RouteProblem
+from bodymeasure.geodesic.trial_space import TrialSpace
 
 _Array = NDArray[np.float64]
 
@@ -58,7 +59,7 @@ class Refined:
 
 
 def refine(
-    atlas: Atlas, route: Route, degree: int, size: float, before: Refined | None = None
+    atlas: Atlas, route: Route, space: int | TrialSpace, size: float, before: Refined | None = None
 ) -> Refined:
     """The shortest path along a route.
 
@@ -66,27 +67,29 @@ def refine(
     ----------
     atlas : Atlas
     route : Route
-    degree : int
-        Of the polynomial on each patch, at least 2.
+    space : int or TrialSpace
+        Of the path on each patch, or the degree of polynomials, at least 2.
     size : float
         About the length of the path.
     before : Refined, optional
         A path along the same route to start from; straight lines in (u, v) if not given.
     """
-    problem = RouteProblem(atlas, route, polynomial_space(degree), size)
-    start = problem.straight() if before is None else _resampled(before, problem)
+    space = polynomial_space(space) if isinstance(space, int) else space
+    problem = RouteProblem(atlas, route, space, size)
+    start = problem.straight() if before is None else resampled(before, problem)
     minimum = minimize_in_box(problem.expand, start, problem.idle)
-    refined = _measured(problem, minimum)
+    refined = measured(problem, minimum)
     corners = _corners(refined)
     if not corners.any():
         return refined
     place = np.where(corners, np.round(minimum.unknowns), minimum.unknowns)
     pinned = minimize_in_box(problem.expand, place, problem.idle | corners)
-    through = _measured(problem, replace(pinned, held=pinned.held | corners))
+    through = measured(problem, replace(pinned, held=pinned.held | corners))
     return through if through.length < refined.length else refined
 
 
-def _measured(problem: RouteProblem, minimum: BoxMinimum) -> Refined:
+def measured(problem: RouteProblem, minimum: BoxMinimum) -> Refined:
+    """A path, and how long its pieces are."""
     values = problem.values(minimum.unknowns)
     return Refined(problem, minimum, values, _lengths(problem, values))
 
@@ -107,7 +110,7 @@ def _corners(refined: Refined) -> NDArray[np.bool_]:
     return result
 
 
-def _resampled(before: Refined, problem: RouteProblem) -> _Array:
+def resampled(before: Refined, problem: RouteProblem) -> _Array:
     """A path's unknowns in another space."""
     unknowns = problem.straight()
     place = before.problem.space.functions.values(problem.space.nodes[1:-1])

@@ -12,6 +12,7 @@ from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.length_error import measure_length
 from bodymeasure.geodesic.route import Route
 from bodymeasure.geodesic.route_refine import Refined
+from bodymeasure.geodesic.route_sides import corners_along_seams, one_sided
 
 _Array = NDArray[np.float64]
 
@@ -27,12 +28,12 @@ OUTSIDE = 1e-9
 
 
 def other_routes(neighbors: Neighbors, refined: Refined) -> Iterator[Route]:
-    """Routes that may be shorter, the likeliest first."""
+    """Routes over the same seams or fewer that may be shorter, the likeliest first."""
     route = refined.route
     yield from _without_empty_ends(neighbors, refined, route)
     yield from _without_returns(refined, route)
-    yield from _over_missing_neighbors(neighbors, refined, route)
-    yield from _round_corners(neighbors, route)
+    yield from one_sided(neighbors, refined)
+    yield from _round_corners(neighbors, route, corners_along_seams(neighbors, refined))
 
 
 def _replaced(
@@ -83,10 +84,9 @@ def _without_returns(refined: Refined, route: Route) -> Iterator[Route]:
             yield _replaced(route, piece - 1, piece + 1)
 
 
-def _over_missing_neighbors(
-    neighbors: Neighbors, refined: Refined, route: Route
-) -> Iterator[Route]:
+def over_missing_neighbors(neighbors: Neighbors, refined: Refined) -> Iterator[Route]:
     """Over the neighbor behind an edge that holds a path, or that it passes between its nodes."""
+    route = refined.route
     space, patches = refined.problem.space, route.patches
     times = np.concatenate([space.nodes[1:-1], space.times_between])
     order = np.argsort(times, kind="stable")
@@ -135,12 +135,12 @@ def _detour(route: Route, piece: int, crossing: Crossing, along: _Array) -> Rout
     return _replaced(route, piece, piece, (crossing, back), (leave, enter))
 
 
-def _round_corners(neighbors: Neighbors, route: Route) -> Iterator[Route]:
-    """Round the other side of corners that a path runs into or nearly so."""
+def _round_corners(neighbors: Neighbors, route: Route, passed: set[int]) -> Iterator[Route]:
+    """Round the other side of corners that a path runs into or nearly so; not of those passed."""
     first = 0
     while first < len(route.crossings):
         leave = _corner(route.exit(first))
-        if leave is None:
+        if leave is None or first in passed:
             first += 1
             continue
         last = first

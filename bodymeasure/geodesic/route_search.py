@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,10 +10,12 @@ import numpy as np
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Neighbors
 from bodymeasure.atlas.seams import EDGES
+from bodymeasure.geodesic.held_parts import HeldPath
 from bodymeasure.geodesic.route import Route, RouteKey
+from bodymeasure.geodesic.route_contact import held_path
 from bodymeasure.geodesic.route_error import RouteLength, route_length
 from bodymeasure.geodesic.route_refine import Refined, refine
-from bodymeasure.geodesic.route_repair import other_routes
+from bodymeasure.geodesic.route_repair import other_routes, over_missing_neighbors
 
 # Of the polynomial on each patch, tried in turn.
 DEGREES = (8, 12, 16, 24, 32)
@@ -45,6 +48,8 @@ class Found:
         Whether its length is known.
     routes : int
         How many were refined.
+    held : HeldPath, optional
+        The path of legs and arcs, where edges hold it from all sides; `length` is then its own.
     """
 
     refined: Refined
@@ -52,6 +57,7 @@ class Found:
     contact: bool
     good: bool
     routes: int
+    held: HeldPath | None = None
 
 
 def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float) -> Found:
@@ -71,8 +77,11 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
     for degree in DEGREES:
         if degree > DEGREES[0]:
             best = refine(atlas, best.route, degree, size, best)
-        best, missed = _repaired(atlas, neighbors, best, tried)
-        length, contact = route_length(best), _on_boundary(neighbors, best)
+        best, missed, held = _repaired(atlas, neighbors, best, tried)
+        contact = _on_boundary(neighbors, best)
+        if held is not None:
+            return Found(best, held.length, contact, True, len(tried), held)
+        length = route_length(best)
         length = length._replace(error=length.error + missed)
         if contact:
             # The formulas hold for geodesics, which a path along an edge is not.
@@ -91,17 +100,21 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
 
 def _repaired(
     atlas: Atlas, neighbors: Neighbors, best: Refined, tried: set[RouteKey]
-) -> tuple[Refined, float]:
+) -> tuple[Refined, float, HeldPath | None]:
     """The best along any route that a path asks for, and those ask for, as long as it gets shorter.
 
     What was tried is remembered, over all degrees. Also by how much a route was shorter that was
-    not better by enough.
+    not better by enough; and the path of legs and arcs, if edges hold it from all sides, so that it
+    asks for no neighbor.
     """
-    degree, missed = best.problem.space.size, 0.0
+    degree, missed, held = best.problem.space.size, 0.0, None
     improved = True
     while improved:
         improved = False
-        for route in other_routes(neighbors, best):
+        for route in _wanted(atlas, neighbors, best):
+            if isinstance(route, HeldPath):
+                held = route
+                break
             if route.key in tried or len(tried) >= MOST_ROUTES:
                 continue
             tried.add(route.key)
@@ -112,7 +125,16 @@ def _repaired(
                 best, improved, missed = other, True, 0.0
                 break
             missed = max(missed, best.length - other.length)
-    return best, missed
+    return best, missed, held
+
+
+def _wanted(atlas: Atlas, neighbors: Neighbors, best: Refined) -> Iterator[Route | HeldPath]:
+    """Routes that may be shorter, and between them the path itself where edges hold it."""
+    yield from other_routes(neighbors, best)
+    held = held_path(atlas, neighbors, best, TOLERANCE) if best.held_nodes.any() else None
+    if held is not None:
+        yield held
+    yield from over_missing_neighbors(neighbors, best)
 
 
 def _on_boundary(neighbors: Neighbors, refined: Refined) -> bool:

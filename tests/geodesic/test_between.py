@@ -232,15 +232,73 @@ def test_round_a_corner_of_the_boundary() -> None:
 def test_along_a_boundary_that_bulges_into_the_way(
     cuts: tuple[tuple[float, ...], tuple[float, ...]],
 ) -> None:
-    x, y = np.meshgrid(np.arange(4) / 3, np.arange(4) / 3, indexing="ij")
-    net = np.stack([3 * x, y + 3 * (1 - y) * x * (1 - x), 0 * x], axis=-1)
+    net = bulging(3.0)
     # The same contact by collocation on one patch, its arcs along the edge by quadrature.
     expected = bm.solve_geodesic(net, (0.0, 0.1), (1.0, 0.1)).length
     atlas = cut(net, *cuts, turn=False)
     path = bm.geodesic_between(atlas, on_cut(cuts, (0.0, 0.1)), on_cut(cuts, (1.0, 0.1)))
     assert path.status is bm.Status.ON_BOUNDARY
-    assert path.length == pytest.approx(expected, rel=1e-5)
-    assert abs(path.length - expected) <= path.error_estimate
+    assert path.length == pytest.approx(expected, rel=1e-12)
+    assert path.error_estimate <= 1e-9 * expected
+    assert_hangs_together(path)
+
+
+def assert_hangs_together(path: bm.AtlasPath) -> None:
+    """The positions along a path make up its length, over its crossings too."""
+    t = np.linspace(0.0, 1.0, 2001)
+    np.testing.assert_allclose(
+        path.position([0.0, 1.0]), [path.atlas.position(end) for end in path.points], atol=1e-12
+    )
+    steps = np.linalg.norm(np.diff(path.position(t), axis=0), axis=1)
+    assert steps.sum() == pytest.approx(path.length, rel=1e-5)
+    assert steps.max() < 2.0 * path.length / len(t)
+    for crossing in path.crossings:
+        before, after = path.atlas.position(crossing.before), path.atlas.position(crossing.after)
+        np.testing.assert_allclose(before, after, atol=1e-12)
+        np.testing.assert_allclose(path.position(crossing.t), after, atol=1e-9)
+
+
+def bulging(depth: float) -> NDArray[np.float64]:
+    """A plane patch 3 wide and 1 high whose lower edge bulges up into it."""
+    x, y = np.meshgrid(np.arange(4) / 3, np.arange(4) / 3, indexing="ij")
+    return np.stack([3 * x, y + depth * (1 - y) * x * (1 - x), 0 * x], axis=-1)
+
+
+@pytest.mark.parametrize("cuts", [((), ()), ((0.5,), ()), ((0.4,), (0.5,))], ids=str)
+def test_along_a_seam_that_holds_it_from_both_sides(
+    cuts: tuple[tuple[float, ...], tuple[float, ...]],
+) -> None:
+    # Two copies of the sheet that lie on each other, sewn together along the edge that bulges: the
+    # path from one to the other is as long as on one of them, along that edge for a part.
+    net = bulging(3.0)
+    expected = bm.solve_geodesic(net, (0.0, 0.1), (1.0, 0.1)).length
+    upper = cut(net, *cuts, turn=False)
+    points = upper.points
+    number = np.arange(len(points)) + len(points)
+    edge = np.unique(upper.index[:: len(cuts[1]) + 1, :, 0])
+    number[edge] = edge
+    atlas = Atlas(
+        np.concatenate([points, points]),
+        np.concatenate([upper.index, number[upper.index][:, ::-1]]),
+        Unit.CM,
+    )
+    start, end = on_cut(cuts, (0.0, 0.1)), on_cut(cuts, (1.0, 0.1))
+    end = AtlasPoint(end.patch + len(upper), 1.0 - end.u, end.v)
+    for ends in ((start, end), (end, start)):
+        path = bm.geodesic_between(atlas, *ends)
+        assert path.status is bm.Status.CONVERGED
+        assert path.length == pytest.approx(expected, rel=1e-12)
+        assert path.error_estimate <= 1e-9 * expected
+        assert_hangs_together(path)
+
+
+def test_from_an_end_on_the_boundary_that_holds_the_path() -> None:
+    net = bulging(3.0)
+    atlas = cut(net, (0.5,), (), turn=False)
+    expected = bm.solve_geodesic(net, (0.4, 0.0), (1.0, 0.1)).length
+    path = bm.geodesic_between(atlas, AtlasPoint(0, 0.8, 0.0), AtlasPoint(1, 1.0, 0.1))
+    assert path.status is bm.Status.ON_BOUNDARY
+    assert path.length == pytest.approx(expected, rel=1e-12)
 
 
 @pytest.mark.parametrize("columns", [1, 2, 3])

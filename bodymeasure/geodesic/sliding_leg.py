@@ -1,0 +1,118 @@
+"""A geodesic over several patches whose ends may move along edges, which it joins tangentially.
+
+Its length is stationary in all that is free. Where it joins an edge that holds it from there on,
+that says nothing of the place (see `free_piece`); the tangency there is the equation.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas.seams import EDGES
+from bodymeasure.geodesic.box_newton import BoxMinimum
+from bodymeasure.geodesic.newton import LAST_STEP, LONGEST_STEP, SMALLEST_STEP
+from bodymeasure.geodesic.route_length import RouteProblem
+from bodymeasure.geodesic.route_refine import Refined, measured
+
+_Array = NDArray[np.float64]
+
+# Of the system, whole and halved steps together, as in `free_piece`.
+MOST_EVALUATIONS = 40
+
+
+def solve_leg(problem: RouteProblem, guess: _Array) -> Refined | None:
+    """The geodesic along a route that is tangential to edges where its ends slide along them.
+
+    Parameters
+    ----------
+    problem : RouteProblem
+    guess : ndarray, shape (unknowns,)
+
+    Returns
+    -------
+    Refined or None
+        Its ends then in place. It may leave its patches. None if Newton's method failed.
+    """
+    system = _System(problem)
+    unknowns, (residual, matrix) = guess, system.at(guess)
+    evaluations = 1
+    while evaluations < MOST_EVALUATIONS:
+        direction = system.direction(residual, matrix)
+        size = np.abs(direction).max(initial=0.0)
+        if not np.isfinite(size):
+            return None
+        if size < LAST_STEP:
+            return _in_place(problem, unknowns + direction, evaluations)
+        step, norm = min(1.0, LONGEST_STEP / size), np.linalg.norm(residual)
+        while True:
+            trial = unknowns + step * direction
+            residual, matrix = system.at(trial)
+            evaluations += 1
+            if np.linalg.norm(residual) < norm:
+                break
+            step /= 2.0
+            if step < SMALLEST_STEP or evaluations == MOST_EVALUATIONS:
+                return None
+        unknowns = trial
+    return None
+
+
+@dataclass(frozen=True)
+class _System:
+    problem: RouteProblem
+
+    @cached_property
+    def _tangencies(self) -> list[tuple[int, _Array, float]]:
+        """The row of each end that slides, its equation's factors, and what is added."""
+        problem, result = self.problem, []
+        slopes = problem.space.matrices([0.0, 1.0])[1]
+        nodes = len(problem.space.nodes)
+        for end, side in zip((0, -1), problem.slides, strict=True):
+            if side is None:
+                continue
+            by_value = np.zeros((2, nodes))
+            by_value[EDGES[side].fixed_axis] = slopes[end]
+            factors, unknowns = np.zeros(problem.count), problem.rows[end]
+            np.add.at(
+                factors,
+                unknowns,
+                by_value.ravel()[problem.local[end]] * problem.sign[end],
+            )
+            # What no unknown moves: told by the values where all of them are zero.
+            fixed = problem.values(np.zeros(problem.count))[end]
+            result.append((unknowns[end], factors, float((by_value * fixed).sum())))
+        return result
+
+    def at(self, unknowns: _Array) -> tuple[_Array, _Array]:
+        """The equations' left sides and their derivatives."""
+        here = self.problem.expand(unknowns)
+        count = self.problem.count
+        matrix = np.zeros((count, count))
+        for row in range(min(len(here.bands), count)):
+            below = np.arange(count - row)
+            matrix[below + row, below] = matrix[below, below + row] = here.bands[row, : count - row]
+        residual = here.gradient.copy()
+        for row, factors, added in self._tangencies:
+            residual[row], matrix[row] = factors @ unknowns + added, factors
+        idle = self.problem.idle
+        residual[idle], matrix[idle] = 0.0, np.eye(count)[idle]
+        return residual, matrix
+
+    def direction(self, residual: _Array, matrix: _Array) -> _Array:
+        """Newton's direction; NaN if the system is singular."""
+        try:
+            return np.asarray(np.linalg.solve(matrix, -residual))
+        except np.linalg.LinAlgError:
+            return np.full_like(residual, np.nan)
+
+
+def _in_place(problem: RouteProblem, unknowns: _Array, iterations: int) -> Refined:
+    """The path with its ends fixed where they have come to."""
+    fixed = RouteProblem(problem.atlas, problem.at(unknowns), problem.space, problem.size)
+    here = fixed.expand(unknowns)
+    held = np.zeros(fixed.count, bool)
+    return measured(fixed, BoxMinimum(unknowns, here.value, held, True, iterations, here.bands))
