@@ -32,9 +32,9 @@ from bodymeasure.geodesic.route_refine import Refined, measured, resampled
 
 # Edges on each patch of the polygon whose pattern is read.
 EDGE_COUNT = 32
-# From a path that is nearly at rest a polygon takes some three steps to it; where what holds it is
-# not clear, it takes so many that nothing is gained.
-MOST_STEPS = 20
+# From a path that is nearly at rest a polygon takes some three steps to it. Where it may slide along
+# itself it never comes to rest, but what holds it is as clear.
+MOST_STEPS = 8
 # No path is shorter than the shortest polygon, but for rounding.
 ROUNDING = 1e-12
 
@@ -61,8 +61,6 @@ def held_path(
     if not _held_from_all_sides(atlas, neighbors, refined):
         return None
     polygon = _polygon(refined)
-    if not polygon.minimum.converged:
-        return None
     parts = read_pattern(polygon)
     legs: list[FreeLeg | None] = []
     for part in parts:
