@@ -57,6 +57,7 @@ from bodymeasure.measure import (
     measure_atlas,
     plane_girth,
 )
+from bodymeasure.mesh import MeshPath, measure_mesh, write_glb
 from bodymeasure.samples import load_sample, sample_names
 from bodymeasure.section import Plane
 from bodymeasure.taut import TautStatus, TautTape, taut_tape
@@ -82,6 +83,7 @@ __all__ = [
     "InputError",
     "Kernel",
     "LoopKind",
+    "MeshPath",
     "MissingExtraError",
     "Plane",
     "PolynomialCollocation",
@@ -111,6 +113,7 @@ __all__ = [
     "limb_girth",
     "load_sample",
     "measure_atlas",
+    "measure_mesh",
     "plane_girth",
     "read_atlas",
     "read_population",
@@ -119,5 +122,6 @@ __all__ = [
     "taut_tape",
     "tessellate",
     "write_atlas",
+    "write_glb",
     "write_population",
 ]

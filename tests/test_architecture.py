@@ -31,13 +31,13 @@ LAYERS = (
     ("formats",),
     ("samples", "sample_patches"),
     ("geodesic", "oracle", "section"),
-    ("taut",),
+    ("mesh", "taut"),
     ("measure",),
     ("chart",),
     ("scene",),
     ("bench", "report", "viewer"),
     ("compare", "paper"),
-    ("cli",),
+    ("cli", "plugin"),
     ("__main__",),
 )
 LEVEL = {layer: level for level, layers in enumerate(LAYERS) for layer in layers}
@@ -45,14 +45,14 @@ LEVEL = {layer: level for level, layers in enumerate(LAYERS) for layer in layers
 # Who may import what is heavy, optional or talks to the user.
 RESERVED = {
     "igl": {"oracle"},
-    "trimesh": {"atlas", "oracle"},
-    "pyvista": {"scene", "viewer"},
-    "vtk": {"scene", "viewer"},
-    "vtkmodules": {"scene", "viewer"},
+    "trimesh": {"atlas", "mesh", "oracle"},
+    "pyvista": {"scene", "viewer", "plugin"},
+    "vtk": {"scene", "viewer", "plugin"},
+    "vtkmodules": {"scene", "viewer", "plugin"},
     # pyvista takes its color maps from it.
     "matplotlib": {"bench", "scene", "report", "viewer", "paper"},
     "potpourri3d": {"bench"},
-    "pygeodesic": {"bench", "geodesic"},
+    "pygeodesic": {"bench", "geodesic", "mesh"},
     "threadpoolctl": {"bench"},
     "jinja2": {"report", "paper"},
     "click": {"cli"},

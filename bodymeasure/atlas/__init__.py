@@ -6,7 +6,6 @@ from bodymeasure.atlas.check import check_atlas
 from bodymeasure.atlas.finding import Finding, FindingKind, Severity
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, Edge, EdgeTable, edge_table, sides_of
-from bodymeasure.atlas.seams import EDGES, Edge, EdgeTable, edge_table
 from bodymeasure.atlas.summary import AtlasSummary, summarize
 from bodymeasure.atlas.tessellation import Tessellation, tessellate
 from bodymeasure.atlas.units import Unit, convert_length

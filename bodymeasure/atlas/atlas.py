@@ -7,7 +7,7 @@ import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -176,6 +176,23 @@ class Atlas:
     def position(self, point: AtlasPoint) -> NDArray[np.float64]:
         """Position of a point of the atlas, shape (3,), in the atlas's unit."""
         return evaluate(self.control_points[point.patch], (point.u, point.v))
+
+    def to_trimesh(self, segments: int = 8) -> Any:
+        """A mesh of the atlas as a `trimesh.Trimesh`, with vertex attributes ``patch``, u and v.
+
+        Parameters
+        ----------
+        segments : int
+            Steps along a patch's side; see `tessellate`.
+
+        Raises
+        ------
+        MissingExtraError
+            If trimesh is not installed.
+        """
+        from bodymeasure.atlas.tessellation import tessellate
+
+        return tessellate(self, segments).to_trimesh()
 
     def converted(self, unit: Unit | str) -> Self:
         """The same atlas in another unit."""

@@ -25,13 +25,24 @@ def position_of(atlas: Atlas, place: Place) -> NDArray[np.float64]:
     if isinstance(place, AtlasPoint):
         return atlas.position(place)
     if isinstance(place, str):
-        if place not in atlas.landmarks:
-            raise InputError(_unknown(atlas, place))
-        return atlas.position(atlas.landmarks[place])
+        return atlas.position(landmark_of(atlas, place))
     position = np.asarray(place, dtype=np.float64)
     if position.shape != (3,) or not np.isfinite(position).all():
         raise InputError(f"the position is {place!r}; expected three finite numbers")
     return position
+
+
+def landmark_of(atlas: Atlas, name: str) -> AtlasPoint:
+    """The landmark of that name.
+
+    Raises
+    ------
+    InputError
+        If there is none; the nearest name is suggested.
+    """
+    if name not in atlas.landmarks:
+        raise InputError(_unknown(atlas, name))
+    return atlas.landmarks[name]
 
 
 def _unknown(atlas: Atlas, name: str) -> str:

@@ -1,0 +1,7 @@
+"""Plain triangle meshes: shortest paths over them, and files of bodies with paths."""
+
+from bodymeasure.mesh.glb import write_glb
+from bodymeasure.mesh.measure import measure_mesh
+from bodymeasure.mesh.path import MeshPath
+
+__all__ = ["MeshPath", "measure_mesh", "write_glb"]

@@ -1,0 +1,75 @@
+"""Vertices and triangles of whatever a mesh comes as."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.errors import InputError
+
+
+class TriangleMesh(NamedTuple):
+    """A mesh as arrays.
+
+    Parameters
+    ----------
+    vertices : ndarray, shape (n, 3)
+    faces : ndarray of int, shape (f, 3)
+    """
+
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.int64]
+
+
+def triangle_mesh(mesh: Any) -> TriangleMesh:
+    """The arrays of a mesh.
+
+    Parameters
+    ----------
+    mesh : trimesh.Trimesh, pyvista.PolyData or pair of array_like
+        Vertices (n, 3) and faces (f, 3) if a pair. Polygons of a PolyData are cut into triangles.
+
+    Raises
+    ------
+    InputError
+        If it is none of these, or holds no triangles.
+    """
+    if hasattr(mesh, "triangulate") and hasattr(mesh, "n_points"):
+        surface = mesh.triangulate()
+        vertices, faces = surface.points, np.asarray(surface.faces).reshape(-1, 4)[:, 1:]
+    elif hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
+        vertices, faces = mesh.vertices, mesh.faces
+    elif isinstance(mesh, tuple) and len(mesh) == 2:
+        vertices, faces = mesh
+    else:
+        raise InputError(
+            f"the mesh is of type {type(mesh).__name__}; expected a trimesh.Trimesh, a "
+            "pyvista.PolyData, or a pair (vertices, faces)"
+        )
+    try:
+        result = TriangleMesh(
+            np.asarray(vertices, dtype=np.float64), np.asarray(faces).astype(np.int64)
+        )
+    except (TypeError, ValueError):
+        raise InputError("the mesh's vertices or faces are not numbers") from None
+    if result.faces.ndim != 2 or result.faces.shape[1] != 3 or len(result.faces) == 0:
+        raise InputError(
+            f"the mesh's faces have shape {result.faces.shape}; expected (f, 3): triangles"
+        )
+    outside = np.flatnonzero(
+        ((result.faces < 0) | (result.faces >= len(result.vertices))).any(axis=1)
+    )
+    if len(outside):
+        raise InputError(
+            f"mesh face {outside[0]} is {result.faces[outside[0]].tolist()}, but the vertices are "
+            f"numbered 0 to {len(result.vertices) - 1}"
+        )
+    return result
+
+
+def part_of(mesh: TriangleMesh, keep: NDArray[Any]) -> tuple[TriangleMesh, NDArray[np.int64]]:
+    """Some of the faces, and the old numbers of their vertices."""
+    used, faces = np.unique(mesh.faces[keep], return_inverse=True)
+    return TriangleMesh(mesh.vertices[used], faces.reshape(-1, 3).astype(np.int64)), used

@@ -1,0 +1,123 @@
+"""A body and paths over it as a GLB file, which any glTF viewer opens."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bodymeasure.atlas import Atlas, Unit, tessellate
+from bodymeasure.errors import InputError, MissingExtraError
+from bodymeasure.files import write_bytes
+from bodymeasure.geodesic import AtlasPath
+from bodymeasure.mesh.path import MeshPath
+from bodymeasure.mesh.tube import tube
+
+# Steps along a patch's side.
+SEGMENTS = 8
+# Points along a path over the smooth surface.
+PATH_POINTS = 200
+# Meters: as thick as a pencil is seen well on a body.
+RADIUS = 0.003
+# Of other objects than bodies, in parts of their size.
+THICKNESS = 0.002
+SKIN = (217, 199, 184, 255)
+# Okabe and Ito's colors, which the color-blind tell apart.
+COLORS = (
+    (0, 114, 178, 255),
+    (213, 94, 0, 255),
+    (0, 158, 115, 255),
+    (204, 121, 167, 255),
+    (230, 159, 0, 255),
+    (86, 180, 233, 255),
+)
+
+
+def write_glb(
+    path: str | PathLike[str],
+    atlas: Atlas,
+    paths: Mapping[str, AtlasPath | MeshPath | ArrayLike] | None = None,
+    *,
+    segments: int = SEGMENTS,
+) -> None:
+    """Write a body, and paths over it as tubes, as binary glTF.
+
+    Parameters
+    ----------
+    path : path-like
+        Ends in ``.glb``.
+    atlas : Atlas
+    paths : mapping of str to AtlasPath, MeshPath or array_like of shape (k, 3), optional
+        By name; points in the atlas's unit. Lengths go into the nodes' extras.
+    segments : int
+        Steps along a patch's side.
+
+    Raises
+    ------
+    InputError
+        If the extension is another, a path is not one, or the file cannot be written.
+    MissingExtraError
+        If trimesh is not installed.
+
+    Notes
+    -----
+    glTF is in meters, y upwards, looking along z; so the body is turned and scaled.
+    """
+    path = Path(path)
+    if path.suffix.lower() != ".glb":
+        raise InputError(f"{path}: expected a name that ends in .glb")
+    try:
+        import trimesh
+    except ImportError:
+        raise MissingExtraError("a GLB file", "trimesh", "oracle") from None
+    to_gltf = _to_gltf(atlas)
+    scene: Any = trimesh.Scene()
+    body = tessellate(atlas, segments).to_trimesh()
+    body.vertices = body.vertices @ to_gltf.T
+    body.vertex_attributes.clear()
+    body.visual.vertex_colors = SKIN
+    body.metadata = {"unit": "m", "source": atlas.name}
+    scene.add_geometry(body, geom_name=atlas.name or "body", node_name=atlas.name or "body")
+    size = float(np.ptp(body.vertices, axis=0).max())
+    radius = min(RADIUS, THICKNESS * size)
+    for number, (name, given) in enumerate((paths or {}).items()):
+        points, facts = _points_of(name, given, atlas.unit)
+        mesh = tube(points @ to_gltf.T, radius)
+        if not len(mesh.faces):
+            continue
+        drawn: Any = trimesh.Trimesh(*mesh, process=False, metadata=facts)
+        drawn.visual.vertex_colors = COLORS[number % len(COLORS)]
+        scene.add_geometry(drawn, geom_name=name, node_name=name)
+    write_bytes(path, scene.export(file_type="glb"))
+
+
+def _to_gltf(atlas: Atlas) -> NDArray[np.float64]:
+    """From the atlas's coordinates to left, up and front in meters, shape (3, 3)."""
+    axes = atlas.axes
+    rows = np.stack([axes.left_vector, axes.up_vector, axes.front_vector])
+    return np.asarray(rows * atlas.unit.metres)
+
+
+def _points_of(
+    name: str, given: AtlasPath | MeshPath | ArrayLike, unit: Unit
+) -> tuple[NDArray[np.float64], dict[str, Any]]:
+    if isinstance(given, AtlasPath):
+        facts = {"length": given.length, "error_estimate": given.error_estimate, "unit": unit.value}
+        return given.position(np.linspace(0.0, 1.0, PATH_POINTS)), facts
+    if isinstance(given, MeshPath):
+        said = "" if given.unit is None else given.unit.value
+        facts = {"length": given.length, "error_estimate": given.error_estimate, "unit": said}
+        return given.points, facts
+    try:
+        points = np.asarray(given, dtype=np.float64)
+    except (TypeError, ValueError):
+        points = np.empty(0)
+    if points.ndim != 2 or points.shape[1:] != (3,) or not np.isfinite(points).all():
+        raise InputError(
+            f"path {name!r} is no path; expected an AtlasPath, a MeshPath, or finite points (k, 3)"
+        )
+    return points, {}

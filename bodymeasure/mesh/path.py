@@ -1,0 +1,43 @@
+"""A path over a triangle mesh, and what is known of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas import Unit
+
+
+@dataclass(frozen=True, eq=False)
+class MeshPath:
+    """The shortest path over a triangle mesh.
+
+    Parameters
+    ----------
+    length : float
+        Of the mesh itself, exactly; in `unit`.
+    error_estimate : float
+        How far the length may be from that over the smooth surface which the mesh stands for; in
+        the same unit. Infinite where it could not be estimated.
+    points : ndarray, shape (k, 3)
+        The path, straight in each triangle.
+    unit : Unit or None
+        None if it was not said: meshes come without.
+    """
+
+    length: float
+    error_estimate: float
+    points: NDArray[np.float64]
+    unit: Unit | None
+
+    @property
+    def sentence(self) -> str:
+        """What the length is worth, in words."""
+        unit = "" if self.unit is None else f" {self.unit}"
+        return (
+            f"Measured on the mesh itself, not on a smooth surface: {self.length:.6g}{unit}, from "
+            f"which the surface that the mesh stands for may differ by {self.error_estimate:.1g}"
+            f"{unit}."
+        )

@@ -1,0 +1,260 @@
+"""The accessor ``mesh.measure`` on pyvista's meshes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import pyvista as pv
+
+from bodymeasure.atlas import Atlas, AtlasPoint, Unit
+from bodymeasure.atlas.closest import closest_points
+from bodymeasure.errors import InputError
+from bodymeasure.geodesic import geodesic_between
+from bodymeasure.measure import body_girth
+from bodymeasure.measure.places import landmark_of
+from bodymeasure.mesh import measure_mesh
+from bodymeasure.plugin.drawn import drawn_path, shown
+from bodymeasure.plugin.remembered import PARAMETERS, PATCH, atlas_of, lines_of, unit_of
+
+MeshPlace = int | str | AtlasPoint | Sequence[float]
+"""A vertex by number; a position; on meshes that remember an atlas, a landmark or its point too."""
+
+# Points along a path over a smooth surface: so many that the chain is as long to six digits.
+PATH_POINTS = 200
+# Of the body's size: a position farther off is not on it, or in another unit.
+FARTHEST = 0.02
+
+
+class MeasureAccessor:
+    """Measurements of a mesh, as ``mesh.measure``.
+
+    On a mesh that was read from an atlas they are those of the smooth surface, with a stated error;
+    on any other triangle mesh, those of the mesh itself, and say so.
+    """
+
+    def __init__(self, mesh: pv.PolyData) -> None:
+        self._mesh = mesh
+
+    @property
+    def atlas(self) -> Atlas | None:
+        """The atlas that the mesh was made of; None for any other mesh.
+
+        Raises
+        ------
+        InputError
+            If the mesh was moved or deformed since.
+        """
+        return atlas_of(self._mesh)
+
+    @property
+    def landmarks(self) -> tuple[str, ...]:
+        """Names of the atlas's landmarks; none for any other mesh."""
+        atlas = self.atlas
+        return () if atlas is None else tuple(atlas.landmarks)
+
+    def path(
+        self,
+        start: MeshPlace,
+        end: MeshPlace,
+        via: Sequence[MeshPlace] = (),
+        *,
+        unit: Unit | str | None = None,
+    ) -> pv.PolyData:
+        """The shortest path over the surface.
+
+        Parameters
+        ----------
+        start, end : int, position of shape (3,), str or AtlasPoint
+            Vertices by number, positions, or landmarks of the atlas.
+        via : sequence of such
+            Places that the path leads through, in order.
+        unit : str, optional
+            Of a plain mesh's coordinates, only to be passed on.
+
+        Returns
+        -------
+        pyvista.PolyData
+            A line, with field data ``length``, ``error_estimate``, ``unit`` (empty if unknown),
+            ``status`` and ``sentence``, which says what the length is worth.
+
+        Raises
+        ------
+        InputError, ConvergenceError, MissingExtraError
+            As `bodymeasure.geodesic_between` and `bodymeasure.measure_mesh`.
+        """
+        atlas = self.atlas
+        if atlas is None:
+            plain = [_plain(place) for place in (start, *via, end)]
+            found = measure_mesh(self._mesh, plain[0], plain[-1], plain[1:-1], unit=unit)
+            line = lines_of(found.points)
+            said = "" if found.unit is None else found.unit.value
+            return _with_facts(
+                line, found.length, found.error_estimate, said, "MESH", found.sentence
+            )
+        if unit is not None:
+            raise InputError(
+                f"the mesh is of an atlas in {atlas.unit}, and unit is {unit!r}; give the unit "
+                "when the atlas is read, and not here"
+            )
+        places = [self._point(atlas, place) for place in (start, *via, end)]
+        path = geodesic_between(atlas, places[0], places[-1], places[1:-1])
+        line = lines_of(path.position(np.linspace(0.0, 1.0, PATH_POINTS)))
+        return _with_facts(
+            line,
+            path.length,
+            path.error_estimate,
+            unit_of(self._mesh),
+            path.status.name,
+            path.status.sentence,
+        )
+
+    def distance(self, start: MeshPlace, end: MeshPlace, via: Sequence[MeshPlace] = ()) -> float:
+        """Length of the shortest path; see `path`."""
+        return float(self.path(start, end, via).field_data["length"][0])
+
+    def girth(self, at: MeshPlace) -> pv.PolyData:
+        """The horizontal girth at a place of an atlas, as a closed line.
+
+        Its ``length`` is along the skin; the field ``taut`` is the tape drawn taut.
+
+        Raises
+        ------
+        InputError
+            On a mesh that remembers no atlas, or as `bodymeasure.body_girth`.
+        """
+        atlas = self.atlas
+        if atlas is None:
+            raise InputError(
+                "this mesh remembers no atlas, and which way is up on it is unknown; girths are "
+                "for meshes read from an atlas (of a mesh, slice it: mesh.slice(normal).length)"
+            )
+        girth = body_girth(atlas, self._point(atlas, at))
+        points = girth.loop.positions
+        line = lines_of(np.concatenate([points, points[:1]]))
+        line.field_data["taut"] = [girth.taut]
+        return _with_facts(
+            line,
+            girth.contact,
+            girth.error_estimate,
+            unit_of(self._mesh),
+            "CONVERGED",
+            "The section of the smooth surface, along the skin.",
+        )
+
+    def plot(self, *paths: pv.PolyData, **options: Any) -> Any:
+        """Show the mesh with paths as tubes and their lengths.
+
+        Parameters
+        ----------
+        *paths : pyvista.PolyData
+            From `path` or `girth`.
+        **options
+            Passed to `pyvista.Plotter.show`; of them, ``off_screen`` and ``window_size`` to the
+            plotter.
+        """
+        kept = {key: options.pop(key) for key in ("off_screen", "window_size") if key in options}
+        plotter: Any = pv.Plotter(**kept)
+        self.draw(plotter, *paths)
+        atlas = self.atlas
+        if atlas is not None:
+            # From the front, a little from the left and from above.
+            axes = atlas.axes
+            view = axes.front_vector + 0.4 * axes.left_vector + 0.15 * axes.up_vector
+            plotter.view_vector(tuple(view), viewup=tuple(axes.up_vector))
+        return plotter.show(**options)
+
+    def draw(self, plotter: Any, *paths: pv.PolyData) -> None:
+        """Add the mesh and paths to a plotter."""
+        shown(plotter, self._mesh)
+        for path in paths:
+            drawn_path(plotter, self._mesh, path)
+
+    def pick(self, plotter: Any) -> list[pv.PolyData]:
+        """Let the user pick pairs of points in a plotter; each pair is measured and drawn.
+
+        Parameters
+        ----------
+        plotter : pyvista.Plotter
+            Not yet shown. Points are picked with the right mouse button, or P.
+
+        Returns
+        -------
+        list of pyvista.PolyData
+            The paths, which the list receives as they are measured.
+        """
+        paths: list[pv.PolyData] = []
+        waiting: list[Any] = []
+        shown(plotter, self._mesh)
+
+        def picked(position: Any, *_others: Any) -> None:
+            waiting.append(np.asarray(position, dtype=np.float64))
+            if len(waiting) < 2:
+                return
+            start, end = waiting
+            waiting.clear()
+            try:
+                path = self.path(start, end)
+            except (ValueError, ArithmeticError) as error:
+                plotter.add_text(str(error), name="measure", font_size=9)
+                return
+            paths.append(path)
+            drawn_path(plotter, self._mesh, path)
+            plotter.add_text(str(path.field_data["sentence"][0]), name="measure", font_size=9)
+
+        plotter.enable_surface_point_picking(callback=picked, show_message=False)
+        return paths
+
+    def _point(self, atlas: Atlas, place: MeshPlace) -> AtlasPoint:
+        if isinstance(place, AtlasPoint):
+            return place
+        if isinstance(place, str):
+            return landmark_of(atlas, place)
+        if isinstance(place, (int, np.integer)) and not isinstance(place, bool):
+            count = self._mesh.n_points
+            if not 0 <= place < count:
+                raise InputError(
+                    f"vertex {place} is not there: the mesh's vertices are numbered 0 to "
+                    f"{count - 1}"
+                )
+            u, v = np.asarray(self._mesh.point_data[PARAMETERS], dtype=float)[place].tolist()
+            return AtlasPoint(int(self._mesh.point_data[PATCH][place]), u, v)
+        position = np.asarray(place, dtype=np.float64)
+        if position.shape != (3,):
+            raise InputError(
+                f"a place is {place!r}; expected a vertex's number, a landmark's name, three "
+                "coordinates or an AtlasPoint"
+            )
+        points, distances = closest_points(atlas, position[None])
+        size = float(np.ptp(atlas.points, axis=0).max())
+        if distances[0] > FARTHEST * size:
+            raise InputError(
+                f"the place {position.tolist()} is {distances[0]:.3g} from the surface, whose size "
+                f"is {size:.3g}; expected a place on it: is it in another unit?"
+            )
+        return points[0]
+
+
+def _plain(place: MeshPlace) -> Any:
+    if isinstance(place, (str, AtlasPoint)):
+        raise InputError(
+            f"the place is {place!r}, but this mesh remembers no atlas that could have landmarks; "
+            "expected a vertex's number or three coordinates"
+        )
+    return place
+
+
+def _with_facts(
+    line: pv.PolyData, length: float, error: float, unit: str, status: str, sentence: str
+) -> pv.PolyData:
+    line.field_data["length"] = [length]
+    line.field_data["error_estimate"] = [error]
+    for name, text in (("unit", unit), ("status", status), ("sentence", sentence)):
+        line.field_data[name] = [text]
+    return line
+
+
+# Importing this module is what pyvista's entry point asks for.
+register: Any = pv.register_dataset_accessor
+register("measure", pv.PolyData)(MeasureAccessor)

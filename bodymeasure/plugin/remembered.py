@@ -1,0 +1,112 @@
+"""Meshes that remember the atlas they were made of."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import pyvista as pv
+
+from bodymeasure.atlas import Atlas, tessellate
+from bodymeasure.bezier import evaluate
+from bodymeasure.errors import InputError
+from bodymeasure.formats import native
+
+# Steps along a patch's side: on a mannequin, the mesh is within a few tenths of a millimeter.
+SEGMENTS = 8
+# Names of what a mesh carries.
+ATLAS, UNIT, PATCH, PARAMETERS = (
+    "bodymeasure_atlas",
+    "bodymeasure_unit",
+    "bodymeasure_patch",
+    "bodymeasure_uv",
+)
+# Of the atlas's size. Coordinates may have been through a file of single precision.
+MOVED = 1e-6
+
+
+def mesh_of(atlas: Atlas, *, unit_known: bool = True, segments: int = SEGMENTS) -> pv.PolyData:
+    """A mesh of an atlas that remembers it.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    unit_known : bool
+        Whether the atlas's unit was said, rather than assumed; see `unit_of`.
+    segments : int
+        Steps along a patch's side.
+
+    Returns
+    -------
+    pyvista.PolyData
+        With the patch, and (u, v) on it, of each vertex, and the atlas itself as text, so that
+        copies and files of the mesh keep it.
+    """
+    found = tessellate(atlas, segments)
+    faces: Any = found.faces
+    mesh: pv.PolyData = pv.PolyData.from_regular_faces(found.vertices, faces)
+    mesh.point_data[PATCH] = found.patch
+    mesh.point_data[PARAMETERS] = found.parameters
+    mesh.cell_data[PATCH] = found.face_patch
+    mesh.field_data[ATLAS] = [native.write(atlas).decode()]
+    mesh.field_data[UNIT] = [atlas.unit.value if unit_known else ""]
+    mesh.set_active_scalars(None)
+    return mesh
+
+
+def atlas_of(mesh: pv.PolyData) -> Atlas | None:
+    """The atlas that a mesh remembers; None if it was made elsewhere.
+
+    Raises
+    ------
+    InputError
+        If the mesh was moved, turned or deformed since, so that the atlas is another surface.
+    """
+    if ATLAS not in mesh.field_data:
+        return None
+    atlas = _read(str(mesh.field_data[ATLAS][0]))
+    if PATCH not in mesh.point_data or PARAMETERS not in mesh.point_data:
+        raise InputError(
+            f"the mesh has lost the arrays {PATCH!r} and {PARAMETERS!r}, which say where on the "
+            "atlas its vertices are; read the atlas again, or measure the mesh itself with "
+            "bodymeasure.measure_mesh"
+        )
+    _check_place(mesh, atlas)
+    return atlas
+
+
+def unit_of(mesh: pv.PolyData) -> str:
+    """The unit of a mesh that remembers its atlas; empty if its file did not say."""
+    return str(mesh.field_data[UNIT][0]) if UNIT in mesh.field_data else ""
+
+
+@lru_cache(maxsize=4)
+def _read(text: str) -> Atlas:
+    return native.read(text.encode(), "the atlas that the mesh remembers")
+
+
+def _check_place(mesh: pv.PolyData, atlas: Atlas) -> None:
+    patch = np.asarray(mesh.point_data[PATCH])
+    if len(patch) == 0:
+        return
+    # A few are enough: whatever moves a mesh moves most of it.
+    some = np.unique(np.linspace(0, len(patch) - 1, 50).astype(int))
+    patch = patch[some].astype(np.int64)
+    expected = evaluate(
+        atlas.control_points[patch], np.asarray(mesh.point_data[PARAMETERS], dtype=float)[some]
+    )
+    away = np.linalg.norm(np.asarray(mesh.points)[some] - expected, axis=1).max()
+    size = float(np.ptp(atlas.points, axis=0).max())
+    if away > MOVED * size:
+        raise InputError(
+            f"the mesh is up to {away:.3g} away from the atlas that it remembers: it was moved, "
+            "scaled or deformed since it was read; measure it before, or measure the mesh itself "
+            "with bodymeasure.measure_mesh"
+        )
+
+
+def lines_of(points: Any) -> pv.PolyData:
+    """A chain of points as one line."""
+    points = np.asarray(points, dtype=np.float64)
+    return pv.PolyData(points, lines=np.concatenate([[len(points)], np.arange(len(points))]))

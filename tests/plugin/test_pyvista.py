@@ -1,0 +1,171 @@
+"""bodymeasure inside pyvista."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import bodymeasure as bm
+
+pyvista = pytest.importorskip("pyvista", minversion="0.48")
+pytest.importorskip("pygeodesic")
+pytest.importorskip("igl")
+
+from bodymeasure.plugin.remembered import mesh_of  # noqa: E402
+
+NECK, BUST = "back neck point", "bust point left"
+
+
+@pytest.fixture(scope="module")
+def body():  # type: ignore[no-untyped-def]
+    return bm.load_sample("female_average")
+
+
+@pytest.fixture
+def mesh(body):  # type: ignore[no-untyped-def]
+    return mesh_of(body, segments=3)
+
+
+def test_installing_is_all_that_a_user_does(tmp_path: Path, body) -> None:  # type: ignore[no-untyped-def]
+    """A process that imports pyvista alone reads an atlas and measures it."""
+    bm.write_atlas(body, tmp_path / "body.atlas")
+    script = (
+        "import sys, pyvista\n"
+        "assert not any(name.startswith('bodymeasure.') for name in sys.modules)\n"
+        "mesh = pyvista.read(sys.argv[1])\n"
+        f"path = mesh.measure.path({NECK!r}, {BUST!r})\n"
+        "print(repr(float(path.field_data['length'][0])), path.field_data['unit'][0])\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script, str(tmp_path / "body.atlas")],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    length, unit = done.stdout.split()
+    expected = bm.geodesic_between(body, body.landmarks[NECK], body.landmarks[BUST]).length
+    assert float(length) == pytest.approx(expected, rel=1e-12)
+    assert unit == "m"
+
+
+def test_a_mesh_keeps_its_atlas_through_copies_and_files(mesh, body, tmp_path: Path) -> None:  # type: ignore[no-untyped-def]
+    mesh.save(tmp_path / "body.vtp")
+    for other in (mesh.copy(), pyvista.read(tmp_path / "body.vtp")):
+        np.testing.assert_array_equal(other.measure.atlas.control_points, body.control_points)
+        assert NECK in other.measure.landmarks
+
+
+def test_places_are_vertices_positions_landmarks_and_points_of_the_atlas(mesh, body) -> None:  # type: ignore[no-untyped-def]
+    point = body.landmarks[NECK]
+    end = mesh.points[200]
+    lengths = [mesh.measure.distance(start, 200) for start in (NECK, point, body.position(point))]
+    np.testing.assert_allclose(lengths, mesh.measure.distance(NECK, end), rtol=1e-9)
+
+
+def test_girths_are_closed_lines(mesh, body) -> None:  # type: ignore[no-untyped-def]
+    line = mesh.measure.girth("front waist point")
+    girth = bm.body_girth(body, "front waist point")
+    assert line.field_data["length"][0] == girth.contact
+    assert line.field_data["taut"][0] == girth.taut
+    np.testing.assert_array_equal(line.points[0], line.points[-1])
+
+
+@pytest.mark.parametrize("move", ["translate", "scale", "rotate_z"])
+def test_a_mesh_that_was_moved_is_not_measured_by_its_old_atlas(mesh, move: str) -> None:  # type: ignore[no-untyped-def]
+    amount = {"translate": (0.1, 0.0, 0.0), "scale": 100.0, "rotate_z": 30.0}[move]
+    moved = getattr(mesh, move)(amount, inplace=False)
+    with pytest.raises(bm.InputError, match=r"away from the atlas that it remembers: it was moved"):
+        moved.measure.path(NECK, BUST)
+
+
+def test_a_plain_mesh_says_that_it_is_one() -> None:
+    sphere = pyvista.Sphere()
+    assert sphere.measure.atlas is None
+    path = sphere.measure.path(0, 1, unit="cm")
+    length = float(path.field_data["length"][0])
+    assert abs(length - np.pi / 2.0) <= path.field_data["error_estimate"][0]
+    assert str(path.field_data["status"][0]) == "MESH"
+    assert "on the mesh itself" in str(path.field_data["sentence"][0])
+    assert str(path.field_data["unit"][0]) == "cm"
+    with pytest.raises(bm.InputError, match=r"'neck', but this mesh remembers no atlas"):
+        sphere.measure.path("neck", 1)
+    with pytest.raises(bm.InputError, match=r"girths are for meshes read from an atlas"):
+        sphere.measure.girth(0)
+
+
+def test_quads_are_measured_as_triangles() -> None:
+    plane = pyvista.Plane(i_resolution=3, j_resolution=3)
+    assert plane.measure.distance(0, 15) == pytest.approx(np.sqrt(2.0), rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("place", "message"),
+    [
+        ("bust point lef", r"no landmark 'bust point lef'; did you mean 'bust point left'"),
+        (10**6, r"vertex 1000000 is not there"),
+        ((0.0, 0.0), r"expected a vertex's number, a landmark's name, three"),
+        ((100.0, 0.0, 0.0), r"from the surface.*another unit"),
+    ],
+)
+def test_bad_places_are_refused(mesh, place, message: str) -> None:  # type: ignore[no-untyped-def]
+    with pytest.raises(bm.InputError, match=message):
+        mesh.measure.path(NECK, place)
+
+
+def test_files_without_a_unit_are_read_and_say_so(tmp_path: Path) -> None:
+    bm.write_atlas(bm.load_sample("paraboloid"), tmp_path / "p.bpt")
+    for options, unit in (({}, ""), ({"unit": "cm"}, "cm")):
+        mesh = pyvista.read(tmp_path / "p.bpt", **options)
+        assert str(mesh.measure.path(0, 5).field_data["unit"][0]) == unit
+    with pytest.raises(bm.InputError, match=r"unknown option 'units'; expected unit or segments"):
+        pyvista.read(tmp_path / "p.bpt", units="cm")
+
+
+def test_paths_are_drawn(mesh) -> None:  # type: ignore[no-untyped-def]
+    path = mesh.measure.path(NECK, BUST)
+    with pyvista.vtk_verbosity("off"):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(300, 400))
+        try:
+            mesh.measure.draw(plotter)
+            plain = plotter.screenshot(None, return_img=True)
+            mesh.measure.draw(plotter, path)
+            drawn = plotter.screenshot(None, return_img=True)
+        finally:
+            plotter.close()
+    changed = np.abs(drawn.astype(int) - plain.astype(int)).max(axis=-1) > 40
+    assert 20 < changed.sum() < 0.2 * changed.size
+
+
+def test_two_picked_points_are_measured(mesh) -> None:  # type: ignore[no-untyped-def]
+    class Plotter:
+        """Stands for the window, of which it remembers what is asked for."""
+
+        def __init__(self) -> None:
+            self.callback: Any = None
+            self.texts: list[str] = []
+
+        def add_mesh(self, *_args: object, **_options: object) -> None: ...
+
+        def add_point_labels(self, *_args: object, **_options: object) -> None: ...
+
+        def add_text(self, text: str, **_options: object) -> None:
+            self.texts.append(text)
+
+        def enable_surface_point_picking(self, callback: object, **_options: object) -> None:
+            self.callback = callback
+
+    plotter = Plotter()
+    paths = mesh.measure.pick(plotter)
+    for place in (mesh.points[10], mesh.points[300], mesh.points[5], np.array([9.0, 9.0, 9.0])):
+        plotter.callback(place)
+    assert len(paths) == 1
+    assert paths[0].field_data["length"][0] == pytest.approx(mesh.measure.distance(10, 300))
+    # The second pair is told off in the window, where a traceback would be of no use.
+    assert "another unit" in plotter.texts[-1]
