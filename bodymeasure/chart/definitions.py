@@ -125,10 +125,12 @@ class ExtremeGirthMeasure(_Measurement, frozen=True, kw_only=True, tag="extreme 
 
 
 class ClosedMeasure(_Measurement, frozen=True, kw_only=True, tag="closed"):
-    """The closed geodesic that a loop round the body at a landmark's height contracts to."""
+    """The closed geodesic that a loop round the body at a landmark's height contracts to.
+
+    It follows the skin: there is no tape to be chosen.
+    """
 
     at: str
-    tape: TapeWanted = "both"
 
 
 class HeightMeasure(_Measurement, frozen=True, kw_only=True, tag="height"):

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import replace
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.chart.arithmetic import measure_formula
 from bodymeasure.chart.body import Body, MissingLandmarkError
+from bodymeasure.chart.complete import completed
 from bodymeasure.chart.definitions import (
     BreadthMeasure,
     ChordMeasure,
+    ClosedMeasure,
     Definitions,
     DepthMeasure,
     DropMeasure,
@@ -25,10 +26,9 @@ from bodymeasure.chart.definitions import (
     PathMeasure,
     TiltedGirthMeasure,
 )
-from bodymeasure.chart.derive import derive_landmarks
 from bodymeasure.chart.formula import parse_formula
 from bodymeasure.chart.formula_checks import evaluation_order
-from bodymeasure.chart.lengths import measure_drop, measure_path
+from bodymeasure.chart.lengths import measure_closed, measure_drop, measure_path
 from bodymeasure.chart.measured import Chart, Measured, Outcome
 from bodymeasure.chart.over import measure_over
 from bodymeasure.chart.read import load_definitions
@@ -45,7 +45,7 @@ from bodymeasure.chart.straight import (
     measure_depth,
     measure_height,
 )
-from bodymeasure.errors import InputError
+from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.measure import package_versions
 
 # Packages whose versions can change a number of a chart.
@@ -75,6 +75,8 @@ def measure_chart(
 
     Raises
     ------
+    InputError
+        If rules for landmarks need one another in a circle.
     MissingExtraError
         If paths are asked for and pygeodesic is not installed.
 
@@ -92,8 +94,7 @@ def measure_chart(
     """
     begin = time.perf_counter()
     definitions = load_definitions() if definitions is None else definitions
-    derived = derive_landmarks(atlas, definitions.landmark)
-    body = Body(replace(atlas, landmarks=derived.landmarks), derived.missing)
+    body = completed(atlas, definitions.landmark)
     every = {one.key: one for one in both_sides(definitions.measurement)}
     formulas = {
         key: parse_formula(one.formula)
@@ -124,12 +125,16 @@ def _measured(body: Body, definition: Measurement, others: dict[str, Measured]) 
         return Measured(definition, Outcome.MISSING_LANDMARK, str(error))
     except InputError as error:
         return Measured(definition, Outcome.REFUSED, str(error))
+    except ConvergenceError as error:
+        return Measured(definition, Outcome.NOT_CONVERGED, str(error))
 
 
 def _by_kind(body: Body, definition: Measurement, others: dict[str, Measured]) -> Measured:
     match definition:
         case PathMeasure():
             return measure_path(body, definition)
+        case ClosedMeasure():
+            return measure_closed(body, definition)
         case DropMeasure():
             return measure_drop(body, definition)
         case OverMeasure():
@@ -152,4 +157,3 @@ def _by_kind(body: Body, definition: Measurement, others: dict[str, Measured]) -
             return measure_depth(body, definition)
         case FormulaMeasure():
             return measure_formula(definition, others)
-    raise InputError(f"measurements of the kind {type(definition).__name__} are not taken yet")

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.chart.body import Body
-from bodymeasure.chart.definitions import DropMeasure, PathMeasure
+from bodymeasure.chart.definitions import ClosedMeasure, DropMeasure, PathMeasure
 from bodymeasure.chart.measured import Measured, Outcome, Tape, TapeKind
+from bodymeasure.errors import InputError
 from bodymeasure.geodesic import AtlasPath
-from bodymeasure.measure import drop
+from bodymeasure.measure import closed_geodesic, drop
 from bodymeasure.taut import taut_tape
 
 # Points of a drawn tape on each patch that it crosses: closer than a picture's pixels.
@@ -22,30 +24,68 @@ STEPS = 8
 def measure_path(body: Body, definition: PathMeasure) -> Measured:
     """The geodesic through landmarks, and the tape drawn taut between them."""
     path = body.path(definition.through)
-    landmarks = tuple(dict.fromkeys(definition.through))
+    contact = _along(body, definition, path, tuple(dict.fromkeys(definition.through)))
+    if definition.tape == "contact" or contact.outcome is not Outcome.MEASURED:
+        return contact
+    taut = _drawn_taut(body, path, contact)
+    if taut.outcome is not Outcome.MEASURED and definition.tape == "both":
+        # The length asked for is there; the one beside it is not.
+        return replace(contact, reason=f"There is no taut length: {taut.reason}")
+    return taut
+
+
+def measure_closed(body: Body, definition: ClosedMeasure) -> Measured:
+    """The closed geodesic that a horizontal loop contracts to."""
+    path = closed_geodesic(body.atlas, body.point(definition.at), on_failure="status")
+    return _along(body, definition, path, (definition.at,))
+
+
+def _along(
+    body: Body, definition: PathMeasure | ClosedMeasure, path: AtlasPath, landmarks: tuple[str, ...]
+) -> Measured:
+    """A path along the skin, measured."""
+    status = path.status
     if not path.converged:
-        return _not_converged(definition, path.status.name, path.status.sentence, landmarks)
-    tapes = [contact_tape(body, path)]
-    taut, status, error = np.nan, path.status.name, path.error_estimate
-    if definition.tape != "contact":
-        start, *via, end = path.points
-        tape = taut_tape(body.atlas, start, end, via, contact=path, on_failure="status")
-        if not tape.converged:
-            return _not_converged(definition, tape.status.name, tape.status.sentence, landmarks)
-        tapes.append(Tape(TapeKind.TAUT, tape.points, tape.normals))
-        taut, status = tape.length, tape.status.name
-        error = max(error, tape.error_estimate)
+        return Measured(
+            definition, Outcome.NOT_CONVERGED, status.sentence, status.name, landmarks=landmarks
+        )
     return Measured(
         definition,
         Outcome.MEASURED,
-        status=status,
-        value=taut if definition.tape == "taut" else path.length,
+        status=status.name,
+        value=path.length,
         contact=path.length,
-        taut=taut,
-        error_estimate=error,
+        error_estimate=path.error_estimate,
         landmarks=landmarks,
-        tapes=tuple(tapes),
+        tapes=(contact_tape(body, path),),
         length_by_region=_length_by_region(body.atlas, path),
+    )
+
+
+def _drawn_taut(body: Body, path: AtlasPath, contact: Measured) -> Measured:
+    """The same with the tape drawn taut, as far as that can be done."""
+    start, *via, end = path.points
+    try:
+        tape = taut_tape(body.atlas, start, end, via, contact=path, on_failure="status")
+    except InputError as error:
+        return Measured(contact.definition, Outcome.REFUSED, str(error))
+    status = tape.status
+    if not tape.converged:
+        return Measured(
+            contact.definition,
+            Outcome.NOT_CONVERGED,
+            status.sentence,
+            status.name,
+            landmarks=contact.landmarks,
+        )
+    wanted = getattr(contact.definition, "tape", "contact")
+    return replace(
+        contact,
+        status=status.name,
+        value=tape.length if wanted == "taut" else path.length,
+        taut=tape.length,
+        error_estimate=max(path.error_estimate, tape.error_estimate),
+        tapes=(*contact.tapes, Tape(TapeKind.TAUT, tape.points, tape.normals)),
     )
 
 
@@ -67,12 +107,6 @@ def measure_drop(body: Body, definition: DropMeasure) -> Measured:
         tapes=tuple(body.tape(kind, tape) for kind, tape in wanted),
         length_by_region=found.arc.length_by_region,
     )
-
-
-def _not_converged(
-    definition: PathMeasure, status: str, sentence: str, landmarks: tuple[str, ...]
-) -> Measured:
-    return Measured(definition, Outcome.NOT_CONVERGED, sentence, status, landmarks=landmarks)
 
 
 def contact_tape(body: Body, path: AtlasPath) -> Tape:

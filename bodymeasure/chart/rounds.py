@@ -72,6 +72,7 @@ def _measured(
     landmarks: tuple[str, ...],
     remark: str = "",
 ) -> Measured:
+    remarks = [remark, f"{girth.remark[:1].upper()}{girth.remark[1:]}." if girth.remark else ""]
     wanted: TapeWanted = getattr(definition, "tape", "contact")
     tapes = [body.tape(TapeKind.CONTACT, girth.contact_tape)]
     if wanted != "contact":
@@ -79,7 +80,7 @@ def _measured(
     return Measured(
         definition,
         Outcome.MEASURED,
-        remark,
+        " ".join(filter(None, remarks)),
         value=girth.taut if wanted == "taut" else girth.contact,
         contact=girth.contact,
         taut=girth.taut,

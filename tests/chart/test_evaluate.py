@@ -1,0 +1,404 @@
+"""Measurements of bodies whose sizes are known in closed form, and their failures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from cut_atlases import corner_of, wavy_plane
+from tubes import joined, ring_length, tube
+
+from bodymeasure.atlas import Atlas, AtlasPoint, Axes
+from bodymeasure.chart import (
+    BreadthMeasure,
+    Chart,
+    ChordMeasure,
+    ClosedMeasure,
+    Definitions,
+    DepthMeasure,
+    DropMeasure,
+    ExtremeGirthMeasure,
+    FormulaMeasure,
+    GirthMeasure,
+    HeightMeasure,
+    LimbGirthMeasure,
+    Measurement,
+    Outcome,
+    OverMeasure,
+    PathMeasure,
+    TapeKind,
+    TiltedGirthMeasure,
+    measure_chart,
+)
+from bodymeasure.chart.landmark_rules import Between, LandmarkRule
+from bodymeasure.errors import InputError
+
+RADIUS = 1.5
+# Directions of the tube's patches where u = 0: to the left, back, right and front.
+LEFT, BACK, RIGHT, FRONT = range(4)
+
+
+def post(radii: Sequence[float] = (RADIUS,) * 4) -> Atlas:
+    """A tube with landmarks round its waist and above and below."""
+    landmarks = {
+        "left": AtlasPoint(LEFT, 0.0, 0.5),
+        "right": AtlasPoint(RIGHT, 0.0, 0.5),
+        "front": AtlasPoint(FRONT, 0.0, 0.5),
+        "back": AtlasPoint(BACK, 0.0, 0.5),
+        "low front": AtlasPoint(FRONT, 0.0, 0.25),
+        "high front": AtlasPoint(FRONT, 0.0, 0.75),
+        "high back": AtlasPoint(BACK, 0.0, 0.75),
+        "low left": AtlasPoint(LEFT, 0.0, 0.25),
+    }
+    tubes = joined([tube(radii)], ["torso"])
+    return replace(tubes, landmarks=landmarks)
+
+
+def chart_of(
+    atlas: Atlas, measurements: Sequence[Measurement], rules: Sequence[LandmarkRule] = ()
+) -> Chart:
+    definitions = Definitions(
+        format="bodymeasure measurements",
+        version=1,
+        name="Test",
+        landmark=tuple(rules),
+        measurement=tuple(measurements),
+    )
+    return measure_chart(atlas, definitions)
+
+
+CLOSED_FORMS: list[tuple[Measurement, float]] = [
+    (HeightMeasure(key="a", name="a", at="front"), 1.5),
+    (HeightMeasure(key="a", name="a", at="high front", above="low front"), 1.5),
+    (HeightMeasure(key="a", name="a", at="low front", above="high front"), 1.5),
+    (ChordMeasure(key="a", name="a", start="left", end="right"), 2 * RADIUS),
+    (BreadthMeasure(key="a", name="a", at="front"), 2 * RADIUS),
+    (DepthMeasure(key="a", name="a", at="left"), 2 * RADIUS),
+    (GirthMeasure(key="a", name="a", at="front"), RADIUS * ring_length()),
+    (GirthMeasure(key="a", name="a", at="front", tape="contact"), RADIUS * ring_length()),
+    (GirthMeasure(key="a", name="a", at="back", cut=("left", "right")), RADIUS * ring_length()),
+    (LimbGirthMeasure(key="round", name="a", start="low front", end="high front"), RADIUS),
+    (
+        LimbGirthMeasure(key="round", name="a", start="low front", end="high front", at="left"),
+        RADIUS,
+    ),
+    (PathMeasure(key="a", name="a", through=("low front", "high front")), 1.5),
+    (PathMeasure(key="round", name="a", through=("right", "front", "left")), RADIUS / 2),
+    (ClosedMeasure(key="round", name="a", at="front"), RADIUS),
+    (PathMeasure(key="a", name="a", through=("front", "high front", "low front")), 2.25),
+    (DropMeasure(key="a", name="a", start="high front", level="low left"), 1.5),
+    (DropMeasure(key="a", name="a", start="low left", level="high front", plane="side"), 1.5),
+]
+
+
+@pytest.mark.parametrize(("measurement", "expected"), CLOSED_FORMS)
+def test_closed_forms(measurement: Measurement, expected: float) -> None:
+    if measurement.key == "round":
+        expected *= ring_length()
+    (found,) = chart_of(post(), [measurement]).measured
+    assert found.outcome is Outcome.MEASURED, found.reason
+    assert abs(found.value - expected) <= found.error_estimate + 1e-12
+    assert found.error_estimate < 1e-5 * expected
+    for tape in found.tapes:
+        assert tape.points.shape == tape.normals.shape
+        drawn = np.linalg.norm(np.diff(tape.points, axis=0), axis=1).sum()
+        assert drawn == pytest.approx(expected, rel=2e-3)
+        if tape.kind is not TapeKind.STRAIGHT:
+            np.testing.assert_allclose(np.linalg.norm(tape.normals, axis=1), 1.0, atol=1e-12)
+            # Away from the axis: the sections are round but for some percent.
+            outwards = tape.points[:, :2] / np.linalg.norm(tape.points[:, :2], axis=1)[:, None]
+            assert ((tape.normals[:, :2] * outwards).sum(axis=1) > 0.9).all()
+        else:
+            assert not tape.normals.any()
+
+
+def test_kinds_of_tapes() -> None:
+    (path, girth, chord) = chart_of(
+        post(),
+        [
+            PathMeasure(key="a", name="a", through=("right", "front", "left")),
+            GirthMeasure(key="b", name="b", at="front"),
+            ChordMeasure(key="c", name="c", start="left", end="right"),
+        ],
+    ).measured
+    assert [tape.kind for tape in path.tapes] == [TapeKind.CONTACT]
+    assert [tape.kind for tape in girth.tapes] == [TapeKind.CONTACT, TapeKind.TAUT]
+    assert [tape.kind for tape in chord.tapes] == [TapeKind.STRAIGHT]
+    # A closed tape ends where it starts.
+    for tape in girth.tapes:
+        np.testing.assert_array_equal(tape.points[0], tape.points[-1])
+    assert path.landmarks == ("right", "front", "left")
+    assert path.status == "CONVERGED"
+    assert path.length_by_region == {"torso": pytest.approx(path.contact, rel=1e-9)}
+    assert girth.length_by_region == {"torso": pytest.approx(girth.contact, rel=1e-12)}
+
+
+def test_a_taut_tape_that_there_is_not_leaves_what_was_asked_for() -> None:
+    # A tube open at both ends encloses nothing.
+    ends = ("right", "left")
+    both, taut = chart_of(
+        post(),
+        [
+            PathMeasure(key="a", name="a", through=ends, tape="both"),
+            PathMeasure(key="b", name="b", through=ends, tape="taut"),
+        ],
+    ).measured
+    assert both.outcome is Outcome.MEASURED
+    assert both.value == pytest.approx(RADIUS * ring_length() / 2.0)
+    assert np.isnan(both.taut)
+    assert both.reason.startswith("There is no taut length: the outside of patch 'patch 0' and 3 m")
+    assert taut.outcome is Outcome.REFUSED
+    assert np.isnan(taut.value)
+    assert "cannot be told" in taut.reason
+
+
+def test_a_tilted_girth_lies_in_the_plane_of_its_landmarks() -> None:
+    found = chart_of(
+        post(), [TiltedGirthMeasure(key="a", name="a", front="front", back="high back")]
+    )["a"]
+    (contact, _) = found.tapes
+    # Half as far up at the sides, which lie halfway from front to back.
+    sides = contact.points[np.abs(contact.points[:, 1]) < 1e-9]
+    np.testing.assert_allclose(sides[:, 2], 1.875, atol=1e-9)
+    assert found.value > RADIUS * ring_length()
+    beside = chart_of(post(), [TiltedGirthMeasure(key="a", name="a", front="left", back="right")])[
+        "a"
+    ]
+    assert beside.outcome is Outcome.REFUSED
+    assert "lie one beside the other or at one place" in beside.reason
+
+
+def test_an_extreme_girth_at_the_end_of_its_stretch_says_so() -> None:
+    atlas = post((1.0, 1.0, 1.0, 2.0))
+    inside = ExtremeGirthMeasure(
+        key="a", name="a", start="low front", end="high front", extreme="largest"
+    )
+    found = chart_of(atlas, [inside])["a"]
+    # Of a cubic from 1 to 2 that starts level: 1 + v^3.
+    assert found.value == pytest.approx((1.0 + 0.75**3) * ring_length(), rel=1e-9)
+    assert found.outcome is Outcome.MEASURED
+    assert found.reason.startswith("The extreme is at the end of the stretch: a more extreme girth")
+
+
+@pytest.mark.parametrize("out", [0.5, 0.02])
+def test_over_a_tape_between_two_others(out: float) -> None:
+    # Two thin posts beside the trunk stand out to the front, and a tape from one to the other.
+    posts = [tube((0.25,) * 4, (x, -RADIUS - out + 0.25)) for x in (-2.5, 2.5)]
+    atlas = joined([tube((RADIUS,) * 4), *posts], ["torso", "breast", "breast"])
+    landmarks = {
+        "high": AtlasPoint(FRONT, 0.0, 0.75),
+        "low": AtlasPoint(FRONT, 0.0, 0.25),
+        "left": AtlasPoint(8 + FRONT, 0.0, 0.5),
+        "right": AtlasPoint(4 + FRONT, 0.0, 0.5),
+    }
+    over = OverMeasure(key="a", name="a", start="high", level="low", over=("left", "right"))
+    found = chart_of(replace(atlas, landmarks=landmarks), [over])["a"]
+    assert found.outcome is Outcome.MEASURED, found.reason
+    assert found.value == pytest.approx(2.0 * np.hypot(0.75, out), rel=1e-12)
+    (tape,) = found.tapes
+    np.testing.assert_allclose(tape.points[1], (0.0, -RADIUS - out, 1.5), atol=1e-12)
+    np.testing.assert_allclose(np.linalg.norm(tape.normals, axis=1), (1.0, 0.0, 1.0))
+
+
+def test_over_a_bulging_body_the_tape_follows_it() -> None:
+    # 1.5 in the middle of the tube and 1 at its ends: the tape touches it from start to end.
+    atlas = post((1.0, 1.6, 1.6, 1.0))
+    over = OverMeasure(
+        key="a", name="a", start="high front", level="low front", over=("left", "right")
+    )
+    drop = DropMeasure(key="b", name="b", start="high front", level="low front")
+    chart = chart_of(atlas, [over, drop])
+    # A parabola of height, and so its arc in closed form: r = 1 + 1.8 v (1 - v), z = 3 v.
+    slope = 1.8 * 0.5 / 3.0
+    arc = 1.5 * 0.5 * (np.sqrt(1.0 + slope**2) + np.arcsinh(slope) / slope)
+    assert chart["b"].value == pytest.approx(arc, rel=1e-12)
+    assert abs(chart["a"].value - arc) <= chart["a"].error_estimate
+    assert chart["a"].error_estimate < 1e-7 * arc
+
+
+def test_formulas_take_what_was_measured() -> None:
+    chart = chart_of(
+        post(),
+        [
+            FormulaMeasure(key="twice", name="twice", formula="2 * sum"),
+            FormulaMeasure(key="sum", name="sum", formula="girth + way"),
+            GirthMeasure(key="girth", name="girth", at="front"),
+            PathMeasure(key="way", name="way", through=("front", "left")),
+            FormulaMeasure(key="slope", name="slope", formula="atan(way / way)", angle=True),
+        ],
+    )
+    girth, way, total = chart["girth"], chart["way"], chart["sum"]
+    assert total.value == girth.value + way.value
+    assert total.error_estimate == girth.error_estimate + way.error_estimate
+    assert chart["twice"].value == 2.0 * total.value
+    assert chart["slope"].value == pytest.approx(45.0)
+    assert total.landmarks == ("front", "left")
+    assert np.isnan(total.contact)
+    # In the order of the definitions, whatever was measured first.
+    keys = [one.definition.key for one in chart.measured]
+    assert keys == ["twice", "sum", "girth", "way", "slope"]
+
+
+def refused(atlas: Atlas, measurement: Measurement, outcome: Outcome) -> str:
+    chart = chart_of(atlas, [measurement, HeightMeasure(key="other", name="other", at="front")])
+    found = chart[measurement.key]
+    assert found.outcome is outcome
+    assert np.isnan(found.value)
+    assert found.tapes == ()
+    # The others are measured all the same.
+    assert chart["other"].value == 1.5
+    return found.reason
+
+
+def test_a_missing_landmark_is_named() -> None:
+    height = HeightMeasure(key="a", name="a", at="high frnt")
+    reason = refused(post(), height, Outcome.MISSING_LANDMARK)
+    assert reason == "the atlas has no landmark 'high frnt'; did you mean 'high front'?"
+    for measurement in (
+        PathMeasure(key="a", name="a", through=("front", "navel")),
+        GirthMeasure(key="a", name="a", at="navel"),
+        GirthMeasure(key="a", name="a", at="front", cut=("navel", "right")),
+        LimbGirthMeasure(key="a", name="a", start="front", end="high front", at="navel"),
+        ExtremeGirthMeasure(key="a", name="a", start="navel", end="front", extreme="largest"),
+        TiltedGirthMeasure(key="a", name="a", front="front", back="navel"),
+        OverMeasure(key="a", name="a", start="high front", level="front", over=("navel", "left")),
+        DropMeasure(key="a", name="a", start="front", level="navel"),
+        HeightMeasure(key="a", name="a", at="front", above="navel"),
+        ChordMeasure(key="a", name="a", start="front", end="navel"),
+        BreadthMeasure(key="a", name="a", at="navel"),
+        DepthMeasure(key="a", name="a", at="navel"),
+    ):
+        reason = refused(post(), measurement, Outcome.MISSING_LANDMARK)
+        assert reason.startswith("the atlas has no landmark 'navel'")
+
+
+def test_a_landmark_that_a_rule_cannot_give_says_why() -> None:
+    rule = Between(name="navel", start="front", end="wrist point left")
+    chart = chart_of(post(), [HeightMeasure(key="a", name="a", at="navel")], [rule])
+    assert chart["a"].outcome is Outcome.MISSING_LANDMARK
+    assert chart["a"].reason.startswith(
+        "the landmark 'navel' is missing: it needs 'wrist point left'"
+    )
+    assert chart["a"].reason.endswith("add it with `bodymeasure landmarks`")
+    assert "navel" in chart.missing_landmarks
+
+
+def test_rules_that_need_unknown_landmarks_leave_the_others() -> None:
+    rules = [
+        Between(name="navel", start="front", end="belly"),
+        Between(name="near navel", start="navel", end="left"),
+        Between(name="typed", start="frnt", end="left"),
+        Between(name="fine", start="front", end="left"),
+    ]
+    chart = chart_of(post(), [HeightMeasure(key="a", name="a", at="fine")], rules)
+    assert chart["a"].value == pytest.approx(1.5)
+    belly = "it needs 'belly', which no landmark is called; pick it, or give it a rule"
+    assert chart.missing_landmarks == {
+        "navel": belly,
+        "near navel": f"it needs 'navel', which is missing: {belly}",
+        "typed": "it needs 'frnt', which no landmark is called; did you mean 'front'?",
+    }
+
+
+def test_rules_in_a_circle_are_an_error() -> None:
+    rules = [
+        Between(name="one", start="two", end="left"),
+        Between(name="two", start="one", end="left"),
+    ]
+    with pytest.raises(InputError, match="need one another in a circle"):
+        chart_of(post(), [HeightMeasure(key="a", name="a", at="one")], rules)
+
+
+def test_landmarks_by_rule_are_measured_from() -> None:
+    rule = Between(name="eighth", start="front", end="left")
+    chart = chart_of(post(), [PathMeasure(key="a", name="a", through=("front", "eighth"))], [rule])
+    assert chart["a"].value == pytest.approx(RADIUS * ring_length() / 8.0, rel=1e-9)
+    assert set(chart.landmarks) == {*post().landmarks, "eighth"}
+
+
+def test_refusals_keep_the_words_of_what_refuses() -> None:
+    two = joined([tube((1.0,) * 4), tube((1.0,) * 4, (5.0, 0.0))], ["torso", "torso"])
+    two = replace(two, landmarks={**post().landmarks, "far": AtlasPoint(4, 0.0, 0.5)})
+    apart = PathMeasure(key="a", name="a", through=("front", "far"))
+    assert "which no seams join: the atlas has 2 separate" in refused(two, apart, Outcome.REFUSED)
+    flat = DropMeasure(key="a", name="a", start="front", level="left")
+    assert "have one height, so there is nothing" in refused(post(), flat, Outcome.REFUSED)
+    same = LimbGirthMeasure(key="a", name="a", start="front", end="front")
+    assert "starts and ends at one place" in refused(post(), same, Outcome.REFUSED)
+
+
+def test_a_formula_without_an_operand_is_never_evaluated() -> None:
+    chart = chart_of(
+        post(),
+        [
+            # Whatever the missing one is, the other is smaller.
+            FormulaMeasure(key="a", name="a", formula="min(here, gone)"),
+            HeightMeasure(key="here", name="here", at="front"),
+            HeightMeasure(key="gone", name="gone", at="navel"),
+            FormulaMeasure(key="b", name="b", formula="a + here"),
+            FormulaMeasure(key="c", name="c", formula="here / (1 - 1)"),
+            FormulaMeasure(key="d", name="d", formula="c + here"),
+        ],
+    )
+    assert chart["a"].outcome is Outcome.MISSING_OPERAND
+    assert np.isnan(chart["a"].value)
+    assert chart["a"].reason.startswith(
+        "the formula 'min(here, gone)' lacks 'gone' (missing landmark): the atlas has no landmark"
+    )
+    assert chart["b"].outcome is Outcome.MISSING_OPERAND
+    assert "lacks 'a' (missing operand)" in chart["b"].reason
+    assert chart["c"].outcome is Outcome.REFUSED
+    assert "divides by zero: '1 - 1' is 0 here" in chart["c"].reason
+    assert "lacks 'c' (refused)" in chart["d"].reason
+
+
+def test_an_atlas_without_landmarks_has_reasons() -> None:
+    chart = measure_chart(replace(post(), landmarks={}))
+    outcomes = {one.outcome for one in chart.measured}
+    assert outcomes == {Outcome.MISSING_LANDMARK, Outcome.MISSING_OPERAND}
+    assert all(one.reason for one in chart.measured)
+
+
+def test_paths_on_a_plane_are_chords(rng: np.random.Generator) -> None:
+    atlas = wavy_plane(rng)
+    landmarks = {
+        name: corner_of(atlas, position)
+        for name, position in (("a", (0, 0, 0)), ("b", (3, 2, 0)), ("c", (1, 3, 0)))
+    }
+    # Up along y, so that heights are its coordinates.
+    atlas = replace(atlas, landmarks=landmarks, axes=Axes("+y", "+z"))
+    chart = chart_of(
+        atlas,
+        [
+            PathMeasure(key="way", name="way", through=("a", "b", "c")),
+            PathMeasure(key="back", name="back", through=("a", "b")),
+            HeightMeasure(key="height", name="height", at="b"),
+        ],
+    )
+    assert chart["way"].value == pytest.approx(np.sqrt(13.0) + np.sqrt(5.0), rel=1e-9)
+    # The one leg is a part of the other measurement, and found once.
+    assert chart["back"].value == pytest.approx(np.sqrt(13.0), rel=1e-9)
+    assert chart["height"].value == 2.0
+    # Nothing is judged by regions that have no names.
+    assert chart["way"].length_by_region == {"": pytest.approx(chart["way"].value)}
+
+
+def test_progress_is_told() -> None:
+    told: list[tuple[int, int]] = []
+    definitions = Definitions(
+        format="bodymeasure measurements",
+        version=1,
+        name="Test",
+        measurement=(
+            HeightMeasure(key="a", name="a", at="front"),
+            FormulaMeasure(key="b", name="b", formula="a + a"),
+        ),
+    )
+    chart = measure_chart(post(), definitions, progress=lambda done, of: told.append((done, of)))
+    assert told == [(1, 2), (2, 2)]
+    assert chart.seconds > 0.0
+    assert "numpy" in chart.versions
+    with pytest.raises(KeyError):
+        chart["c"]
