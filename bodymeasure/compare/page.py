@@ -39,6 +39,7 @@ def render_comparison(comparison: Comparison) -> bytes:
         "comparison.html.j2",
         context,
         feature="the page of a comparison",
+        styles=("measurements.css",),
         filters={
             "tape": tape_text,
             "signed": shown.signed,

@@ -35,7 +35,7 @@ def render_page(
     Parameters
     ----------
     package : str
-        In whose folder ``templates`` the template and its style sheets are.
+        In whose folder ``templates`` the template is.
     template : str
         Name of its file.
     context : mapping of str to object
@@ -45,7 +45,7 @@ def render_page(
     filters : mapping of str to function, optional
         Beside `FILTERS`.
     styles : sequence of str
-        Style sheets after that of the report.
+        Style sheets of `bodymeasure.report` after ``report.css``.
 
     Raises
     ------
@@ -65,7 +65,7 @@ def render_page(
         loader=jinja2.FunctionLoader(lambda name: _text("bodymeasure.report", name)),
     )
     environment.filters.update({**FILTERS, **(filters or {})})
-    css = [_text("bodymeasure.report", "report.css"), *(_text(package, name) for name in styles)]
+    css = [_text("bodymeasure.report", name) for name in ("report.css", *styles)]
     page = environment.from_string(_text(package, template))
     return page.render(**context, css="\n".join(css)).encode()
 

@@ -178,3 +178,17 @@ def test_missing_packages_are_told_first(
     assert (ran.code, ran.out) == (2, "")
     assert ran.err.endswith("pip install 'bodymeasure[chart]'\n")
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.slow
+def test_a_whole_body_with_pictures(run: Run, tmp_path: Path) -> None:
+    ran = run("chart", "-o", tmp_path)
+    content = json.loads((tmp_path / "measurements.json").read_bytes())
+    measured = [m for m in content["measurements"] if m["value"] is not None]
+    assert len(measured) >= 45
+    assert ran.code == (len(measured) < len(content["measurements"]))
+    page = (tmp_path / "chart.html").read_text("utf-8")
+    assert page.count("data:image/png") > len(measured)
+    assert [m["number"] for m in measured] == list(range(1, len(measured) + 1))
+    for number in (1, len(measured)):
+        assert f"<strong>{number}. " in page
