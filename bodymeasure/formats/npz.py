@@ -139,14 +139,14 @@ def write_bodies(atlases: Sequence[Atlas]) -> bytes:
             "a name holds what is no character; expected text that UTF-8 can write"
         ) from None
     buffer = io.BytesIO()
-    arrays = {
+    arrays: dict[str, Any] = {
         "points": np.stack([atlas.points for atlas in atlases]),
         "index": first.index,
         "header": np.array(text),
     }
     if first.weights is not None:
         arrays["weights"] = first.weights
-    np.savez_compressed(buffer, allow_pickle=False, **arrays)
+    np.savez_compressed(buffer, **arrays)
     return buffer.getvalue()
 
 
