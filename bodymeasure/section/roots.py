@@ -5,8 +5,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.bezier import bernstein_values
-
 # Halving alone needs some 55 steps for all digits; Newton's steps make it about six.
 MAX_STEPS = 120
 # Of parameters, which lie in [0, 1]: what rounding leaves of them.
@@ -17,12 +15,13 @@ def polynomial_values(
     coefficients: NDArray[np.float64], t: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Values and slopes at t, both shape (...), for Bernstein coefficients (..., degree + 1)."""
+    # De Casteljau's way: few and large operations, which count where there are many calls.
     b = np.moveaxis(coefficients, -1, 0)
     degree = len(b) - 1
-    value = sum(weight * b[i] for i, weight in enumerate(bernstein_values(degree, t)))
-    lower = bernstein_values(degree - 1, t)
-    slope = sum(degree * weight * (b[i + 1] - b[i]) for i, weight in enumerate(lower))
-    return np.asarray(value), np.asarray(slope)
+    s = 1.0 - t
+    for _ in range(degree - 1):
+        b = s * b[:-1] + t * b[1:]
+    return s * b[0] + t * b[1], degree * (b[1] - b[0])
 
 
 def bracketed_roots(
