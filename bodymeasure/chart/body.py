@@ -14,10 +14,11 @@ from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.normals import normal_vectors
 from bodymeasure.atlas.outward import outward_sign
 from bodymeasure.chart.joined import joined
+from bodymeasure.chart.legs import leg
 from bodymeasure.chart.measured import Tape, TapeKind
 from bodymeasure.chart.nearest import hint
 from bodymeasure.errors import InputError
-from bodymeasure.geodesic import AtlasPath, geodesic_between
+from bodymeasure.geodesic import AtlasPath
 from bodymeasure.measure import Girth, plane_girth
 from bodymeasure.section import DrawnTape, Plane
 
@@ -35,14 +36,15 @@ class Body:
     Parameters
     ----------
     atlas : Atlas
-        With the landmarks that rules gave.
+    landmarks : mapping of str to AtlasPoint
+        The atlas's own, and those that rules gave.
     missing : mapping of str to str
         Landmarks that rules could not give, and why.
     """
 
     atlas: Atlas
+    landmarks: Mapping[str, AtlasPoint]
     missing: Mapping[str, str] = field(default_factory=dict)
-    _legs: dict[tuple[str, str], AtlasPath] = field(default_factory=dict, repr=False)
     _girths: dict[tuple[str, bytes], Girth] = field(default_factory=dict, repr=False)
 
     @cached_property
@@ -56,14 +58,14 @@ class Body:
         ------
         MissingLandmarkError
         """
-        if name in self.atlas.landmarks:
-            return self.atlas.landmarks[name]
+        if name in self.landmarks:
+            return self.landmarks[name]
         if name in self.missing:
             raise MissingLandmarkError(
                 f"the landmark {name!r} is missing: {self.missing[name]}; "
                 "add it with `bodymeasure landmarks`"
             )
-        known = sorted(self.atlas.landmarks)
+        known = sorted(self.landmarks)
         near = f"; {hint(name, known)}" if known else ", nor any other"
         raise MissingLandmarkError(f"the atlas has no landmark {name!r}{near}")
 
@@ -74,13 +76,7 @@ class Body:
     def path(self, through: Sequence[str]) -> AtlasPath:
         """The geodesic through landmarks in order; each leg between two is found once."""
         points = [self.point(name) for name in through]
-        legs = zip(pairwise(through), pairwise(points), strict=True)
-        return joined([self._leg(names, *ends) for names, ends in legs])
-
-    def _leg(self, names: tuple[str, str], start: AtlasPoint, end: AtlasPoint) -> AtlasPath:
-        if names not in self._legs:
-            self._legs[names] = geodesic_between(self.atlas, start, end, on_failure="status")
-        return self._legs[names]
+        return joined([leg(self.atlas, *ends) for ends in pairwise(points)])
 
     def girth(self, plane: Plane, at: str) -> Girth:
         """The girth in a plane through a landmark, each found once."""

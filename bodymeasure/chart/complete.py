@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.chart.body import Body
@@ -16,7 +15,7 @@ from bodymeasure.chart.sides import both_sides
 
 
 def completed(atlas: Atlas, rules: Sequence[LandmarkRule]) -> Body:
-    """An atlas with the landmarks that rules give on it, and reasons for those that they cannot.
+    """A body with the landmarks that rules give on it, and reasons for those that they cannot.
 
     A rule that needs a landmark of which nobody has heard is no error here, as it is to
     `derive_landmarks`: users pick landmarks of their own, and not on every body.
@@ -33,7 +32,7 @@ def completed(atlas: Atlas, rules: Sequence[LandmarkRule]) -> Body:
         missing[name] = reason
         del usable[name]
     derived = derive_landmarks(atlas, usable.values())
-    return Body(replace(atlas, landmarks=derived.landmarks), {**derived.missing, **missing})
+    return Body(atlas, derived.landmarks, {**derived.missing, **missing})
 
 
 def _first_lacking(

@@ -110,7 +110,7 @@ def measure_chart(
     return Chart(
         atlas,
         definitions,
-        body.atlas.landmarks,
+        body.landmarks,
         body.missing,
         tuple(measured[key] for key in every),
         time.perf_counter() - begin,

@@ -11,9 +11,10 @@ from bodymeasure.atlas.closest import closest_points
 from bodymeasure.atlas.outward import outward_sign
 from bodymeasure.bezier import derivatives
 from bodymeasure.chart.landmark_rules import Between, Hollow
+from bodymeasure.chart.legs import leg
 from bodymeasure.chart.rule_choice import TIE, atlas_size
 from bodymeasure.errors import InputError
-from bodymeasure.geodesic import AtlasPath, geodesic_between
+from bodymeasure.geodesic import AtlasPath
 
 _Array = NDArray[np.float64]
 
@@ -97,7 +98,7 @@ def _on_the_left(atlas: Atlas, path: AtlasPath, point: AtlasPoint) -> AtlasPoint
 
 def path_between(atlas: Atlas, start: str, end: str, landmarks: dict[str, AtlasPoint]) -> AtlasPath:
     """The geodesic between two landmarks, refused if it cannot be trusted."""
-    path = geodesic_between(atlas, landmarks[start], landmarks[end], on_failure="status")
+    path = leg(atlas, landmarks[start], landmarks[end])
     if not path.converged:
         raise InputError(
             f"the geodesic from {start!r} to {end!r} cannot be trusted ({path.status.name}); pick "
