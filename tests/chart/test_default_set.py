@@ -1,0 +1,186 @@
+"""The default set: what it names, and what it takes on the sample bodies."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from pattern_names import FREESEWING, SEAMLY
+
+from bodymeasure.atlas import Atlas, Axes
+from bodymeasure.chart import (
+    Chart,
+    FormulaMeasure,
+    Outcome,
+    TapeKind,
+    both_sides,
+    load_definitions,
+    measure_chart,
+)
+from bodymeasure.samples import load_sample
+
+DEFAULT = load_definitions()
+BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
+bodies = pytest.mark.parametrize(
+    "name",
+    [BODIES[0], *(pytest.param(name, marks=pytest.mark.slow) for name in BODIES[1:])],
+)
+
+
+@cache
+def chart_of(name: str) -> Chart:
+    return measure_chart(load_sample(name))
+
+
+def test_it_has_what_pattern_blocks_need() -> None:
+    keys = {one.key for one in DEFAULT.measurement}
+    assert len(keys) >= 45
+    assert keys >= {
+        *("neck_girth", "neck_base_girth", "bust_girth", "underbust_girth", "waist_girth"),
+        *("top_hip_girth", "hip_girth", "thigh_girth_{side}", "mid_thigh_girth_{side}"),
+        *("knee_girth_{side}", "calf_girth_{side}", "ankle_girth_{side}"),
+        *("upper_arm_girth_{side}", "elbow_girth_{side}", "wrist_girth_{side}"),
+        *("shoulder_length_{side}", "shoulder_width", "across_back_width", "across_front_width"),
+        *("back_neck_to_waist", "front_neck_to_waist", "front_neck_to_waist_between"),
+        *("side_neck_to_bust_{side}", "bust_to_waist_{side}", "bust_span", "scye_depth"),
+        *("arm_length_{side}", "outer_leg_length_{side}", "inner_leg_length"),
+        *("waist_to_hip_{side}", "crotch_length", "trunk_length"),
+        *("back_neck_height", "waist_height_{side}", "hip_height_{side}", "knee_height_{side}"),
+    }
+
+
+def test_names_of_pattern_programs_are_theirs_and_used_once() -> None:
+    seamly = [name for one in DEFAULT.measurement for name in one.seamly]
+    freesewing = [one.freesewing for one in DEFAULT.measurement if one.freesewing is not None]
+    assert set(seamly) <= SEAMLY
+    assert set(freesewing) <= FREESEWING
+    assert [name for name, count in Counter(seamly).items() if count > 1] == []
+    assert [name for name, count in Counter(freesewing).items() if count > 1] == []
+    # The bodies have neither.
+    assert FREESEWING - set(freesewing) == {"head", "heel"}
+
+
+def test_each_measurement_is_described() -> None:
+    names = Counter(one.name for one in both_sides(DEFAULT.measurement))
+    assert max(names.values()) == 1
+    clauses = [one.iso.clause for one in DEFAULT.measurement if one.iso and one.iso.clause]
+    assert max(Counter(clauses).values()) == 1
+    assert len(clauses) >= 15
+    for one in DEFAULT.measurement:
+        assert re.fullmatch(r"[A-Z].+\.", one.words), one.key
+        assert one.group, one.key
+    for rule in DEFAULT.landmark:
+        assert re.fullmatch(r"[A-Z].+\.", rule.words), rule.name
+
+
+def test_each_rule_is_needed() -> None:
+    text = repr(DEFAULT)
+    for rule in DEFAULT.landmark:
+        one_side = rule.name.replace("{side}", "left")
+        assert text.count(f"'{rule.name}'") + text.count(f"'{one_side}'") > 1, rule.name
+
+
+@bodies
+def test_all_of_it_is_measured(name: str) -> None:
+    chart = chart_of(name)
+    failed = {
+        one.definition.key: one.reason
+        for one in chart.measured
+        if one.outcome is not Outcome.MEASURED
+    }
+    assert failed == {}
+    assert chart.missing_landmarks == {}
+    for one in chart.measured:
+        assert one.reason == "", one.definition.key
+        assert 0.0 <= one.error_estimate <= 1e-5 * one.value, one.definition.key
+        assert one.tapes or isinstance(one.definition, FormulaMeasure)
+        assert one.landmarks
+
+
+@bodies
+def test_tapes_lie_as_tapes_do(name: str) -> None:
+    for one in chart_of(name).measured:
+        error = one.error_estimate
+        if np.isfinite(one.taut) and np.isfinite(one.contact):
+            assert one.gap >= -error, one.definition.key
+        kinds = {tape.kind: tape for tape in one.tapes}
+        lengths = {TapeKind.CONTACT: one.contact, TapeKind.TAUT: one.taut}
+        for kind, tape in kinds.items():
+            drawn = np.linalg.norm(np.diff(tape.points, axis=0), axis=1).sum()
+            assert drawn == pytest.approx(lengths.get(kind, one.value), rel=5e-3)
+            sizes = np.linalg.norm(tape.normals, axis=1)
+            assert (np.isclose(sizes, 1.0) | (sizes == 0.0)).all()
+        if one.length_by_region and TapeKind.CONTACT in kinds:
+            assert sum(one.length_by_region.values()) == pytest.approx(one.contact, rel=1e-6)
+
+
+@bodies
+def test_both_sides_agree(name: str) -> None:
+    chart = chart_of(name)
+    pairs = 0
+    for one in chart.measured:
+        if one.definition.key.endswith("_left"):
+            other = chart[one.definition.key.removesuffix("left") + "right"]
+            pairs += 1
+            for length, mirrored in ((one.contact, other.contact), (one.taut, other.taut)):
+                assert mirrored == pytest.approx(length, rel=1e-6, nan_ok=True)
+            assert other.value == pytest.approx(one.value, rel=1e-6)
+    assert pairs > 30
+
+
+@bodies
+def test_parts_add_up(name: str) -> None:
+    chart = chart_of(name)
+    value = {one.definition.key: one.value for one in chart.measured}
+    assert value["bust_front_arc"] + value["bust_back_arc"] == pytest.approx(value["bust_girth"])
+    legs = value["upper_arm_length_left"] + value["forearm_length_left"]
+    assert value["arm_length_left"] == pytest.approx(legs, rel=1e-12)
+    halves = value["crotch_length_front"] + value["crotch_length_back"]
+    assert value["crotch_length"] == pytest.approx(halves, rel=1e-12)
+    # The one tape lies over another that spans the hollow in which the other lies.
+    assert value["front_neck_to_waist"] > chart["front_neck_to_waist_between"].taut
+    assert value["natural_waist_girth"] < value["waist_girth"] < value["hip_girth"]
+    down = [f"{part}_height_left" for part in ("side_neck", "shoulder", "armpit", "bust", "waist")]
+    down += [f"{part}_height_left" for part in ("top_hip", "hip", "upper_thigh", "knee")]
+    heights = [value[key] for key in down]
+    assert heights == sorted(heights, reverse=True)
+
+
+def test_known_girths_of_the_average_body() -> None:
+    # Found by another program on this body, at these heights to a millimetre.
+    chart = chart_of("female_average")
+    for key, contact, taut in (
+        ("bust_girth", 0.8430, 0.8347),
+        ("waist_girth", 0.7107, 0.7106),
+        ("hip_girth", 0.9265, 0.9252),
+    ):
+        assert chart[key].contact == pytest.approx(contact, abs=5e-4)
+        assert chart[key].taut == pytest.approx(taut, abs=5e-4)
+    assert 0.38 < chart["back_neck_to_waist"].value < 0.42
+
+
+def turned(atlas: Atlas) -> Atlas:
+    """The body lying on its side, some way off, in coordinates of another sense."""
+    rotation = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    # Along the floor only, since heights are above it.
+    moved = atlas.points @ rotation.T + np.array([0.0, 0.3, -0.7])
+    return replace(atlas, points=moved, axes=Axes("+x", "-z"))
+
+
+@pytest.mark.slow
+def test_motion_and_units_change_nothing() -> None:
+    chart = chart_of("female_average")
+    others = {
+        1.0: measure_chart(turned(chart.atlas)),
+        1000.0: measure_chart(load_sample("female_average").converted("mm")),
+    }
+    for scale, other in others.items():
+        for one, same in zip(chart.measured, other.measured, strict=True):
+            key, angle = one.definition.key, getattr(one.definition, "angle", False)
+            known = one.value * (1.0 if angle else scale)
+            rounding = 1e-9 * known + 2.0 * one.error_estimate * (1.0 if angle else scale)
+            assert abs(same.value - known) <= rounding, key
