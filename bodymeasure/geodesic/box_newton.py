@@ -120,7 +120,10 @@ def _step(
     """
     bands = here.bands.copy()
     bands[0] += damping * np.abs(here.bands[0])
-    bound = np.where(idle, place, np.nan)
+    # What the gradient presses to its bound stays there: free, it might leave no minimum.
+    outwards = np.where(place < 0.5, here.gradient, -here.gradient) > 0.0
+    kept = (outwards & ((place == 0.0) | (place == 1.0))) | idle
+    bound = np.where(kept, place, np.nan)
     step = np.zeros_like(place)
     for _ in range(MOST_SETS):
         free = np.isnan(bound)

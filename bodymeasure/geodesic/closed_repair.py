@@ -45,10 +45,9 @@ def other_loops(neighbors: Neighbors, loop: RefinedLoop) -> Iterator[ClosedRoute
     held = np.roll(loop.held_joints, -first)
     corners = list(_round_corners(neighbors, route))
     pressed = [change for change in corners if held[change.first : change.last].any()]
-    returns = list(_without_returns(route, np.roll(loop.lengths, -first)))
     # One way round each corner, to apply them all.
     yield from _all_at_once(route, pressed)
-    yield from (_changed(route, [change]) for change in returns)
+    yield from _without_returns(loop.route, loop.lengths)
     detours = list(_over_missing_neighbors(neighbors, loop))
     yield from _all_at_once(loop.route, detours)
     yield from (_changed(loop.route, [change]) for change in detours)
@@ -103,14 +102,15 @@ def _round_corners(neighbors: Neighbors, route: ClosedRoute) -> Iterator[_Change
         first = last + 1
 
 
-def _without_returns(route: ClosedRoute, lengths: _Array) -> Iterator[_Change]:
+def _without_returns(route: ClosedRoute, lengths: _Array) -> Iterator[ClosedRoute]:
     """Without a piece that only goes over a seam and comes back."""
-    patches = route.patches
-    for piece in range(len(patches) - 1):
-        enter, leave = route.crossings[piece : piece + 2]
-        returns = enter.edge == leave.edge and patches[piece - 1] == patches[piece + 1]
-        if returns and lengths[piece] < SHORT * lengths.sum():
-            yield _Change(piece, piece + 2, ())
+    count, patches = len(route.crossings), route.patches
+    for piece in range(count):
+        following = (piece + 1) % count
+        enter, leave = route.crossings[piece], route.crossings[following]
+        returns = enter.edge == leave.edge and patches[piece - 1] == patches[following]
+        if count > 1 and returns and lengths[piece] < SHORT * lengths.sum():
+            yield route.begun_at(piece).replaced(0, 2, ())
 
 
 def _over_missing_neighbors(neighbors: Neighbors, loop: RefinedLoop) -> Iterator[_Change]:

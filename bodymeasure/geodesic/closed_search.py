@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Crossing, Neighbors
 from bodymeasure.atlas.seams import EDGES
-from bodymeasure.geodesic.closed_error import LoopLength, loop_length
+from bodymeasure.geodesic.closed_error import LoopKind, LoopLength, loop_length
 from bodymeasure.geodesic.closed_refine import RefinedLoop, refine_loop
 from bodymeasure.geodesic.closed_repair import other_loops
 from bodymeasure.geodesic.closed_route import ClosedRoute
@@ -62,15 +62,15 @@ def contracted(
     size : float
         About the length of the loop.
     """
-    tried: set[tuple[Crossing, ...]] = {route.key}
-    best: RefinedLoop | None = refine_loop(atlas, route, SLIDING, size)
+    best = refine_loop(atlas, route, SLIDING, size)
     history: list[float] = []
     for degree in (SLIDING, *DEGREES):
-        if best is not None and degree > SLIDING:
+        if degree > SLIDING:
             best = refine_loop(atlas, best.route, degree, size, best)
-        best, missed = _repaired(atlas, neighbors, best, tried) if best is not None else (None, 0.0)
-        if best is None or best.length < COLLAPSED * size:
+        repaired, missed = _repaired(atlas, neighbors, best)
+        if repaired is None or repaired.length < COLLAPSED * size:
             return None
+        best = repaired
         length, contact = loop_length(best), _on_boundary(neighbors, best)
         length = length._replace(error=length.error + missed)
         if contact:
@@ -82,21 +82,24 @@ def contracted(
         else:
             good = length.trusted and length.error <= GOOD_ENOUGH * length.raw
         history.append(best.length)
-        good = good and best.minimum.converged
-        if good and not contact and length.error <= TOLERANCE * length.raw:
+        # Newton's method comes to rest on a saddle, too, but cannot tell that it has.
+        good = good and (best.minimum.converged or length.kind is LoopKind.SADDLE)
+        if degree > SLIDING and good and not contact and length.error <= TOLERANCE * length.raw:
             break
     return FoundLoop(best, length, contact, good)
 
 
 def _repaired(
-    atlas: Atlas, neighbors: Neighbors, best: RefinedLoop, tried: set[tuple[Crossing, ...]]
+    atlas: Atlas, neighbors: Neighbors, best: RefinedLoop
 ) -> tuple[RefinedLoop | None, float]:
     """The best along any route that a loop asks for, and those ask for, as long as it gets shorter.
 
-    What was tried is remembered. Also by how much a route was shorter that was not better by
-    enough. None if nothing is left to cross.
+    What was tried is remembered, but for the next degree: polynomials of a low one may be shorter
+    over a neighbor only because they are two there. Also by how much a route was shorter that was
+    not better by enough. None if nothing is left to cross.
     """
     degree, missed = best.problem.space.size, 0.0
+    tried: set[tuple[Crossing, ...]] = {best.route.key}
     improved = True
     while improved:
         improved = False

@@ -1,0 +1,71 @@
+"""Natural waists of the bodies."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from tubes import ring_length, tube
+
+from bodymeasure.errors import InputError
+from bodymeasure.geodesic import LoopKind, Status
+from bodymeasure.measure import body_girth, closed_geodesic, extreme_girth, height
+from bodymeasure.samples import load_sample
+
+BODIES = ["female_average", "female_full_bust", "female_heavy", "female_old", "male_average"]
+
+
+def at(x: float, y: float, z: float) -> NDArray[np.float64]:
+    return np.array([x, y, z])
+
+
+def test_the_natural_waist() -> None:
+    atlas = load_sample("female_average")
+    waist = closed_geodesic(atlas, "front waist point")
+    underbust = at(0.0, -0.2, height(atlas, "bust point left") - 0.07)
+    for other in (
+        closed_geodesic(atlas, underbust),
+        closed_geodesic(atlas, "side waist point left"),
+    ):
+        assert other.length == pytest.approx(waist.length, rel=1e-10)
+    assert (waist.status, waist.kind) == (Status.CONVERGED, LoopKind.MINIMUM)
+    assert waist.error_estimate < 1e-9
+    # The shortest level loop is no shorter than the shortest of all.
+    level = extreme_girth(atlas, "front waist point", underbust, "smallest")
+    assert waist.length <= level.girth.contact
+    assert waist.length == pytest.approx(level.girth.contact, rel=0.02)
+    positions = waist.position(np.linspace(0.0, 1.0, 50))
+    mirrored = positions * (-1.0, 1.0, 1.0)
+    many = waist.position(np.linspace(0.0, 1.0, 20_001))
+    apart = np.linalg.norm(mirrored[:, None] - many, axis=2).min(axis=1)
+    assert apart.max() < 1e-4
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", BODIES)
+def test_hip_waist_and_underbust_slide_to_one_loop(name: str) -> None:
+    atlas = load_sample(name)
+    underbust = at(0.0, -0.2, height(atlas, "bust point left") - 0.07)
+    lengths = [
+        closed_geodesic(atlas, place).length
+        for place in ("front hip point", "front waist point", underbust)
+    ]
+    assert lengths[1:] == pytest.approx([lengths[0]] * 2, rel=1e-8)
+
+
+def test_mistakes_are_named() -> None:
+    atlas = load_sample("female_average")
+    with pytest.raises(InputError, match=r"merges the trunk and the left arm"):
+        closed_geodesic(atlas, at(0.0, -0.2, height(atlas, "shoulder point left") - 0.06))
+    neck = float(atlas.position(atlas.landmarks["back neck point"])[2])
+    with pytest.raises(InputError, match=r"the section is open.*goes round nothing"):
+        closed_geodesic(atlas, at(0.0, 0.0, neck - 1e-3))
+    with pytest.raises(InputError, match="no landmark 'waist'"):
+        closed_geodesic(atlas, "waist")
+
+
+def test_what_was_not_judged_is_said() -> None:
+    girth = body_girth(tube([1.0] * 4), at(1.0, 0.0, 1.0))
+    assert girth.contact == pytest.approx(ring_length(), rel=1e-12)
+    assert "was not judged, since the atlas names no regions" in girth.remark
+    assert body_girth(load_sample("female_average"), "front waist point").remark == ""
