@@ -49,7 +49,7 @@ class RefinedLoop:
     def held_nodes(self) -> NDArray[np.bool_]:
         """Inner nodes that an edge of their patch holds, by coordinate: (pieces, 2, n - 1)."""
         held = self.minimum.held[self.problem.rows[:, 1:-1]]
-        return held.reshape(self.problem.pieces, 2, -1)
+        return np.asarray(held.reshape(self.problem.pieces, 2, -1))
 
     @property
     def held_joints(self) -> NDArray[np.bool_]:
