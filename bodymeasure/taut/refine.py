@@ -16,6 +16,8 @@ _Array = NDArray[np.float64]
 SEGMENT_TOLERANCE = 3e-9
 # Parts of a segment in one go.
 MOST_PARTS = 8
+# Of the length: keeps springs from having none.
+LEAST_WEIGHT = 1e-9
 # Of the largest pressure: marks a node that is guessed to touch.
 TINY_PRESSURE = 1e-6
 
@@ -58,13 +60,16 @@ def measured(skin: Skin, nodes: _Array) -> Measured:
     return Measured(two + (two - one) / 15.0, np.abs(two - one), middle)
 
 
-def divided(string: String, now: Measured, parts: NDArray[np.int64], skin: Skin) -> String:
+def divided(skin: Skin, string: String, now: Measured, parts: NDArray[np.int64]) -> String:
     """The string with each segment divided into a number of parts, settled again."""
     segment = np.repeat(np.arange(len(parts)), parts)
     fraction = np.concatenate([np.arange(count) / count for count in parts])
     nodes = string.nodes[segment] + fraction[:, None] * np.diff(string.nodes, axis=0)[segment]
     nodes = np.concatenate([nodes, string.nodes[-1:]])
-    weights = string.weights[segment] / parts[segment]
+    # Springs as long as their segments now are pull equally, so that what they minimize is the
+    # length; equal ones would not where nodes cannot slide over a kink.
+    chords = np.linalg.norm(np.diff(nodes, axis=0), axis=1)
+    weights = np.maximum(chords / chords.sum(), LEAST_WEIGHT)
     # The force on a node is its share of the string's turn.
     old = np.concatenate([[0.0], string.pressure, [0.0]])
     start = fraction == 0.0
