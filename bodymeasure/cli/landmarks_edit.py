@@ -14,6 +14,7 @@ from bodymeasure.cli.console import RESULTS, counted, print_note
 from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas
 from bodymeasure.errors import InputError
 from bodymeasure.formats import write_atlas
+from bodymeasure.formats.registry import EXTENSIONS
 from bodymeasure.samples import sample_names
 
 if TYPE_CHECKING:
@@ -125,11 +126,16 @@ def _target(atlas: str, output: Path | None, *, in_place: bool) -> Path:
     """Where to write to, known before any work."""
     if (output is not None) == in_place:
         raise click.UsageError("Give either -o FILE or --in-place: where to write the atlas to.")
-    if output is not None:
-        return output
-    if atlas in sample_names() and not Path(atlas).is_file():
+    if output is None and atlas in sample_names() and not Path(atlas).is_file():
         raise InputError(f"{atlas} is a sample, which stays as it is; write to a file with -o FILE")
-    return Path(atlas)
+    target = Path(atlas) if output is None else output
+    keeping = [end for end, form in EXTENSIONS.items() if "landmarks" in form.keeps]
+    if target.suffix.lower() not in keeping:
+        raise InputError(
+            f"{target}: {target.suffix or 'such'} files hold no landmarks; write to one of "
+            f"{', '.join(keeping)} with -o FILE"
+        )
+    return target
 
 
 def _picks(

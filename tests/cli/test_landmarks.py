@@ -356,8 +356,11 @@ def test_nothing_is_left_where_nothing_can_be_written(run: Run, tmp_path: Path) 
     ran = run("landmarks", "remove", "female_average", "crotch point", "-o", target)
     assert (ran.code, ran.out) == (2, "")
     assert "cannot be written" in ran.err
-    ran = run("landmarks", "remove", "female_average", "crotch point", "-o", tmp_path / "a.obj")
-    assert ran.code == 2
+    for name, said in (("a.obj", "a.obj: .obj files hold no landmarks"), ("a", "a: such files")):
+        ran = run("landmarks", "remove", "female_average", "crotch point", "-o", tmp_path / name)
+        assert (ran.code, ran.out) == (2, "")
+        assert said in ran.err
+        assert "write to one of .atlas, .npz with -o FILE" in ran.err
     assert list(tmp_path.iterdir()) == []
 
 
