@@ -20,7 +20,7 @@ from bodymeasure.scene.model import (
     TapeScene,
 )
 from bodymeasure.scene.overview import body_overview
-from bodymeasure.scene.tape_pictures import TapePictures, tape_pictures
+from bodymeasure.scene.tape_gallery import TapePictures, tape_pictures
 from bodymeasure.scene.tapes import tapes_scene
 
 __all__ = [

@@ -78,7 +78,10 @@ class View:
 
 
 def body_views(scene: BodyScene | TapeScene, axes: Axes) -> dict[str, View]:
-    """The four sides of a body, all at one scale: front, back, the wearer's left and right."""
+    """The four sides of a body, all at one scale: front, back, the wearer's left and right.
+
+    With all tapes: those of heights reach the floor, which a body without feet does not.
+    """
     towards = {
         "front": axes.front_vector,
         "back": -axes.front_vector,
@@ -86,6 +89,8 @@ def body_views(scene: BodyScene | TapeScene, axes: Axes) -> dict[str, View]:
         "right": -axes.left_vector,
     }
     points = scene.surface.points
+    if isinstance(scene, TapeScene):
+        points = np.concatenate([points, *(line.points for line in scene.tapes)])
     height = float(np.ptp(points @ axes.up_vector))
     # A flat patch may have no height at all; it must not have an empty picture.
     margin = MARGIN * max(height, float(np.ptp(points, axis=0).max()) / 4)

@@ -21,7 +21,7 @@ RISES = (0.28, -0.28)
 # much more.
 WORTH = 1.08
 # A straight tape runs through the body, and is drawn over it: it counts by its ends.
-HIDDEN_END = 0.5
+HIDDEN_END = 0.7
 # Ends that differ in height by less than this fraction of the picture's are level.
 LEVEL = 0.02
 # A close-up frames its tape with so much room around it, as parts of the picture.

@@ -12,6 +12,8 @@ from bodymeasure.scene.model import Label, TapeLine, TapeScene
 # Distance of the points along a drawn tape, as a fraction of the body's size: on a mannequin 5 mm,
 # so that round an ankle the polygon stays within a tenth of a millimetre of the curve.
 SPACING = 1.0 / 300.0
+# How often neighbours are mixed in the directions that tapes are lifted in: over some 2 cm.
+SMOOTHINGS = 8
 # A flat atlas has no height; then its size is this part of its extent.
 LEAST_SIZE = 0.25
 
@@ -49,6 +51,7 @@ def _line(item: Measured, tape: Tape, number: int, spacing: float) -> TapeLine:
     lift = without_gaps(tape.points, tape.normals)
     values = np.concatenate([tape.normals, lift], axis=1)
     points, values = evenly_spaced(tape.points, values, spacing)
+    lift = smoothed(values[:, 3:])
     definition = item.definition
     return TapeLine(
         number,
@@ -57,7 +60,7 @@ def _line(item: Measured, tape: Tape, number: int, spacing: float) -> TapeLine:
         tape.kind,
         points,
         normals=values[:, :3],
-        lift=values[:, 3:],
+        lift=lift,
     )
 
 
@@ -103,6 +106,21 @@ def without_gaps(points: NDArray[np.float64], normals: NDArray[np.float64]) -> N
     length = np.linalg.norm(filled, axis=1, keepdims=True)
     # Normals that are opposite cancel half-way.
     return np.asarray(np.divide(filled, length, out=filled, where=length > 0.0))
+
+
+def smoothed(vectors: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Vectors along a curve, (k, 3), each mixed with its neighbours; their lengths as they were.
+
+    Along a seam, whose patches meet in a slight kink, normals are now the one's, now the other's.
+    """
+    length = np.linalg.norm(vectors, axis=1, keepdims=True)
+    mixed = vectors
+    for _ in range(SMOOTHINGS):
+        around = np.concatenate([mixed[:1], mixed, mixed[-1:]])
+        mixed = (around[:-2] + 2.0 * around[1:-1] + around[2:]) / 4.0
+    size = np.linalg.norm(mixed, axis=1, keepdims=True)
+    mixed = np.divide(mixed, size, out=np.zeros_like(mixed), where=size > 0.0)
+    return np.asarray(length * mixed)
 
 
 def arc_length(points: NDArray[np.float64]) -> NDArray[np.float64]:

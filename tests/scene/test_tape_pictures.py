@@ -1,0 +1,185 @@
+from __future__ import annotations
+
+import io
+
+import numpy as np
+import pytest
+from hand_charts import chart_of, missing
+from numpy.typing import NDArray
+from PIL import Image
+
+from bodymeasure.atlas import Atlas
+from bodymeasure.chart import Chart, TapeKind
+from bodymeasure.errors import InputError
+from bodymeasure.scene import SIDES, TapeScene, tape_pictures
+from bodymeasure.scene.choice import PYVISTA, SOFTWARE, opengl_trouble
+from bodymeasure.scene.label_layout import Columns
+from bodymeasure.scene.tape_camera import sights
+from bodymeasure.scene.tape_closeup import SIZE, closeup
+from bodymeasure.scene.tape_gallery import SESSIONS, body_picture, roomy_views
+from bodymeasure.scene.tape_labels import numbered
+from bodymeasure.scene.tape_mesh import BAND, COLORS, forward, tape_mesh
+from bodymeasure.scene.tape_text import column_texts
+from bodymeasure.scene.visibility import Sight, sight
+
+PIXELS = 420
+# How much darker or redder a pixel may be for what is mixed into it at a tube's edge.
+TONE = 0.25
+
+
+@pytest.fixture(params=[SOFTWARE, pytest.param(PYVISTA, marks=pytest.mark.slow)])
+def renderer(request: pytest.FixtureRequest) -> str:
+    if request.param == PYVISTA and opengl_trouble():
+        pytest.skip(opengl_trouble())
+    return str(request.param)
+
+
+@pytest.fixture(scope="module")
+def around(scene: TapeScene, chart: Chart) -> list[Sight]:
+    return sights(scene.surface, chart.atlas.axes, 0.01)
+
+
+def like(image: NDArray[np.uint8], color: tuple[float, float, float]) -> NDArray[np.bool_]:
+    """Pixels of a color, in any shade of it."""
+    rgb = image / 255.0
+    hue = np.array(color) / np.max(color)
+    bright = rgb.max(axis=-1, keepdims=True)
+    return np.asarray(
+        (np.abs(rgb / np.maximum(bright, 0.05) - hue).max(axis=-1) < TONE) & (bright[..., 0] > 0.2)
+    )
+
+
+def test_tapes_are_drawn_where_they_are_seen(scene: TapeScene, chart: Chart, renderer: str) -> None:
+    views = roomy_views(scene, chart)
+    nape = [line for line in scene.tapes if line.key.startswith("path")]
+    with SESSIONS[renderer](scene.surface) as draw:
+        for side, drawn in (("front", False), ("back", True), ("front", False)):
+            view = views[side]
+            size = view.size(PIXELS)
+            image = draw(view, size, tape_mesh(nape, 0.006, np.zeros(3)))
+            blue = like(image, COLORS[TapeKind.CONTACT])
+            assert image.shape == (size[1], size[0], 3)
+            assert blue.any() == drawn
+            if drawn:
+                places, _ = view.project(nape[0].points, size)
+                column, row = np.floor(places).astype(int).T
+                assert blue[row, column].mean() > 0.95
+
+
+def test_contact_taut_and_straight_look_different(
+    scene: TapeScene, around: list[Sight], renderer: str
+) -> None:
+    with SESSIONS[renderer](scene.surface) as draw:
+        bust = closeup(scene, "girth_bust_point_left", around, draw)
+        span = closeup(scene, "chord_bust_point_left_bust_point_right", around, draw)
+    assert bust.shape == span.shape == (SIZE[1], SIZE[0], 3)
+    blue, orange = (like(bust, COLORS[kind]) for kind in (TapeKind.CONTACT, TapeKind.TAUT))
+    band = like(bust, BAND) & (bust.max(axis=-1) - bust.min(axis=-1).astype(int) > 40)
+    # All three in the middle of the picture, where the tape bridges the hollow.
+    middle = slice(SIZE[0] * 2 // 5, SIZE[0] * 3 // 5)
+    for seen in (blue, orange, band):
+        assert seen[:, middle].sum() > 30
+    assert not like(span, COLORS[TapeKind.CONTACT]).any()
+    dark = (span[:, middle].max(axis=-1) < 80).any(axis=0)
+    assert dark.mean() > 0.9
+
+
+def test_numbers_stand_beside_the_body(
+    scene: TapeScene, chart: Chart, renderer: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("bodymeasure.scene.tape_gallery.BODY_PIXELS", 600)
+    monkeypatch.setattr("bodymeasure.scene.tape_gallery.LABEL_PIXELS", 14)
+    views = roomy_views(scene, chart)
+    for side in ("front", "left"):
+        seen = sight(scene.surface, views[side])
+        with SESSIONS[renderer](scene.surface) as draw:
+            blank = body_picture(scene, list(scene.tapes), {}, seen, draw)
+            labeled = dict.fromkeys(scene.numbers.values())
+            image = body_picture(scene, list(scene.tapes), labeled, seen, draw)
+        assert blank.shape == image.shape
+        white = np.asarray(blank == 255).all(axis=-1)
+        margin = white.all(axis=0)
+        inked = np.asarray(image < 250).any(axis=-1)
+        # Ink in both margins, and none at the picture's border, so that nothing is cut off.
+        left = np.flatnonzero(~margin)[0]
+        right = np.flatnonzero(~margin)[-1]
+        assert inked[:, :left].any() or inked[:, right + 1 :].any()
+        border = [inked[0], inked[-1], inked[:, 0], inked[:, -1]]
+        assert not np.concatenate(border).any()
+
+
+def test_labels_are_clear_of_the_silhouette_and_of_each_other(
+    scene: TapeScene, chart: Chart
+) -> None:
+    for view in roomy_views(scene, chart).values():
+        seen = sight(scene.surface, view)
+        size = view.size(1400)
+        low, high = (size[0] * end for end in seen.columns)
+        columns = Columns(low - 16, high + 16, 0.0, size[1], 26)
+        found = numbered(scene.tapes, list(scene.numbers.values()), seen, size, columns)
+        texts = [str(number) for number in found.numbers]
+        placed = column_texts(texts, found.layout, columns, found.layout.label_height)
+        boxes = []
+        for text in placed:
+            width = 0.65 * text.size * len(text.text)
+            left = text.x - width if text.horizontal == "right" else text.x
+            boxes.append((left, text.y - text.size / 2, left + width, text.y + text.size / 2))
+            assert left > 0.0
+            assert left + width < size[0]
+            first, last = (round(edge * seen.size[0] / size[0]) for edge in (left, left + width))
+            assert not np.isfinite(seen.depth[:, first : last + 1]).any()
+        for number, one in enumerate(boxes):
+            for other in boxes[:number]:
+                apart = (
+                    one[2] <= other[0]
+                    or other[2] <= one[0]
+                    or one[3] <= other[1]
+                    or other[3] <= one[1]
+                )
+                assert apart
+
+
+def test_all_pictures_of_a_chart(chart: Chart, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("bodymeasure.scene.tape_gallery.BODY_PIXELS", 300)
+    told: list[str] = []
+    # Without a value, girth of the waist, nape to waist.
+    few = chart_of(chart.atlas, [chart.measured[number] for number in (0, 2, 5)])
+    shots = tape_pictures(few, renderer=SOFTWARE, advance=told.append)
+    assert (shots.renderer, shots.note) == (SOFTWARE, "")
+    keys = [item.definition.key for item in few.measured[1:]]
+    assert list(shots.closeups) == keys
+    assert list(shots.numbers) == keys
+    assert list(shots.body)[-1] == ("Lengths", "back")
+    assert set(list(shots.body)[:-1]) == {("Girths", side) for side in SIDES}
+    assert len(told) == len(shots.body) + len(shots.closeups)
+    sizes = {Image.open(io.BytesIO(file)).size for file in shots.closeups.values()}
+    assert sizes == {SIZE}
+    heights = {Image.open(io.BytesIO(file)).size[1] for file in shots.body.values()}
+    assert heights == {300}
+
+
+def test_a_chart_without_tapes_has_no_pictures(square: Atlas) -> None:
+    shots = tape_pictures(chart_of(square, [missing("nothing")]), renderer=SOFTWARE)
+    assert not shots.body
+    assert not shots.closeups
+    assert not shots.numbers
+
+
+def test_an_unknown_renderer_is_named(chart: Chart) -> None:
+    with pytest.raises(InputError, match="renderer is 'povray'"):
+        tape_pictures(chart, renderer="povray")
+
+
+@pytest.mark.slow
+def test_both_renderers_draw_the_same(scene: TapeScene, chart: Chart) -> None:
+    if opengl_trouble():
+        pytest.skip(opengl_trouble())
+    view = roomy_views(scene, chart)["front"]
+    lines = list(scene.tapes)
+    mesh = tape_mesh(lines, 0.006, forward(scene, lines, view))
+    images = []
+    for renderer in (SOFTWARE, PYVISTA):
+        with SESSIONS[renderer](scene.surface) as draw:
+            images.append(draw(view, view.size(PIXELS), mesh).astype(int))
+    differing = np.abs(images[0] - images[1]).max(axis=-1) > 40
+    assert differing.mean() < 0.004
