@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Place
 from bodymeasure.bezier import evaluate
-from bodymeasure.geodesic.route_start import whole_mesh
+from bodymeasure.geodesic.route_mesh import whole_mesh
 
 _Array = NDArray[np.float64]
 _Numbers = NDArray[np.int64]
@@ -57,8 +57,12 @@ class PatchGraph:
         joined = joined[joined >= 0]
         position = evaluate(atlas.control_points[place.patch], np.array(place[1:]))
         first = np.linalg.norm(self.vertices[joined] - position, axis=1)
-        ways = scipy.sparse.csgraph.dijkstra(self.steps, indices=joined)
-        return np.asarray((ways + first[:, None]).min(axis=0))
+        nearest = int(np.argmin(first))
+        ways = scipy.sparse.csgraph.dijkstra(self.steps, indices=joined[nearest])
+        # Straight to those beside it, and to others by the nearest.
+        ways += first[nearest]
+        ways[joined] = first
+        return np.asarray(ways)
 
 
 @lru_cache(maxsize=4)

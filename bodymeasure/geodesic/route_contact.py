@@ -32,7 +32,7 @@ from bodymeasure.geodesic.route_refine import Refined, measured, resampled
 
 # Edges on each patch of the polygon whose pattern is read.
 EDGE_COUNT = 32
-# From a path that is nearly at rest a polygon takes some three steps to it. Where it may slide along
+# From a path nearly at rest a polygon takes some three steps to it. Where it may slide along
 # itself it never comes to rest, but what holds it is as clear.
 MOST_STEPS = 8
 # No path is shorter than the shortest polygon, but for rounding.

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Place
-from bodymeasure.atlas.tessellation import Tessellation
+from bodymeasure.atlas.tessellation import Tessellation, tessellate
 from bodymeasure.bezier import evaluate
 
 _Array = NDArray[np.float64]
@@ -54,6 +55,12 @@ class RouteMesh:
             self.face_parameters[keep],
         )
         return part, used
+
+
+@lru_cache(maxsize=4)
+def whole_mesh(atlas: Atlas, segments: int) -> RouteMesh:
+    """An atlas's tessellation; kept for the next path."""
+    return RouteMesh.of(tessellate(atlas, segments))
 
 
 def inserted(mesh: RouteMesh, atlas: Atlas, place: Place) -> tuple[RouteMesh, int]:

@@ -20,6 +20,11 @@ _Array = NDArray[np.float64]
 # Barycentric coordinates below this are on the side of a face: paths are given by positions, whose
 # rounding counts more in small faces.
 ON_SIDE = 1e-7
+# A point of a path is on none of the faces where it should be if it is further from them than this
+# part of the step to it. The exact algorithm's paths have points slightly off, near vertices.
+OFF = 1e-3
+# Steps along each patch edge of the meshes that are tried where a path cannot be read.
+COARSER = (5, 4)
 # Parameters this near to 0 or 1 are on the patch's edge: means of exact 0 or 1.
 ON_EDGE = 1e-9
 
@@ -43,9 +48,18 @@ class Segments(NamedTuple):
 def first_route(
     atlas: Atlas, neighbors: Neighbors, ends: tuple[Place, Place], segments: int = SEGMENTS
 ) -> Route | None:
-    """The route of the shortest path over a tessellation; None if none is found."""
-    found = mesh_segments(atlas, *ends, segments)
-    return None if found is None else route_along(neighbors, ends, found.places)
+    """The route of the shortest path over a tessellation; None if none is found.
+
+    Where one cannot be read, coarser meshes are tried.
+    """
+    for steps in (segments, *(coarser for coarser in COARSER if coarser < segments)):
+        found = mesh_segments(atlas, *ends, steps)
+        if found is None:
+            return None
+        route = route_along(neighbors, ends, found.places)
+        if route is not None:
+            return route
+    return None
 
 
 def mesh_segments(
@@ -73,7 +87,8 @@ def route_along(
     end = _nearest(neighbors.same(end), segments[-1][1])
     steps: list[Step] = []
     for (_, leave), (enter, _) in pairwise(segments):
-        if leave.patch == enter.patch and _apart(leave, enter) < ON_SIDE:
+        # If not the same place, then beside one that is slightly off.
+        if leave.patch == enter.patch:
             continue
         ways = neighbors.ways(leave, enter)
         if not ways:
@@ -115,10 +130,12 @@ def _legs(mesh: RouteMesh, points: _Array, first: int) -> Iterator[tuple[Place, 
     corners, patch = np.array([first]), -1
     for here, there in pairwise(points):
         faces = faces_about(corners)
-        weights = np.clip(barycentric(mesh.vertices[mesh.faces[faces]], there), 0.0, None)
-        weights /= weights.sum(axis=1, keepdims=True)
-        foot = np.einsum("fk,fkc->fc", weights, mesh.vertices[mesh.faces[faces]])
-        apart = np.linalg.norm(foot - there, axis=1)
+        weights, apart = _feet(mesh, faces, there)
+        if apart.min(initial=np.inf) > OFF * np.linalg.norm(there - here):
+            # The last point was slightly off, near a vertex: look on all faces about.
+            ring = [faces_about(corners[[number]]) for number in range(len(corners))]
+            faces = np.unique(np.concatenate(ring))
+            weights, apart = _feet(mesh, faces, there)
         # Along an edge both faces hold the segment: stay on the patch, if one is on it.
         near = apart <= apart.min() + ON_SIDE * np.linalg.norm(there - here)
         stays = near & (mesh.face_patch[faces] == patch)
@@ -128,6 +145,15 @@ def _legs(mesh: RouteMesh, points: _Array, first: int) -> Iterator[tuple[Place, 
         before = barycentric(mesh.vertices[mesh.faces[face]][None], here)[0]
         yield _place(mesh, face, before), _place(mesh, face, weights[row])
         corners = mesh.faces[face][weights[row] > ON_SIDE]
+
+
+def _feet(mesh: RouteMesh, faces: NDArray[np.int64], point: _Array) -> tuple[_Array, _Array]:
+    """Barycentric coordinates of the points of faces next to a point, and how far from it."""
+    corners = mesh.vertices[mesh.faces[faces]]
+    weights = np.clip(barycentric(corners, point), 0.0, None)
+    weights /= weights.sum(axis=1, keepdims=True)
+    foot = np.einsum("fk,fkc->fc", weights, corners)
+    return weights, np.linalg.norm(foot - point, axis=1)
 
 
 def _place(mesh: RouteMesh, face: int, weights: _Array) -> Place:

@@ -268,17 +268,17 @@ def bulging(depth: float) -> NDArray[np.float64]:
 def test_along_a_seam_that_holds_it_from_both_sides(
     cuts: tuple[tuple[float, ...], tuple[float, ...]],
 ) -> None:
-    # Two copies of the sheet that lie on each other, sewn together along the edge that bulges: the
-    # path from one to the other is as long as on one of them, along that edge for a part.
+    # A sheet and its mirror image, sewn together along the edge that bulges: the path from one to
+    # the other is as long as on one of them, along that edge for a part.
     net = bulging(3.0)
+    net[..., 2] = 0.4 * np.arange(4) / 3
     expected = bm.solve_geodesic(net, (0.0, 0.1), (1.0, 0.1)).length
     upper = cut(net, *cuts, turn=False)
-    points = upper.points
-    number = np.arange(len(points)) + len(points)
+    number = np.arange(len(upper.points)) + len(upper.points)
     edge = np.unique(upper.index[:: len(cuts[1]) + 1, :, 0])
     number[edge] = edge
     atlas = Atlas(
-        np.concatenate([points, points]),
+        np.concatenate([upper.points, upper.points * [1.0, 1.0, -1.0]]),
         np.concatenate([upper.index, number[upper.index][:, ::-1]]),
         Unit.CM,
     )
