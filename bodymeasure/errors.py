@@ -21,5 +21,9 @@ class MissingExtraError(BodymeasureError, ImportError):
         )
 
 
+class ReadWarning(UserWarning):
+    """What was read of a file is not all that it holds, or not quite as it holds it."""
+
+
 class ConvergenceError(BodymeasureError, ArithmeticError):
     """A geodesic has no length that can be trusted, and the caller did not ask for statuses."""

@@ -45,6 +45,8 @@ LEVEL = {layer: level for level, layers in enumerate(LAYERS) for layer in layers
 # Who may import what is heavy, optional or talks to the user.
 RESERVED = {
     "igl": {"oracle"},
+    "OCP": {"formats"},
+    "rhino3dm": {"formats"},
     "trimesh": {"atlas", "mesh", "oracle"},
     "pyvista": {"scene", "viewer", "plugin"},
     "vtk": {"scene", "viewer", "plugin"},

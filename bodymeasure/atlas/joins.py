@@ -13,6 +13,8 @@ from bodymeasure.atlas.seams import EDGES, EdgeTable
 
 # Points along a seam at which the normals of both sides are compared, with its ends.
 _ALONG = np.linspace(0.0, 1.0, 9)
+# Of the longest normal along a side: shorter ones are rounding, as at the pole of a sphere.
+NO_NORMAL = 1e-9
 # A round of the patch keeps its inside on the left: it runs with u along v = 0 and with v along
 # u = 1, and against them along v = 1 and u = 0. Sides in the order of EDGES.
 _WITH_THE_ROUND = np.array([False, True, True, False])
@@ -108,6 +110,8 @@ def kink_angles(control_points: NDArray[np.float64], seams: Seams) -> NDArray[np
     parameters[..., 0] = np.where(fixed_axis[..., None] == 0, across, along)
     parameters[..., 1] = np.where(fixed_axis[..., None] == 0, along, across)
     normals = normal_vectors(nets, parameters)
+    size = np.linalg.norm(normals, axis=-1, keepdims=True)
+    normals[(size <= NO_NORMAL * size.max(axis=-2, keepdims=True))[..., 0]] = 0.0
     normals[~seams.consistent, 1] *= -1.0
     left, right = normals[:, 0], normals[:, 1]
     sine = np.linalg.norm(np.cross(left, right), axis=-1)

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import difflib
 import os
-from collections.abc import Callable
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
@@ -13,7 +15,8 @@ from typing import Any, TypeVar
 import click
 
 from bodymeasure.atlas import Atlas, Severity, Unit, check_atlas
-from bodymeasure.errors import InputError, MissingExtraError
+from bodymeasure.cli.console import print_note
+from bodymeasure.errors import InputError, MissingExtraError, ReadWarning
 from bodymeasure.formats import read_atlas
 from bodymeasure.samples import sample_names, sample_path
 
@@ -140,7 +143,25 @@ def load_atlas(name: str, **options: Any) -> Atlas:
             raise InputError(f"{name}: no such file, and no sample of that name; {hint}")
     context = click.get_current_context(silent=True)
     unit = None if context is None else context.meta.get(_FILE_UNIT)
-    return read_atlas(path, unit=unit, **options)
+    with _notes():
+        return read_atlas(path, unit=unit, **options)
+
+
+@contextmanager
+def _notes() -> Iterator[None]:
+    """Tells what is noted when a file is read, in the command's own way."""
+    show = warnings.showwarning
+
+    def tell(message: Any, category: Any, *rest: Any, **others: Any) -> None:
+        if issubclass(category, ReadWarning):
+            print_note(str(message))
+        else:
+            show(message, category, *rest, **others)
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", ReadWarning)
+        warnings.showwarning = tell
+        yield
 
 
 def _exists(path: Path) -> bool:

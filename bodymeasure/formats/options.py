@@ -83,11 +83,7 @@ class ReadOptions:
         InputError
             What contradicts.
         """
-        if self.unit not in (None, unit):
-            raise InputError(
-                f"{source}: is in {unit}, but the unit {self.unit} was given; leave it out, and "
-                "convert afterwards"
-            )
+        self.require_unit(source, unit)
         if self.axes not in (None, axes):
             raise InputError(
                 f"{source}: has up {axes.up} and front {axes.front}, but others were given; leave "
@@ -95,6 +91,20 @@ class ReadOptions:
             )
         if self.tolerance is not None:
             raise InputError(f"{source}: is joined already; leave the tolerance out")
+
+    def require_unit(self, source: str, unit: Unit) -> None:
+        """Refuse another unit than the file's own.
+
+        Raises
+        ------
+        InputError
+            If another was given.
+        """
+        if self.unit not in (None, unit):
+            raise InputError(
+                f"{source}: is in {unit}, but the unit {self.unit} was given; leave it out, and "
+                "convert afterwards"
+            )
 
 
 def _axes(up: str | None, front: str | None) -> Axes | None:

@@ -31,6 +31,10 @@ class ReadPatches:
         One for each net, empty where there is none. Patches of one name are numbered.
     places : sequence of str, optional
         Where in the file each begins, such as ``line 7``, for errors.
+    unit : Unit, optional
+        If the file says it.
+    notes : sequence of str
+        What a user should know of the reading, such as what was left out.
     """
 
     nets: Sequence[_Array]
@@ -38,6 +42,8 @@ class ReadPatches:
     names: Sequence[str] = ()
     groups: Sequence[str] = ()
     places: Sequence[str] = ()
+    unit: Unit | None = None
+    notes: Sequence[str] = ()
 
     def place(self, number: int) -> str:
         """How an error calls a patch."""

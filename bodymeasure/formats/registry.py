@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import NamedTuple
 
 from bodymeasure.atlas import Atlas, Axes
-from bodymeasure.errors import InputError
+from bodymeasure.errors import InputError, ReadWarning
 from bodymeasure.files import read_bytes, write_bytes
 from bodymeasure.formats import (
     bez,
     bpt,
+    cad,
     geomdl,
     native,
     npz,
@@ -20,6 +22,7 @@ from bodymeasure.formats import (
     obj_mesh,
     obj_surfaces,
     patches,
+    rhino,
 )
 from bodymeasure.formats.groups import select_groups
 from bodymeasure.formats.obj_mesh import Faces
@@ -69,6 +72,11 @@ FORMATS = {
     ),
     "obj-surfaces": Format("a Wavefront OBJ file", (), obj_surfaces.read, None),
     "obj-mesh": Format("a Wavefront OBJ file", (), obj_mesh.read, None),
+    "3dm": Format(
+        "Rhino's file", (".3dm",), rhino.read, None, frozenset({"unit", "names", "regions"})
+    ),
+    "step": Format("a STEP file", (".step", ".stp"), cad.read_step, None, frozenset({"unit"})),
+    "iges": Format("an IGES file", (".iges", ".igs"), cad.read_iges, None, frozenset({"unit"})),
     "geomdl": Format("geomdl's JSON", (".json",), geomdl.read, geomdl.write, frozenset({"names"})),
 }
 EXTENSIONS = {extension: form for form in FORMATS.values() for extension in form.extensions}
@@ -124,21 +132,24 @@ def read_atlas(
 
 def decode(content: bytes, source: str, form: Format, options: ReadOptions) -> Atlas:
     """The atlas in a file's content; `source` names the file in errors."""
-    # Of a file without a unit, that is the first thing to say.
-    unit = None if "unit" in form.keeps else options.known_unit(source, form.title)
+    if "unit" not in form.keeps:
+        # That is the first thing to say.
+        options.known_unit(source, form.title)
     read = form.read(content, source)
+    axes = options.axes or Axes()
     if isinstance(read, Atlas):
         options.require_none(source, read.unit, read.axes)
         atlas = read
+    elif isinstance(read, ReadPatches):
+        for note in read.notes:
+            warnings.warn(f"{source}: {note}", ReadWarning, stacklevel=3)
+        if read.unit is not None:
+            options.require_unit(source, read.unit)
+        unit = read.unit or options.known_unit(source, form.title)
+        atlas = patches.assemble(read, source, unit=unit, axes=axes, tolerance=options.tolerance)
     else:
-        assert unit is not None, "only formats that keep the unit make an atlas themselves"
-        axes = options.axes or Axes()
-        if isinstance(read, ReadPatches):
-            atlas = patches.assemble(
-                read, source, unit=unit, axes=axes, tolerance=options.tolerance
-            )
-        else:
-            atlas = obj_mesh.assemble(read, unit=unit, axes=axes)
+        unit = options.known_unit(source, form.title)
+        atlas = obj_mesh.assemble(read, unit=unit, axes=axes)
     if not options.groups:
         return atlas
     try:

@@ -1,0 +1,135 @@
+"""The process in which Open CASCADE reads a file: ``python cad_worker.py FILE RESULT``."""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+# Of a face's range in u or v: edges that run so close to its border bound all of it.
+ON_BORDER = 1e-6
+# Points along an edge at which that is asked.
+ALONG = 9
+
+
+def main(file: str, result: str) -> int:
+    """Read all faces of a file and save their B-spline surfaces; 1 if it cannot be read."""
+    from OCP.Message import Message
+
+    # It would print what it thinks of the file.
+    _static(Message, "DefaultMessenger")().ChangePrinters().Clear()
+    shape = _shape(file)
+    if shape is None:
+        return 1
+    arrays: dict[str, Any] = {}
+    facts = []
+    for number, face in enumerate(_faces(shape)):
+        surface, trimmed = _surface(face)
+        arrays |= {f"{name} {number}": array for name, array in _arrays(surface, face).items()}
+        facts.append({"degrees": [surface.UDegree(), surface.VDegree()], "trimmed": trimmed})
+    np.savez(result, faces=np.array(json.dumps(facts)), **arrays)
+    return 0
+
+
+def _static(owner: Any, name: str) -> Any:
+    """A static method, whose name ends in ``_s`` in some versions of OCP."""
+    return getattr(owner, f"{name}_s", None) or getattr(owner, name)
+
+
+def _shape(file: str) -> Any:
+    from OCP.IFSelect import IFSelect_ReturnStatus
+    from OCP.IGESControl import IGESControl_Reader
+    from OCP.STEPControl import STEPControl_Reader
+
+    reader = STEPControl_Reader() if file.endswith(".step") else IGESControl_Reader()
+    if reader.ReadFile(file) != IFSelect_ReturnStatus.IFSelect_RetDone:
+        return None
+    reader.TransferRoots()
+    shape = reader.OneShape()
+    return None if shape is None or shape.IsNull() else shape
+
+
+def _faces(shape: Any) -> list[Any]:
+    from OCP.TopAbs import TopAbs_ShapeEnum
+    from OCP.TopExp import TopExp_Explorer
+    from OCP.TopoDS import TopoDS
+
+    explorer, faces = TopExp_Explorer(shape, TopAbs_ShapeEnum.TopAbs_FACE), []
+    while explorer.More():
+        faces.append(_static(TopoDS, "Face")(explorer.Current()))
+        explorer.Next()
+    return faces
+
+
+def _surface(face: Any) -> tuple[Any, bool]:
+    """The B-spline under a face over the face's range, and whether the face is only a part."""
+    from OCP.BRep import BRep_Tool
+    from OCP.BRepTools import BRepTools
+    from OCP.Geom import Geom_RectangularTrimmedSurface
+    from OCP.GeomConvert import GeomConvert
+
+    bounds = _static(BRepTools, "UVBounds")(face)
+    surface = _static(BRep_Tool, "Surface")(face)
+    own = np.array(surface.Bounds())
+    whole = np.abs(own - bounds).max() <= ON_BORDER * max(1.0, np.abs(bounds).max())
+    if not whole:
+        surface = Geom_RectangularTrimmedSurface(surface, *bounds)
+    spline = _static(GeomConvert, "SurfaceToBSplineSurface")(surface)
+    if spline.IsUPeriodic():
+        spline.SetUNotPeriodic()
+    if spline.IsVPeriodic():
+        spline.SetVNotPeriodic()
+    return spline, _is_trimmed(face, bounds)
+
+
+def _is_trimmed(face: Any, bounds: tuple[float, ...]) -> bool:
+    """Whether edges run elsewhere than along the borders of the face's range."""
+    from OCP.BRepAdaptor import BRepAdaptor_Curve2d
+    from OCP.TopAbs import TopAbs_ShapeEnum
+    from OCP.TopExp import TopExp_Explorer
+    from OCP.TopoDS import TopoDS
+
+    low, high = np.array(bounds[::2]), np.array(bounds[1::2])
+    room = ON_BORDER * (high - low)
+    explorer = TopExp_Explorer(face, TopAbs_ShapeEnum.TopAbs_EDGE)
+    while explorer.More():
+        curve = BRepAdaptor_Curve2d(_static(TopoDS, "Edge")(explorer.Current()), face)
+        for t in np.linspace(curve.FirstParameter(), curve.LastParameter(), ALONG):
+            point = curve.Value(t)
+            place = np.array([point.X(), point.Y()])
+            if not ((place <= low + room) | (place >= high - room)).any():
+                return True
+        explorer.Next()
+    return False
+
+
+def _arrays(surface: Any, face: Any) -> dict[str, NDArray[np.float64]]:
+    from OCP.TopAbs import TopAbs_Orientation
+
+    rows, columns = surface.NbUPoles(), surface.NbVPoles()
+    points = np.empty((rows, columns, 3))
+    weights = np.empty((rows, columns))
+    for i in range(rows):
+        for j in range(columns):
+            pole = surface.Pole(i + 1, j + 1)
+            points[i, j] = pole.X(), pole.Y(), pole.Z()
+            weights[i, j] = surface.Weight(i + 1, j + 1)
+    knots_u = _knots(surface.UKnot, surface.UMultiplicity, surface.NbUKnots())
+    knots_v = _knots(surface.VKnot, surface.VMultiplicity, surface.NbVKnots())
+    # Patches face the way the solid does.
+    if face.Orientation() == TopAbs_Orientation.TopAbs_REVERSED:
+        points, weights = points[::-1], weights[::-1]
+        knots_u = knots_u[-1] + knots_u[0] - knots_u[::-1]
+    return {"points": points, "weights": weights, "knots u": knots_u, "knots v": knots_v}
+
+
+def _knots(knot: Any, multiplicity: Any, count: int) -> NDArray[np.float64]:
+    values = [knot(number + 1) for number in range(count)]
+    return np.repeat(values, [multiplicity(number + 1) for number in range(count)])
+
+
+if __name__ == "__main__":
+    raise SystemExit(main(*sys.argv[1:]))

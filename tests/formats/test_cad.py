@@ -1,0 +1,135 @@
+"""STEP and IGES files, written by Open CASCADE."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import bodymeasure as bm
+from bodymeasure.bezier import evaluate
+from bodymeasure.errors import ReadWarning
+
+pytest.importorskip("OCP")
+
+KINDS = ("step", "iges")
+
+
+def written(path: Path, shape: Any) -> Path:
+    from OCP.IGESControl import IGESControl_Writer
+    from OCP.STEPControl import STEPControl_StepModelType, STEPControl_Writer
+
+    if path.suffix == ".step":
+        step = STEPControl_Writer()
+        step.Transfer(shape, STEPControl_StepModelType.STEPControl_AsIs)
+        step.Write(str(path))
+    else:
+        iges = IGESControl_Writer()
+        iges.AddShape(shape)
+        iges.Write(str(path))
+    return path
+
+
+def sphere() -> Any:
+    from OCP.BRepPrimAPI import BRepPrimAPI_MakeSphere
+    from OCP.gp import gp_Pnt
+
+    return BRepPrimAPI_MakeSphere(gp_Pnt(1.0, 2.0, 3.0), 20.0).Shape()
+
+
+def free_form(rng: np.random.Generator) -> tuple[Any, Any]:
+    """A face on a bicubic B-spline surface of 2 x 3 patches, and the surface."""
+    from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace
+    from OCP.Geom import Geom_BSplineSurface
+    from OCP.gp import gp_Pnt
+
+    try:
+        from OCP.collections import Array1_double as Reals
+        from OCP.collections import Array1_int as Integers
+        from OCP.collections import Array2_gp_Pnt as Points
+    except ImportError:  # versions of OCP before 8
+        from OCP.TColgp import TColgp_Array2OfPnt as Points
+        from OCP.TColStd import TColStd_Array1OfInteger as Integers
+        from OCP.TColStd import TColStd_Array1OfReal as Reals
+
+    poles = Points(1, 5, 1, 6)
+    for i in range(5):
+        for j in range(6):
+            poles.SetValue(i + 1, j + 1, gp_Pnt(10.0 * i, 10.0 * j, 3.0 * rng.normal()))
+
+    def knots(count: int) -> tuple[Any, Any]:
+        values, times = Reals(1, count), Integers(1, count)
+        for number in range(count):
+            values.SetValue(number + 1, float(number))
+            times.SetValue(number + 1, 4 if number in (0, count - 1) else 1)
+        return values, times
+
+    (u, times_u), (v, times_v) = knots(3), knots(4)
+    surface = Geom_BSplineSurface(poles, u, v, times_u, times_v, 3, 3)
+    return BRepBuilderAPI_MakeFace(surface, 1e-6).Face(), surface
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_sphere_has_diagonals_of_great_circles(kind: str, tmp_path: Path) -> None:
+    atlas = bm.read_atlas(written(tmp_path / f"a.{kind}", sphere()))
+    assert (atlas.unit, atlas.is_rational) == (bm.Unit.MM, True)
+    radii = np.linalg.norm(atlas.points - [1.0, 2.0, 3.0], axis=1)
+    assert radii.min() > 20.0 - 1e-9
+    nets = atlas.control_points
+    corners = np.array([[[0, 0], [1, 0]], [[1, 1], [0, 1]]], dtype=float)
+    start, end = (evaluate(nets, np.broadcast_to(c, (len(nets), 2, 2))) for c in corners)
+    middle = np.array([1.0, 2.0, 3.0])
+    cosine = ((start - middle) * (end - middle)).sum(axis=-1) / 400.0
+    np.testing.assert_allclose(bm.diagonals(atlas).length, 20.0 * np.arccos(cosine), rtol=1e-9)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_free_form_surface_is_the_same_everywhere(
+    kind: str, tmp_path: Path, rng: np.random.Generator
+) -> None:
+    face, surface = free_form(rng)
+    atlas = bm.read_atlas(written(tmp_path / f"a.{kind}", face))
+    assert len(atlas) == 6
+    assert bm.check_atlas(atlas) == ()
+    for patch, (row, column) in enumerate(np.ndindex(2, 3)):
+        u, v = rng.uniform(size=2)
+        point = surface.Value(row + u, column + v)
+        found = evaluate(atlas.control_points[patch], (u, v))
+        np.testing.assert_allclose(found, [point.X(), point.Y(), point.Z()], atol=1e-9)
+
+
+def test_faces_of_a_solid_are_joined_and_face_outwards(tmp_path: Path) -> None:
+    from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
+
+    atlas = bm.read_atlas(
+        written(tmp_path / "a.step", BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape())
+    )
+    assert {finding.kind.name for finding in bm.check_atlas(atlas)} == {"KINKED_SEAM"}
+    middle = atlas.points.mean(axis=0)
+    from bodymeasure.atlas.normals import normal_vectors
+
+    at = np.full((len(atlas), 2), 0.5)
+    outwards = normal_vectors(atlas.control_points, at)
+    positions = evaluate(atlas.control_points, at)
+    assert (((positions - middle) * outwards).sum(axis=1) > 0.0).all()
+
+
+def test_a_trimmed_face_is_named(tmp_path: Path) -> None:
+    from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
+    from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox, BRepPrimAPI_MakeCylinder
+
+    box = BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape()
+    shape = BRepAlgoAPI_Cut(box, BRepPrimAPI_MakeCylinder(4.0, 50.0).Shape()).Shape()
+    with pytest.warns(ReadWarning, match=r"face \d is trimmed; its underlying surface is taken"):
+        bm.read_atlas(written(tmp_path / "a.step", shape))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("content", [b"", b"ISO-10303-21;\nno more", b"\x00\xff" * 100])
+def test_what_cannot_be_read_is_refused(kind: str, content: bytes, tmp_path: Path) -> None:
+    path = tmp_path / f"bad.{kind}"
+    path.write_bytes(content)
+    with pytest.raises(bm.InputError, match=rf"bad\.{kind}: (is no .* file|holds no patch)"):
+        bm.read_atlas(path)
