@@ -52,7 +52,8 @@ def read(content: bytes, source: str) -> ReadPatches:
         import rhino3dm
     except ImportError:
         raise MissingExtraError(f"reading {source}", "rhino3dm", "rhino") from None
-    file = rhino3dm.File3dm.FromByteArray(content)
+    data: Any = content
+    file = rhino3dm.File3dm.FromByteArray(data)
     if file is None:
         raise InputError(
             f"{source}: is no 3dm file that rhino3dm can read; expected one of Rhino's, whole"
