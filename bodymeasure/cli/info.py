@@ -28,7 +28,7 @@ def info(atlas: str) -> None:
         title_style="bold",
         show_header=False,
     )
-    table.box = None
+    table.box, table.pad_edge = None, False
     table.add_column(style="dim", no_wrap=True)
     table.add_column(overflow="fold")
     for label, value in _rows(loaded, check_atlas(loaded)):

@@ -18,8 +18,7 @@ def read(content: bytes, source: str) -> ReadPatches | Faces:
         If that is neither or both.
     """
     file = parse(content, source)
-    keywords = file.keywords()
-    has_surfaces, has_faces = "surf" in keywords, bool(keywords & {"f", "fo"})
+    has_surfaces, has_faces = "surf" in file.keywords, bool(file.keywords & {"f", "fo"})
     if has_surfaces and has_faces:
         raise InputError(
             f"{source}: holds free-form surfaces and faces; say which to take with the format "

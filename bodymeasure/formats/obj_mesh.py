@@ -50,7 +50,7 @@ def from_statements(file: ObjFile, source: str) -> Faces:
     """The mesh of a file that is parsed already."""
     faces, names, groups, lines = [], [], [], []
     creases: list[list[int]] = []
-    for statement, labels in labelled(file.statements):
+    for statement, labels in labelled(file.statements()):
         if statement.keyword in ("f", "fo"):
             faces.append(statement)
             names.append(labels.name)

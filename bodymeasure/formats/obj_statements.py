@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -45,16 +46,35 @@ class Statement(NamedTuple):
     vertices: int
 
 
-class ObjFile(NamedTuple):
-    """A file's vertices, with their weights (1 where none is given), and its statements."""
+@dataclass(frozen=True, eq=False)
+class ObjFile:
+    """A file's vertices, with their weights (1 where none is given), and its statements.
+
+    Statements are made when they are asked for: a file may have very many.
+
+    Parameters
+    ----------
+    points : ndarray, shape (n, 3)
+    weights : ndarray, shape (n,)
+    keywords : frozenset of str
+        The statements that occur.
+    text : TextFile
+    lines, vertices : list of int
+        Of each statement its line and how many vertices came before.
+    """
 
     points: NDArray[np.float64]
     weights: NDArray[np.float64]
-    statements: list[Statement]
+    keywords: frozenset[str]
+    text: TextFile
+    lines: list[int]
+    vertices: list[int]
 
-    def keywords(self) -> set[str]:
-        """The statements that occur."""
-        return {statement.keyword for statement in self.statements}
+    def statements(self) -> Iterator[Statement]:
+        """All statements in order."""
+        for line, vertices in zip(self.lines, self.vertices, strict=True):
+            keyword, *words = self.text.lines[line - 1].split()
+            yield Statement(keyword.decode("ascii"), words, line, vertices)
 
 
 def parse(content: bytes, source: str) -> ObjFile:
@@ -67,7 +87,9 @@ def parse(content: bytes, source: str) -> ObjFile:
     """
     file = TextFile.parse(content, source, continued=True)
     vertices = Words()
-    statements: list[Statement] = []
+    lines: list[int] = []
+    before: list[int] = []
+    keywords: set[str] = set()
     for line, words in file:
         if words[0] == b"v":
             del words[0]
@@ -75,14 +97,16 @@ def parse(content: bytes, source: str) -> ObjFile:
             continue
         keyword = words[0].decode("ascii", "replace")
         if keyword in MEANINGFUL:
-            statements.append(Statement(keyword, words[1:], line, len(vertices.lines)))
+            keywords.add(keyword)
+            lines.append(line)
+            before.append(len(vertices.lines))
         elif keyword not in IGNORED:
             raise InputError(
                 f"{file.place(line)}: begins with {quoted(words[0])}, which is no statement of a "
                 "Wavefront OBJ file"
             )
     points, weights = _vertices(vertices, source)
-    return ObjFile(points, weights, statements)
+    return ObjFile(points, weights, frozenset(keywords), file, lines, before)
 
 
 def _vertices(words: Words, source: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -122,6 +146,8 @@ def vertex_numbers(
             raise ValueError("Python takes 1_000 for a number")
     except (ValueError, OverflowError):
         numbers = np.array([_number(statement, word, source) for word in words], dtype=np.int64)
+    if len(numbers) and numbers.min() > 0 and numbers.max() <= count:
+        return numbers - 1
     numbers = np.where(numbers < 0, numbers + statement.vertices, numbers - 1)
     outside = np.flatnonzero((numbers < 0) | (numbers >= count))
     if len(outside):
@@ -146,7 +172,7 @@ class Labels(NamedTuple):
     groups: str
 
 
-def labelled(statements: Sequence[Statement]) -> Iterator[tuple[Statement, Labels]]:
+def labelled(statements: Iterable[Statement]) -> Iterator[tuple[Statement, Labels]]:
     """Each statement but ``o`` and ``g``, with what these say."""
     labels = Labels("", "")
     for statement in statements:

@@ -9,6 +9,7 @@ as trimming curves, is refused.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -83,7 +84,7 @@ def _surfaces(file: ObjFile, source: str) -> Iterator[_Surface]:
     kind, rational, degrees = "", False, (0, 0)
     body: Statement | None = None
     parameters: dict[str, tuple[float, ...]] = {}
-    for statement, labels in labelled(file.statements):
+    for statement, labels in labelled(file.statements()):
         keyword, words, line, _ = statement
         place = f"{source}, line {line}"
         if keyword in REFUSED:
@@ -165,9 +166,16 @@ def _patches(surface: _Surface, file: ObjFile, source: str) -> tuple[list[_Array
         )
     # u runs fastest in the file, and is the first axis of a net.
     numbers = numbers.reshape(columns, rows).T
-    weights = file.weights[numbers] if surface.rational else np.ones(numbers.shape)
+    weights = file.weights[numbers] if surface.rational else _ones(numbers.shape)
     parts = (ranges[0], ranges[1]), (ranges[2], ranges[3])
     return spline_patches(file.points[numbers], weights, degrees, knots, parts)
+
+
+@lru_cache(maxsize=64)
+def _ones(shape: tuple[int, ...]) -> _Array:
+    weights = np.ones(shape)
+    weights.flags.writeable = False
+    return weights
 
 
 def _knots(surface: _Surface, count: int) -> tuple[_Array, _Array]:

@@ -46,7 +46,10 @@ def spline_patches(
     InputError
         Which direction's knots or range are wrong, and how.
     """
-    if _is_one_patch(points.shape, degrees, knots, ranges):
+    # Files may hold many thousands of surfaces that are patches already.
+    own = tuple(map(_range_of_one_piece, degrees, (vector.tobytes() for vector in knots)))
+    is_net = points.shape[:2] == (degrees[0] + 1, degrees[1] + 1) and None not in own
+    if is_net and (ranges is None or own == tuple(ranges)):
         return [points], [weights]
     is_rational = bool((weights != weights.flat[0]).any())
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
@@ -63,22 +66,13 @@ def spline_patches(
     return list(patches), list(np.broadcast_to(weights.flat[0], patches.shape[:-1]))
 
 
-def _is_one_patch(
-    shape: tuple[int, ...],
-    degrees: tuple[int, int],
-    knots: tuple[_Array, _Array],
-    ranges: Sequence[tuple[float, float]] | None,
-) -> bool:
-    """Whether a surface is a Bezier patch as it stands: files may hold many thousands."""
-    for axis, (degree, vector) in enumerate(zip(degrees, knots, strict=True)):
-        start, *inner, end = vector.tolist()
-        if shape[axis] != degree + 1 or len(inner) != 2 * degree or not start < end:
-            return False
-        if inner != [start] * degree + [end] * degree:
-            return False
-        if ranges is not None and ranges[axis] != (start, end):
-            return False
-    return True
+@lru_cache(maxsize=64)
+def _range_of_one_piece(degree: int, knot_bytes: bytes) -> tuple[float, float] | None:
+    """Where a spline runs from and to, if it is a single Bezier piece as it stands."""
+    start, *inner, end = np.frombuffer(knot_bytes).tolist()
+    if start < end and inner == [start] * degree + [end] * degree:
+        return start, end
+    return None
 
 
 def _pieces(net: _Array, degree: int, knots: _Array, direction: str) -> BezierPieces:

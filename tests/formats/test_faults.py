@@ -122,7 +122,9 @@ def test_degrees_of_a_geomview_file_are_those_of_u_and_v() -> None:
     # u fastest: a net of 3 x 2 control points.
     content = b"BEZ213 0 0 0  1 0 0  2 0 1   0 1 0  1 1 0  2 1 1"
     (net,) = read(content, "bez").control_points
-    np.testing.assert_allclose(net[:, 0], [[0, 0, 0], [2 / 3, 0, 0], [4 / 3, 0, 1 / 3], [2, 0, 1]])
+    np.testing.assert_allclose(
+        net[:, 0], np.array([[0, 0, 0], [2 / 3, 0, 0], [4 / 3, 0, 1 / 3], [2, 0, 1]])
+    )
     np.testing.assert_allclose(net[3, :, 1], [0, 1 / 3, 2 / 3, 1])
 
 
@@ -202,14 +204,14 @@ def test_equal_weights_are_none() -> None:
 
 def test_json_that_is_none_is_told_with_its_line() -> None:
     content = write(body_like(1, 1), "geomdl")
-    with pytest.raises(InputError, match="^file, line 1: is not valid JSON"):
+    with pytest.raises(InputError, match=r"^file, line 1: is not valid JSON"):
         read(content[:200], "geomdl")
-    with pytest.raises(InputError, match="^file: "):
+    with pytest.raises(InputError, match=r"^file: "):
         read(b'{"shape": ' + b"[" * 100_000, "geomdl")
 
 
 def test_a_degree_beyond_the_largest_is_refused() -> None:
     side = np.linspace(0.0, 1.0, 11)
     points = "\n".join(f"{x} {y} 0" for y in side for x in side)
-    with pytest.raises(InputError, match="^file, line 2: patch 0 has the degrees 10 and 10; only"):
+    with pytest.raises(InputError, match=r"^file, line 2: patch 0 has the degrees 10 and 10; only"):
         read(f"1\n10 10\n{points}\n".encode(), "bpt")

@@ -13,6 +13,7 @@ import pytest
 from format_atlases import body_like, read, write
 from hypothesis import given
 from hypothesis import strategies as st
+from mutations import read_or_refused
 
 from bodymeasure import (
     AtlasPoint,
@@ -82,7 +83,7 @@ def test_bodies_of_a_population_have_the_same_patches(
 def test_a_population_is_not_empty_and_goes_into_an_npz_file(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no atlas to write"):
         write_population([], tmp_path / "all.npz")
-    with pytest.raises(InputError, match="go into an .npz file"):
+    with pytest.raises(InputError, match=r"go into an .npz file"):
         write_population([ATLAS], tmp_path / "all.atlas")
 
 
@@ -142,16 +143,12 @@ def test_a_claim_of_a_thousand_million_points_is_refused_at_once() -> None:
 def test_a_file_made_to_fill_memory_is_refused() -> None:
     buffer = io.BytesIO()
     np.savez_compressed(buffer, **{**arrays(), "points": np.zeros((1, 2_000_000, 3))})
-    with pytest.raises(InputError, match="says that it expands to 48.* bytes, which is too much"):
+    with pytest.raises(InputError, match=r"says that it expands to 48.* bytes, which is too much"):
         read(buffer.getvalue(), "npz")
 
 
 @given(st.integers(0, len(CONTENT) - 1), st.binary(min_size=1, max_size=4))
 def test_garbled_bytes_are_read_or_refused(place: int, change: bytes) -> None:
     content = CONTENT[:place] + change + CONTENT[place + len(change) :]
-    try:
-        atlas = read(content, "npz")
-    except InputError as error:
-        assert str(error).startswith("file")
-    else:
-        assert atlas.digest == ATLAS.digest
+    atlas = read_or_refused(content, "npz")
+    assert atlas is None or atlas.digest == ATLAS.digest

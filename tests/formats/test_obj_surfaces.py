@@ -124,7 +124,7 @@ def test_a_b_spline_surface_is_cut_at_its_knots(
         assert (edge_table(back.index).sides == 2).sum() == 24
 
 
-def test_a_periodic_surface_closes(rng: np.random.Generator) -> None:
+def test_a_periodic_surface_closes() -> None:
     ring = np.array([[np.cos(a), np.sin(a)] for a in 2 * np.pi * np.arange(8) / 8])
     tube = np.stack([np.column_stack([ring, np.full(8, z)]) for z in range(4)], axis=1)
     points = np.concatenate([tube, tube[:3]])
@@ -212,7 +212,7 @@ def test_faults_are_told_with_their_line(old: str, new: str, message: str) -> No
 
 
 def test_a_surface_that_is_cut_off_is_told() -> None:
-    with pytest.raises(InputError, match="^file, line 38: the surf has no end; the file may have"):
+    with pytest.raises(InputError, match=r"^file, line 38: the surf has no end; the file may have"):
         read(PLAIN.rstrip()[: -len("end")].encode(), "obj")
 
 

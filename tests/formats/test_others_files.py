@@ -108,8 +108,10 @@ def test_surfaces_of_geomdl_are_where_geomdl_says() -> None:
     expected = json.loads((DATA / "geomdl_points.json").read_bytes())
     uv = np.array(expected["uv"])
     # Three pieces along u and three along v, then two along u.
-    pieces = [((0.0, 0.3, 0.6, 1.0), (0.0, 0.4, 0.7, 1.0), 0, "sheet")]
-    pieces += [((0.0, 0.5, 1.0), (0.0, 1.0), 9, "rational")]
+    pieces = (
+        (np.array([0.0, 0.3, 0.6, 1.0]), np.array([0.0, 0.4, 0.7, 1.0]), 0, "sheet"),
+        (np.array([0.0, 0.5, 1.0]), np.array([0.0, 1.0]), 9, "rational"),
+    )
     assert len(atlas) == 11
     for us, vs, first, name in pieces:
         for (u, v), point in zip(uv, expected[name], strict=True):

@@ -26,7 +26,7 @@ def joints(atlas: Atlas) -> NDArray[np.int64]:
     return np.asarray(first[number])
 
 
-@pytest.mark.parametrize("form", (*LOSSLESS, *TEXT))
+@pytest.mark.parametrize("form", [*LOSSLESS, *TEXT])
 @given(atlas=atlases())
 def test_patches_come_back_to_the_last_bit(form: str, atlas: Atlas) -> None:
     content = write(atlas, form)
@@ -96,7 +96,7 @@ def test_geomdl_keeps_names() -> None:
 @pytest.mark.parametrize("name", ["a  b", "a #b", "#a", "a\\", "a\ud800"])
 def test_names_that_an_obj_file_cannot_hold_are_refused(name: str) -> None:
     atlas = replace(body_like(1, 1), patch_names=(name,))
-    with pytest.raises(InputError, match="the patch name .* cannot be written to a Wavefront OBJ"):
+    with pytest.raises(InputError, match=r"the patch name .* cannot be written to a Wavefront OBJ"):
         write(atlas, "obj")
 
 
@@ -132,7 +132,9 @@ def test_the_unit_must_be_given(form: str) -> None:
 @pytest.mark.parametrize("form", LOSSLESS)
 def test_a_unit_that_a_file_has_is_not_overruled(form: str) -> None:
     content = write(NAMED, form)
-    with pytest.raises(InputError, match="^file: is in cm, but the unit m was given; leave it out"):
+    with pytest.raises(
+        InputError, match=r"^file: is in cm, but the unit m was given; leave it out"
+    ):
         read(content, form, ReadOptions(unit=Unit.M))
     with pytest.raises(InputError, match=r"has up \+y and front \+z, but others were given"):
         read(content, form, ReadOptions(axes=Axes()))

@@ -1,0 +1,159 @@
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from command_line import Run
+
+from bodymeasure import load_sample, read_atlas
+
+DATA = Path(__file__).parents[1] / "data"
+MESH = """v 0 0 0
+v 1 0 0
+v 2 0 0
+v 0 1 0
+v 1 1 0
+v 2 1 0.5
+g left
+f 1 2 5 4
+g right
+f 2 3 6 5
+"""
+
+
+@pytest.fixture
+def teapot(tmp_path: Path) -> Path:
+    return Path(shutil.copy(DATA / "teapot.bpt", tmp_path))
+
+
+def test_loose_patches_are_converted_to_an_atlas(run: Run, teapot: Path) -> None:
+    target = teapot.with_suffix(".atlas")
+    ran = run("convert", teapot, "-o", target, "--unit", "inch", "--up", "+z", "--front", "-x")
+    assert (ran.code, ran.err) == (0, "")
+    assert ran.out == f"{target}: 32 patches, 52 seams, 4 parts, in inch\n"
+    atlas = read_atlas(target)
+    assert (atlas.unit, atlas.axes.front) == ("inch", "-x")
+    assert atlas.digest == read_atlas(teapot, unit="inch").digest
+
+
+def test_what_is_lost_is_told(run: Run, tmp_path: Path) -> None:
+    target = tmp_path / "body.obj"
+    ran = run("convert", "female_average", "-o", target)
+    assert ran.code == 0
+    sample = load_sample("female_average")
+    assert ran.err == (
+        "a Wavefront OBJ file has no room for its unit (m) and axes, "
+        f"{len(sample.landmarks)} landmarks; these are not in it.\n"
+    )
+    back = read_atlas(target, unit="m")
+    assert back.digest == sample.digest
+    assert back.patch_names == sample.patch_names
+
+
+def test_a_group_of_a_mesh(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "mesh.obj").write_text(MESH)
+    target = tmp_path / "left.atlas"
+    arguments = ("convert", tmp_path / "mesh.obj", "-o", target, "--unit", "cm", "--group")
+    ran = run(*arguments, "left")
+    assert (ran.code, ran.err) == (0, "")
+    assert ran.out == f"{target}: 1 patch, 0 seams, 1 part, in cm\n"
+    ran = run(*arguments, "middle")
+    assert (ran.code, ran.out) == (2, "")
+    assert "no patch is in a group 'middle'; there are: left, right" in ran.err
+
+
+def test_formats_may_be_told(run: Run, teapot: Path) -> None:
+    renamed = teapot.rename(teapot.with_name("teapot.txt"))
+    target = teapot.with_name("other.txt")
+    options = ("--from", "bpt", "--format", "bez", "--unit", "cm", "--weld", "0.001")
+    ran = run("convert", renamed, "-o", target, *options)
+    assert ran.code == 0
+    assert target.read_bytes().startswith(b"BBP\n")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("convert", "teapot.bpt"), "Missing option '-o'"),
+        (("convert", "teapot.bpt", "-o", "x.atlas"), "a BPT file says no unit, and none was given"),
+        (("convert", "teapot.bpt", "-o", "x.stl"), "unknown kind of file '.stl'"),
+        (("convert", "teapot.bpt", "-o", "no/x.atlas"), "no/x.atlas: cannot be written"),
+        (("convert", "teapot.bpt", "-o", "x.obj", "--unit", "ft"), "'ft' is not one of 'm', 'cm'"),
+        (
+            ("convert", "enneper", "-o", "x.obj", "--unit", "m"),
+            "is in cm, but the unit m was given",
+        ),
+        (("convert", "enneper", "-o", "x.obj", "--format", "obj-mesh"), "'obj-mesh' is not one of"),
+        (("info", "teapot.bpt"), "says no unit"),
+        (("check", "teapot.bpt"), "--file-unit or --unit on the command line"),
+        (("diagonals", "teapot.bpt", "--unit", "cm"), "says no unit, and none was given"),
+    ],
+)
+def test_bad_input_is_told_and_nothing_written(
+    run: Run,
+    teapot: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: tuple[str, ...],
+    message: str,
+) -> None:
+    monkeypatch.chdir(teapot.parent)
+    ran = run(*arguments)
+    assert (ran.code, ran.out) == (2, "")
+    assert message in ran.err
+    assert [path.name for path in teapot.parent.iterdir()] == ["teapot.bpt"]
+
+
+def test_info_says_what_an_atlas_holds(run: Run, teapot: Path) -> None:
+    ran = run("info", teapot, "--unit", "cm")
+    assert (ran.code, ran.err) == (0, "")
+    title, *rows = ran.out.splitlines()
+    assert title == str(teapot)
+    table = {row[:17].strip(): row[17:].strip() for row in rows}
+    assert table["patches"] == "32, 302 control points"
+    assert table["degree"] == "3, polynomial"
+    assert table["size"] == "3.15 high, 6.525 wide, 4 deep cm"
+    assert table["seams"] == "52; 16 edges on the boundary, 8 collapsed to a point"
+    assert table["parts"] == "4"
+    assert table["landmarks"] == "none"
+    assert table["quality"].startswith("0 errors, 9 warnings: collapsed edge (8), separate parts")
+
+
+def test_info_lists_landmarks_and_where_an_atlas_comes_from(run: Run) -> None:
+    ran = run("info", "female_average")
+    assert (ran.code, ran.err) == (0, "")
+    sample = load_sample("female_average")
+    count = len(sample.landmarks)
+    (listed,) = (line for line in ran.out.splitlines() if line.startswith("landmarks"))
+    assert f" {count}: {next(iter(sample.landmarks))}, " in listed
+    assert listed.endswith(f" and {count - 8} more")
+    for key, value in sample.provenance.items():
+        assert any(row.startswith(key) and row.endswith(value) for row in ran.out.splitlines())
+
+
+def test_info_of_a_rational_surface(run: Run) -> None:
+    ran = run("info", DATA / "octant.bez", "--unit", "m")
+    assert "3, rational" in ran.out
+
+
+@pytest.mark.parametrize("option", ["--unit", "--file-unit"])
+def test_commands_without_another_unit_take_either_option(
+    run: Run, teapot: Path, option: str
+) -> None:
+    ran = run("check", teapot, option, "mm")
+    assert ran.code == 0
+    assert ran.out.endswith("32 patches in mm, 0 errors, 9 warnings\n")
+
+
+def test_lengths_have_a_unit_of_their_own(run: Run, teapot: Path) -> None:
+    options = ("--format", "csv", "--unit", "mm", "--despite-errors")
+    ran = run("diagonals", teapot, "--file-unit", "cm", *options)
+    assert (ran.code, ran.err) == (0, "")
+    first = ran.out.splitlines()[1].split(",")
+    assert "mm" in first
+    assert any(word.startswith("22.2795") for word in first)
+
+
+def test_the_unit_of_one_file_is_not_that_of_the_next(run: Run, teapot: Path) -> None:
+    assert run("check", teapot, "--unit", "mm").code == 0
+    assert run("check", teapot).code == 2
