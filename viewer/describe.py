@@ -1,4 +1,4 @@
-"""What the viewer says about a patch that was picked."""
+"""What the viewer says about a patch or a tape that was picked."""
 
 from __future__ import annotations
 
@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from bodymeasure.atlas import Unit, convert_length
+from bodymeasure.chart import FormulaMeasure
 
 if TYPE_CHECKING:
+    from bodymeasure.chart import Measured
     from bodymeasure.measure import Survey
 
 DIAGONALS = ("(0, 0) - (1, 1)", "(1, 0) - (0, 1)")
@@ -47,3 +49,34 @@ def _diagonal(survey: Survey, patch: int, diagonal: int) -> str:
     if check is not None and np.isfinite(check.relative_difference[patch, diagonal]):
         text += f", {check.relative_difference[patch, diagonal]:+.1e} from exact"
     return text
+
+
+def describe_measured(item: Measured, unit: Unit) -> str:
+    """A measurement's name and value in centimetres, and how the tape lies.
+
+    Parameters
+    ----------
+    item : Measured
+    unit : Unit
+        Of its lengths.
+
+    Returns
+    -------
+    str
+        A few lines: name and key, value, along the skin and taut if there are both, remark.
+    """
+    definition = item.definition
+    lines = [f"{definition.name} ({definition.key})"]
+    if np.isfinite(item.value):
+        angle = isinstance(definition, FormulaMeasure) and definition.angle
+        lines.append(f"{item.value:.2f} degrees" if angle else _centimetres(item.value, unit))
+        if np.isfinite(item.contact) and np.isfinite(item.taut):
+            skin, taut = _centimetres(item.contact, unit), _centimetres(item.taut, unit)
+            lines.append(f"along the skin {skin}, taut {taut}")
+    if item.reason:
+        lines.append(item.reason)
+    return "\n".join(lines)
+
+
+def _centimetres(length: float, unit: Unit) -> str:
+    return f"{convert_length(length, unit, Unit.CM):.2f} cm"

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from bodymeasure.viewer.window import build
+from bodymeasure.viewer.tape_window import TapeWindow, build_tapes
+from bodymeasure.viewer.window import Window, build
 
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.files import write_bytes
-from bodymeasure.scene import body_overview, png
+from bodymeasure.scene import body_overview, png, tapes_overview
 from bodymeasure.scene.choice import SOFTWARE, opengl_trouble
 
 if TYPE_CHECKING:
+    from bodymeasure.chart import Chart
     from bodymeasure.measure import Survey
 
 
@@ -38,6 +41,47 @@ def view(survey: Survey, screenshot: Path | None = None) -> str:
     MissingExtraError
         If pyvista is not installed.
     """
+    return _show(
+        lambda off_screen: build(survey, off_screen=off_screen),
+        lambda: body_overview(survey, renderer=SOFTWARE),
+        screenshot,
+    )
+
+
+def view_chart(chart: Chart, screenshot: Path | None = None, *, key: str | None = None) -> str:
+    """Open a window on a body with the tapes of its measurements, or save what it would show.
+
+    Parameters
+    ----------
+    chart : Chart
+    screenshot : Path, optional
+        PNG file to write instead of opening a window.
+    key : str, optional
+        The only measurement to show; it has a tape.
+
+    Returns
+    -------
+    str
+        As of `view`.
+
+    Raises
+    ------
+    InputError, MissingExtraError
+        As `view`.
+    """
+    return _show(
+        lambda off_screen: build_tapes(chart, key, off_screen=off_screen),
+        lambda: tapes_overview(chart, key, renderer=SOFTWARE),
+        screenshot,
+    )
+
+
+def _show(
+    window: Callable[[bool], Window | TapeWindow],
+    without_opengl: Callable[[], bytes],
+    screenshot: Path | None,
+) -> str:
+    """Open a window, or save what it shows, if need be drawn without OpenGL."""
     try:
         import pyvista
     except ImportError:
@@ -50,13 +94,13 @@ def view(survey: Survey, screenshot: Path | None = None) -> str:
                 "write a picture instead with --screenshot FILE.png"
             )
         with pyvista.vtk_verbosity("off"):
-            build(survey).plotter.show()
+            window(False).plotter.show()
         return ""
     if trouble:
-        write_bytes(screenshot, body_overview(survey, renderer=SOFTWARE))
+        write_bytes(screenshot, without_opengl())
         return f"The picture was drawn without OpenGL, since {trouble}."
     with pyvista.vtk_verbosity("off"):
-        plotter = build(survey, off_screen=True).plotter
+        plotter = window(True).plotter
         try:
             image = np.asarray(plotter.screenshot(None, return_img=True))
         finally:

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import difflib
+import math
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
+from bodymeasure.cli.chart import measured_chart
 from bodymeasure.cli.console import print_note, progress_bar
 from bodymeasure.cli.options import (
     COMPARISON,
     EXIT_CODES,
+    ROUTES,
     VIEWER,
     VIEWER_COLORS,
+    definitions_option,
     despite_errors_option,
     load_sound_atlas,
     no_cross_check_option,
@@ -24,6 +30,10 @@ from bodymeasure.cli.options import (
 from bodymeasure.errors import InputError
 from bodymeasure.files import require_writable
 from bodymeasure.measure import Survey, measure_atlas
+
+if TYPE_CHECKING:
+    from bodymeasure.atlas import Atlas
+    from bodymeasure.chart import Chart
 
 PICTURE_SUFFIXES = (".png", "")
 
@@ -37,37 +47,85 @@ PICTURE_SUFFIXES = (".png", "")
     metavar="FILE",
     help="Write a PNG file instead of opening a window.",
 )
+@click.option(
+    "--chart",
+    "with_chart",
+    is_flag=True,
+    help="Show the tapes of the body measurements instead of the diagonals.",
+)
+@definitions_option
+@click.option(
+    "--measure",
+    "key",
+    metavar="KEY",
+    help="With --chart: show one measurement alone, by its key.",
+)
 @no_cross_check_option
 @processes_option
 @despite_errors_option
 def view(
     atlas: str,
     screenshot: Path | None,
+    with_chart: bool,
+    definitions: Path | None,
+    key: str | None,
     no_cross_check: bool,
     processes: int,
     despite_errors: bool,
 ) -> None:
     """Show ATLAS in a window: patches, diagonals colored by their difference from the mesh.
 
-    Click a patch or a diagonal for its name and lengths. ATLAS is the average female sample if not
-    given.
+    Click a patch or a diagonal for its name and lengths. With --chart, click a tape for the
+    measurement and its value. ATLAS is the average female sample if not given.
     """
-    require(VIEWER, VIEWER_COLORS, *(() if no_cross_check else (COMPARISON,)))
-    viewer = _viewer()
+    if not with_chart and (key is not None or definitions is not None):
+        raise click.UsageError("--measure and --set are about measurements; add --chart.")
+    need = ROUTES if with_chart else COMPARISON
+    require(VIEWER, VIEWER_COLORS, *(() if no_cross_check and not with_chart else (need,)))
+    viewer, chart_viewer = _viewers()
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
     if screenshot is None:
         _check_display()
     else:
         _check_screenshot(screenshot)
-    with progress_bar("comparing with libigl", 2 * len(loaded)) as progress:
-        survey = measure_atlas(
-            loaded, compare=not no_cross_check, processes=processes, progress=progress
-        )
-    note = viewer(survey, screenshot)
+    if with_chart:
+        note = chart_viewer(_chart(loaded, definitions, key), screenshot, key=key)
+    else:
+        note = viewer(_survey(loaded, no_cross_check, processes), screenshot)
     if note:
         print_note(note)
     if screenshot is not None:
         click.echo(screenshot)
+
+
+def _survey(loaded: Atlas, no_cross_check: bool, processes: int) -> Survey:
+    with progress_bar("comparing with libigl", 2 * len(loaded)) as progress:
+        return measure_atlas(
+            loaded, compare=not no_cross_check, processes=processes, progress=progress
+        )
+
+
+def _chart(loaded: Atlas, definitions: Path | None, key: str | None) -> Chart:
+    """The chart of a body, in which a measurement that is to be shown has a tape.
+
+    Raises
+    ------
+    InputError
+        If there is no such measurement, or it has no tape, and why.
+    """
+    from bodymeasure.chart import both_sides, load_definitions
+
+    wanted = load_definitions(definitions)
+    keys = [item.key for item in both_sides(wanted.measurement)]
+    if key is not None and key not in keys:
+        nearest = difflib.get_close_matches(key, keys, n=1)
+        hint = f"did you mean {nearest[0]!r}?" if nearest else f"such as {', '.join(keys[:3])}"
+        raise InputError(f"there is no measurement {key!r} in {wanted.name!r}; {hint}")
+    chart = measured_chart(loaded, wanted)
+    if key is not None and not (chart[key].tapes and math.isfinite(chart[key].value)):
+        reason = chart[key].reason or "it is calculated from others; show one of those"
+        raise InputError(f"{key}: there is no tape to show: {reason}")
+    return chart
 
 
 def _check_display() -> None:
@@ -90,9 +148,10 @@ def _check_screenshot(path: Path) -> None:
     require_writable(path)
 
 
-def _viewer() -> Callable[[Survey, Path | None], str]:
+def _viewers() -> tuple[Callable[[Survey, Path | None], str], Callable[..., str]]:
+    """What shows a survey, and what shows a chart."""
     try:
-        from bodymeasure.viewer import view as viewer
+        from bodymeasure.viewer import view, view_chart
     except ModuleNotFoundError as error:
         if error.name != "bodymeasure.viewer":
             raise
@@ -101,5 +160,4 @@ def _viewer() -> Callable[[Survey, Path | None], str]:
             "install it with: pip install -e ."
         ) from None
     # Installed under another name than its folder's, so that the type checker does not see it.
-    show: Callable[[Survey, Path | None], str] = viewer
-    return show
+    return view, view_chart

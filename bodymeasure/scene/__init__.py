@@ -20,7 +20,7 @@ from bodymeasure.scene.model import (
     TapeScene,
 )
 from bodymeasure.scene.overview import body_overview
-from bodymeasure.scene.tape_gallery import TapePictures, tape_pictures
+from bodymeasure.scene.tape_gallery import TapePictures, tape_pictures, tapes_overview
 from bodymeasure.scene.tapes import tapes_scene
 
 __all__ = [
@@ -50,5 +50,6 @@ __all__ = [
     "pictures",
     "png",
     "tape_pictures",
+    "tapes_overview",
     "tapes_scene",
 ]

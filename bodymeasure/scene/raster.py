@@ -94,8 +94,9 @@ def rasterize(
     seen = np.flatnonzero(inside)
     edge, plane = np.zeros((len(triangles), 3, 3)), np.zeros((len(triangles), 3))
     function, area = _edge_functions(corner[seen])
-    seen, function, area = (values[np.abs(area) > EDGE_ON] for values in (seen, function, area))
-    edge[seen] = function / area[:, None, None]
+    broad = np.abs(area) > EDGE_ON
+    seen = seen[broad]
+    edge[seen] = function[broad] / area[broad, None, None]
     plane[seen] = _planes(edge[seen], depth[triangles[seen]])
     for chunk in np.array_split(seen, max(1, -(-len(seen) // CHUNK))):
         which, row = _rows(corner[chunk, :, 1], height)

@@ -63,6 +63,11 @@ def seen_length(line: TapeLine, view: Sight) -> float:
     return float(step[seen[:-1] & seen[1:]].sum())
 
 
+def measurement_seen(scene: TapeScene, key: str, view: Sight) -> float:
+    """How much of a measurement is seen from a side: of that of its tapes that is seen best."""
+    return max(seen_length(line, view) for line in scene.tapes if line.key == key)
+
+
 def marking_ends(places: NDArray[np.float64], height: int) -> NDArray[np.int64]:
     """Which ends of a straight tape in a picture tell where it is measured.
 

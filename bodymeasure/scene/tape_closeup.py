@@ -13,7 +13,7 @@ from bodymeasure.scene.label_layout import Columns, place_labels
 from bodymeasure.scene.model import Label, TapeLine, TapeScene
 from bodymeasure.scene.software_tapes import Drawing
 from bodymeasure.scene.strokes import runs
-from bodymeasure.scene.tape_camera import best, closeup_view, seen_length
+from bodymeasure.scene.tape_camera import best, closeup_view, measurement_seen
 from bodymeasure.scene.tape_mesh import COLORS, forward, tape_mesh
 from bodymeasure.scene.tape_text import column_texts, leaders, wrapped
 from bodymeasure.scene.visibility import Sight
@@ -47,7 +47,7 @@ def closeup(
     draw : callable
     """
     lines = [line for line in scene.tapes if line.key == key]
-    side = around[best([max(seen_length(line, view) for line in lines) for view in around])]
+    side = around[best([measurement_seen(scene, key, view) for view in around])]
     marks = scene.landmarks[key]
     shown = np.concatenate([line.points for line in lines])
     view = closeup_view(scene, shown, side, SIZE[0] / SIZE[1])

@@ -17,7 +17,7 @@ from bodymeasure.scene.gallery import png
 from bodymeasure.scene.label_layout import Columns
 from bodymeasure.scene.model import Surface, TapeLine, TapeScene
 from bodymeasure.scene.software_tapes import Drawing
-from bodymeasure.scene.tape_camera import best, seen_length, sights
+from bodymeasure.scene.tape_camera import best, measurement_seen, sights
 from bodymeasure.scene.tape_closeup import closeup
 from bodymeasure.scene.tape_labels import numbered
 from bodymeasure.scene.tape_mesh import forward, tape_mesh
@@ -141,10 +141,7 @@ def roomy_views(scene: TapeScene, chart: Chart) -> dict[str, View]:
 def shown_sides(scene: TapeScene, seen: Mapping[str, Sight]) -> dict[str, set[str]]:
     """On which sides each measurement is numbered, by its key."""
     length = {
-        key: {
-            side: max(seen_length(line, view) for line in scene.tapes if line.key == key)
-            for side, view in seen.items()
-        }
+        key: {side: measurement_seen(scene, key, view) for side, view in seen.items()}
         for key in dict.fromkeys(line.key for line in scene.tapes)
     }
     shown = {}
@@ -184,3 +181,35 @@ def _closeups(
         pictures[key] = png(closeup(scene, key, around, draw))
         advance(key)
     return pictures
+
+
+def tapes_overview(chart: Chart, key: str | None = None, *, renderer: str | None = None) -> bytes:
+    """One picture of the first group's tapes from four sides, or of one measurement from near.
+
+    Parameters
+    ----------
+    chart : Chart
+    key : str, optional
+        Of a measurement with a tape.
+    renderer : str, optional
+        As for `tape_pictures`.
+
+    Returns
+    -------
+    bytes
+        A PNG file.
+    """
+    scene = tapes_scene(chart)
+    with SESSIONS[choose_renderer(renderer).renderer](scene.surface) as draw:
+        if key is not None:
+            around = sights(scene.surface, chart.atlas.axes, RADIUS * scene.size)
+            return png(closeup(scene, key, around, draw))
+        views = roomy_views(scene, chart)
+        seen = {side: sight(scene.surface, view) for side, view in views.items()}
+        shown = shown_sides(scene, seen)
+        lines = [line for line in scene.tapes if line.group == scene.tapes[0].group]
+        images = []
+        for side in SIDES:
+            labeled = [line.number for line in lines if side in shown[line.key]]
+            images.append(body_picture(scene, lines, dict.fromkeys(labeled), seen[side], draw))
+    return png(np.concatenate(images, axis=1))
