@@ -1,0 +1,84 @@
+"""`bodymeasure view --chart`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from command_line import Run
+from PIL import Image
+
+from bodymeasure.scene import choice
+
+DEFINITIONS = """\
+format = "bodymeasure measurements"
+version = 1
+name = "Two"
+
+[[measurement]]
+key = "hip"
+kind = "girth"
+name = "Hip girth"
+group = "Girths"
+at = "front hip point"
+
+[[measurement]]
+key = "half_hip"
+kind = "formula"
+name = "Half the hip girth"
+formula = "hip / 2"
+
+[[measurement]]
+key = "calf"
+kind = "girth"
+name = "Calf girth"
+at = "calf point"
+"""
+
+
+@pytest.fixture
+def definitions(tmp_path: Path) -> Path:
+    path = tmp_path / "two.toml"
+    path.write_text(DEFINITIONS)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("key", "message"),
+    [
+        ("hop", "there is no measurement 'hop' in 'Two'; did you mean 'hip'?"),
+        ("half_hip", "half_hip: there is no tape to show: it is calculated from others"),
+        ("calf", "calf: there is no tape to show: "),
+    ],
+)
+def test_a_measurement_that_cannot_be_shown_is_told(
+    run: Run, tmp_path: Path, definitions: Path, key: str, message: str
+) -> None:
+    picture = tmp_path / "body.png"
+    options = ("--set", definitions, "--measure", key, "--screenshot", picture)
+    ran = run("view", "female_average", "--chart", *options)
+    assert (ran.code, ran.out) == (2, "")
+    assert message in ran.err
+    assert not picture.exists()
+
+
+@pytest.mark.parametrize("option", [("--measure", "hip"), ("--set", "two.toml")])
+def test_options_of_the_chart_need_it(run: Run, option: tuple[str, str]) -> None:
+    ran = run("view", "female_average", *option)
+    assert ran.code == 2
+    assert "--measure and --set are about measurements; add --chart." in ran.err
+
+
+def test_a_measurement_is_drawn_without_opengl(
+    run: Run, tmp_path: Path, definitions: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    choice.opengl_trouble.cache_clear()
+    monkeypatch.setattr(choice, "PROBE", "import os; os.abort()")
+    picture = tmp_path / "body.png"
+    options = ("--set", definitions, "--measure", "hip", "--screenshot", picture)
+    ran = run("view", "female_average", "--chart", *options)
+    choice.opengl_trouble.cache_clear()
+    assert (ran.code, ran.out.strip()) == (0, str(picture))
+    assert "without OpenGL" in ran.err
+    with Image.open(picture) as image:
+        assert image.size == (600, 500)
