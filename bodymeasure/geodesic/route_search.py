@@ -22,6 +22,8 @@ DEGREES = (8, 12, 16, 24, 32)
 # Relative error of the length that is asked for, and what is good enough if the last degree has not
 # met it, as where patches bend sharply near a corner.
 TOLERANCE, GOOD_ENOUGH = 1e-9, 1e-6
+# What holds a path is read at degrees up to this: where it cannot be, it hardly can at higher ones.
+HIGHEST_READ = 12
 # Routes that are refined for a path, at most.
 MOST_ROUTES = 60
 # A route must be shorter by this part to be better: less is the trial space's. One with fewer
@@ -131,9 +133,10 @@ def _repaired(
 def _wanted(atlas: Atlas, neighbors: Neighbors, best: Refined) -> Iterator[Route | HeldPath]:
     """Routes that may be shorter, and between them the path itself where edges hold it."""
     yield from other_routes(neighbors, best)
-    held = held_path(atlas, neighbors, best, TOLERANCE) if best.held_nodes.any() else None
-    if held is not None:
-        yield held
+    if best.held_nodes.any() and best.problem.space.size <= HIGHEST_READ:
+        held = held_path(atlas, neighbors, best, TOLERANCE)
+        if held is not None:
+            yield held
     yield from over_missing_neighbors(neighbors, best)
 
 

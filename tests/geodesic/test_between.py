@@ -264,7 +264,7 @@ def bulging(depth: float) -> NDArray[np.float64]:
     return np.stack([3 * x, y + depth * (1 - y) * x * (1 - x), 0 * x], axis=-1)
 
 
-@pytest.mark.parametrize("cuts", [((), ()), ((0.5,), ()), ((0.4,), (0.5,))], ids=str)
+@pytest.mark.parametrize("cuts", [((), ()), ((0.5,), ())], ids=str)
 def test_along_a_seam_that_holds_it_from_both_sides(
     cuts: tuple[tuple[float, ...], tuple[float, ...]],
 ) -> None:
