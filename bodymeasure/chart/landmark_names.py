@@ -7,8 +7,9 @@ import re
 from collections.abc import Collection
 
 SIDES = ("left", "right")
-# Landmarks of ISO 8559-1, as its users write them (the standard numbers them differently from one
-# edition to the next); and, by the same pattern, the points of the levels that it defines.
+# Landmarks of ISO 8559-1, as secondary sources name them (the standard itself was not at hand, and
+# is numbered differently from one edition to the next); and, by the same pattern, the points of the
+# levels that it defines.
 # On the median plane:
 MEDIAN_NAMES = (
     "top of head",
