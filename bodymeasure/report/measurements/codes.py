@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 
 from bodymeasure.chart import Definitions
+from bodymeasure.chart.nearest import hint
 from bodymeasure.errors import InputError
 from bodymeasure.report.measurements.records import BodyMeasurement
 
@@ -70,19 +70,14 @@ def check_codes(definitions: Definitions) -> None:
     """
     for definition in definitions.measurement:
         for name in definition.seamly:
-            if not is_seamly_name(name):
-                raise InputError(
-                    f"measurement {definition.key!r}: {name!r} cannot be a name in Seamly2D; "
-                    "expected no spaces or operators, and no digit in front"
-                )
+            check_seamly_name(name, definition.key)
         key = definition.freesewing
         if key is None:
             continue
         if key not in FREESEWING_KEYS:
-            nearest = difflib.get_close_matches(key, FREESEWING_KEYS, n=1)
-            hint = f"; did you mean {nearest[0]!r}?" if nearest else ""
             raise InputError(
-                f"measurement {definition.key!r}: {key!r} is no measurement of FreeSewing{hint}"
+                f"measurement {definition.key!r}: {key!r} is no measurement of FreeSewing; "
+                f"{hint(key, FREESEWING_KEYS)}"
             )
         angle = bool(getattr(definition, "angle", False))
         if angle != (key in FREESEWING_DEGREES):
@@ -93,8 +88,22 @@ def check_codes(definitions: Definitions) -> None:
             )
 
 
-def is_seamly_name(name: str) -> bool:
-    """Whether a name may stand in a measurement file of Seamly2D."""
+def check_seamly_name(name: str, key: str) -> None:
+    """Refuse a measurement's name that may not stand in a file of Seamly2D.
+
+    Raises
+    ------
+    InputError
+        The measurement's key, the name, and what is expected of it.
+    """
+    if not _is_seamly_name(name):
+        raise InputError(
+            f"measurement {key!r}: {name!r} cannot be a name in Seamly2D; expected no spaces or "
+            "operators, and no digit in front"
+        )
+
+
+def _is_seamly_name(name: str) -> bool:
     if not name or unicodedata.category(name[0]) == "Nd" or name[0] == "'":
         return False
     return not any(

@@ -7,8 +7,7 @@ from typing import Final
 from xml.etree import ElementTree
 
 from bodymeasure.atlas import Unit, convert_length
-from bodymeasure.errors import InputError
-from bodymeasure.report.measurements.codes import is_seamly_name, measured_by_code
+from bodymeasure.report.measurements.codes import check_seamly_name, measured_by_code
 from bodymeasure.report.measurements.records import DEGREES, BodyMeasurement, ChartDocument
 
 SCHEMA_VERSION: Final = "0.3.4"
@@ -54,11 +53,7 @@ def to_smis(document: ChartDocument) -> bytes:
     _add(personal, "email")
     measurements = _add(root, "body-measurements")
     for name, record in measured_by_code(document.measurements, lambda m: m.seamly).items():
-        if not is_seamly_name(name):
-            raise InputError(
-                f"measurement {record.key!r}: {name!r} cannot be a name in Seamly2D; expected no "
-                "spaces or operators, and no digit in front"
-            )
+        check_seamly_name(name, record.key)
         ElementTree.SubElement(measurements, "m", name=name, value=_value(record, unit))
     ElementTree.indent(root, "    ")
     body = ElementTree.tostring(root, encoding="unicode")
