@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -172,6 +173,8 @@ def _continued(section: PlaneSection, below: SectionLoop) -> SectionLoop:
     return section.loops[int(np.argmin(apart))]
 
 
+# Both armpits of a symmetric body are sought at the same heights.
+@lru_cache(maxsize=64)
 def _section(atlas: Atlas, height: float) -> PlaneSection:
     try:
         return plane_section(atlas, Plane.horizontal(atlas, height))
