@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure.atlas.axes import Axes
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.seams import EDGES, edge_table, sides_of
+from bodymeasure.atlas.seams import EDGES, SAME_RATIO, edge_table, sides_of
 from bodymeasure.atlas.units import Unit
 from bodymeasure.bezier import evaluate, homogeneous, project
 from bodymeasure.errors import InputError
@@ -23,8 +23,6 @@ from bodymeasure.errors import InputError
 LEAST_DEGREE = 3
 # Polynomials of thrice this degree, as the normal of a rational patch, still have their digits.
 LARGEST_DEGREE = 9
-# Ratios of weights that differ by less differ by rounding.
-SAME_RATIO = 1e-12
 
 
 @dataclass(frozen=True, eq=False)

@@ -20,6 +20,8 @@ class Edge(NamedTuple):
     fixed_value: float
 
 
+# Ratios of weights along a seam that differ by less differ by rounding.
+SAME_RATIO = 1e-12
 EDGES = (
     Edge("u = 0", 0, 0.0),
     Edge("u = 1", 0, 1.0),

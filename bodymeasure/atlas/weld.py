@@ -8,14 +8,16 @@ from numpy.typing import NDArray
 from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.degeneracy import collapsed_sides
 from bodymeasure.atlas.gaps import free_edges, near_seams, welded_index
-from bodymeasure.atlas.seams import EdgeTable, edge_table
+from bodymeasure.atlas.seams import SAME_RATIO, EdgeTable, edge_table, sides_of
 from bodymeasure.atlas.size import require_size
 
 _Points = NDArray[np.float64]
 _Index = NDArray[np.int64]
 
 
-def weld(control_points: _Points, tolerance: float | None = None) -> tuple[_Points, _Index]:
+def weld(
+    control_points: _Points, tolerance: float | None = None, *, weights: _Points | None = None
+) -> tuple[_Points, _Index]:
     """Join patches by their edges, in either direction.
 
     Parameters
@@ -26,6 +28,9 @@ def weld(control_points: _Points, tolerance: float | None = None) -> tuple[_Poin
         Edges that run no farther apart than this are joined too, if that is little beside their
         length and their patches' width (`gaps.NEAR`). Without it, those are whose control points
         differ by no more than rounding (`degeneracy.SAME_PLACE` of the edge's length).
+    weights : ndarray, shape (patches, degree + 1, degree + 1), optional
+        Of rational patches. Edges along which they are not proportional are not joined: at equal
+        parameters their points differ.
 
     Returns
     -------
@@ -49,12 +54,16 @@ def weld(control_points: _Points, tolerance: float | None = None) -> tuple[_Poin
     places = same_places(control_points.reshape(-1, 3)).reshape(own.shape)
     collapsed = collapsed_sides(control_points)
     # Nearly always the coordinates are the same to the last bit; only the rest needs a tolerance.
-    index = _join_same(own, edge_table(places), collapsed)
+    along = sides_of(np.ones(shape) if weights is None else weights)
+    index = _join_same(own, edge_table(places), collapsed, along)
     free = free_edges(control_points, places, collapsed)
     numbers = edge_table(index).control_index[free.patch, free.side]
     near = near_seams(free)
     if tolerance is not None:
         near = near._replace(coincide=near.coincide | (near.distance <= tolerance))
+    first, second = (along[free.patch, free.side][pair] for pair in (near.first, near.second))
+    second = np.where(near.turned[:, None], second[:, ::-1], second)
+    near = near._replace(coincide=near.coincide & ~_differ(first, second))
     index = welded_index(index, free._replace(control_index=numbers), near)
     _, first, index = np.unique(index, return_index=True, return_inverse=True)
     # In the order in which patches first name them.
@@ -72,13 +81,25 @@ def same_places(points: _Points) -> _Index:
     return number
 
 
-def _join_same(own: _Index, table: EdgeTable, collapsed: NDArray[np.bool_]) -> _Index:
+def _differ(first: _Points, second: _Points) -> NDArray[np.bool_]:
+    """Whether rows of weights (..., k) are not proportional."""
+    first, second = first / first[..., :1], second / second[..., :1]
+    return np.asarray(np.abs(first - second).max(axis=-1) > SAME_RATIO)
+
+
+def _join_same(
+    own: _Index, table: EdgeTable, collapsed: NDArray[np.bool_], weights: _Points
+) -> _Index:
     """The index with sides joined that lie on one edge, and collapsed sides made one point."""
     rows = edge_table(own).control_index.reshape(-1, own.shape[-1])
     backwards = table.reversed.reshape(-1, 1)
     along = np.where(backwards, rows[:, ::-1], rows)
     _, first = np.unique(table.edge.ravel(), return_index=True)
-    leader = along[first][table.edge.ravel()]
+    leads = first[table.edge.ravel()]
+    weights = weights.reshape(-1, own.shape[-1])
+    weights = np.where(backwards, weights[:, ::-1], weights)
+    apart = _differ(weights, weights[leads])
+    leader = np.where(apart[:, None], along, along[leads])
     # A collapsed side is no edge that could be shared, but its ends are shared with other sides.
     leader = np.where(collapsed.reshape(-1, 1), along[:, :1], leader)
     return connected_components(leader.ravel(), along.ravel(), own.size)[own]

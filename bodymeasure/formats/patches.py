@@ -83,7 +83,7 @@ def assemble(
             f"{source}{patches.place(bad)} has control points that are not finite numbers"
         )
     try:
-        points, index = weld(nets, tolerance)
+        points, index = weld(nets, tolerance, weights=weights)
         return Atlas(
             points,
             index,

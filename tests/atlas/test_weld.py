@@ -146,3 +146,25 @@ def test_many_copies_of_one_patch_are_one_place() -> None:
 def test_a_size_beyond_all_bounds_is_refused() -> None:
     with pytest.raises(InputError, match=r"extends over 3e\+200; expected a size between"):
         weld(3e200 * np.ones((1, 4, 4, 3)))
+
+
+@pytest.mark.parametrize("nudge", [0.0, 1e-9])
+def test_edges_with_other_weights_stay_apart(nudge: float, rng: np.random.Generator) -> None:
+    nets = turned(grid_atlas(1, 3).control_points, rng)
+    nets[1] += nudge
+    lattice = rng.uniform(0.5, 2.0, (4, 10))
+    weights = np.stack([lattice[:, 3 * k : 3 * k + 4] for k in range(3)])
+    # Turned as the nets are: found by their places.
+    for net, own in zip(nets, weights, strict=True):
+        at = np.round(3.0 * net[..., :2]).astype(np.int64)
+        own[:] = lattice[at[..., 0], at[..., 1]]
+    # Proportional weights are the same.
+    weights[1] *= 3.0
+    points, index = weld(nets, weights=weights)
+    assert len(points) == 40
+    Atlas(points, index, Unit.CM, weights=weights)
+    # Another weight on the seam between the last two.
+    weights[2][np.isclose(nets[2, ..., :2], [2 / 3, 2.0]).all(axis=-1)] *= 1.1
+    points, index = weld(nets, weights=weights)
+    assert len(points) == 28 + 16
+    Atlas(points, index, Unit.CM, weights=weights)
