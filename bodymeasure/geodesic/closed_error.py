@@ -21,19 +21,14 @@ from numpy.typing import NDArray
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.closed_refine import RefinedLoop
 from bodymeasure.geodesic.length_error import TRUSTED_CORRECTION, TRUSTED_RESIDUAL, measure_length
+from bodymeasure.geodesic.route_error import JOINT_SAFETY, STRAIGHT, rounding_of
 
 _Array = NDArray[np.float64]
 
-# The end tangents have errors as large as their difference: tripled, and squared.
-JOINT_SAFETY = 9.0
-# A piece below this part of the loop's length is as good as straight.
-STRAIGHT = 1e-5
 # Of the square of 2 pi over the length: eigenvalues that small are zero, but for rounding.
 FLAT = 1e-8
 # Sine of the angle at which a seam is crossed, below which the crossing says nothing.
 ALONG = 1e-6
-# Lengths are sums of differences of coordinates of the patches' size.
-ROUNDING = 4e-16
 
 
 class LoopKind(Enum):
@@ -97,7 +92,7 @@ def loop_length(loop: RefinedLoop) -> LoopLength:
         (np.abs(correction) <= TRUSTED_CORRECTION * total).all()
         and (residual <= TRUSTED_RESIDUAL).all()
     )
-    whole = error.sum() + JOINT_SAFETY * excess + _rounding(loop)
+    whole = error.sum() + JOINT_SAFETY * excess + rounding_of(problem.surface.control_points)
     return LoopLength(
         raw=float(total * size),
         corrected=float((total - correction.sum()) * size) if known else float(total * size),
@@ -175,10 +170,3 @@ def _stiffness(loop: RefinedLoop) -> tuple[_Array, bool]:
         at = np.array([piece, (piece + 1) % problem.pieces])
         np.add.at(result, (at[:, None], at), condensed)
     return result, True
-
-
-def _rounding(loop: RefinedLoop) -> float:
-    nets = loop.problem.surface.control_points
-    widths = np.ptp(nets, axis=(1, 2)).max(axis=1)
-    # The nets' coordinates are rounded before they are subtracted.
-    return float(ROUNDING * (widths.sum() + np.abs(nets).max()))

@@ -12,6 +12,7 @@ from bodymeasure.geodesic.box_newton import BoxMinimum, minimize_in_box
 from bodymeasure.geodesic.closed_length import ClosedProblem
 from bodymeasure.geodesic.closed_route import ClosedRoute
 from bodymeasure.geodesic.polynomial_space import polynomial_space
+from bodymeasure.geodesic.route_refine import piece_lengths
 
 _Array = NDArray[np.float64]
 
@@ -80,12 +81,6 @@ def refine_loop(
         start = problem.unknowns(np.array(before.route.along), before.values @ place.T)
     minimum = minimize_in_box(problem.expand, start, np.zeros(problem.count, bool))
     values = problem.values(minimum.unknowns)
-    return RefinedLoop(problem, minimum, values, _lengths(problem, values))
-
-
-def _lengths(problem: ClosedProblem, values: _Array) -> _Array:
-    place, slopes, _ = problem.space.at_quadrature
-    du, dv = ((values - values[:, :, :1]) @ slopes.T).transpose(1, 0, 2)
-    _, s_u, s_v = problem.surface.jet((values @ place.T).transpose(0, 2, 1), 1)
-    speed = np.linalg.norm(s_u * du + s_v * dv, axis=0)
-    return np.asarray(speed @ problem.space.quadrature.weights)
+    return RefinedLoop(
+        problem, minimum, values, piece_lengths(problem.surface, problem.space, values)
+    )

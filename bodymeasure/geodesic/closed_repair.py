@@ -8,22 +8,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.atlas.neighbors import Crossing, Neighbors, Place
+from bodymeasure.atlas.neighbors import Crossing, Neighbors
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.closed_refine import RefinedLoop
 from bodymeasure.geodesic.closed_route import ClosedRoute
 from bodymeasure.geodesic.length_error import measure_length
+from bodymeasure.geodesic.route_repair import OUTSIDE, SHORT, WORTHWHILE, corner_near
 
 _Array = NDArray[np.float64]
-
-# A piece that is this part of the loop may be one too many.
-SHORT = 1e-3
-# A crossing this near to a corner, in the parameter of its seam, may have to go round it.
-NEAR_CORNER = 1e-2
-# A piece that could be shorter by no more than this part of the loop needs no neighbor.
-WORTHWHILE = 1e-10
-# Further than this outside the patch, between the nodes, the loop lacks a neighbor.
-OUTSIDE = 1e-9
 
 
 class _Change(NamedTuple):
@@ -73,8 +65,8 @@ def _changed(route: ClosedRoute, changes: list[_Change]) -> ClosedRoute:
 def _outside_corners(route: ClosedRoute) -> int:
     """A crossing before which the loop does not stay in a corner."""
     for piece in range(len(route.crossings)):
-        corner = _corner(route.entry(piece - 1))
-        if corner is None or corner != _corner(route.exit(piece - 1)):
+        corner = corner_near(route.entry(piece - 1))
+        if corner is None or corner != corner_near(route.exit(piece - 1)):
             return piece
     return 0
 
@@ -83,17 +75,17 @@ def _round_corners(neighbors: Neighbors, route: ClosedRoute) -> Iterator[_Change
     """Round the other side of corners that a loop runs into or nearly so."""
     first, count = 0, len(route.crossings)
     while first < count:
-        leave = _corner(route.exit(first - 1))
+        leave = corner_near(route.exit(first - 1))
         if leave is None:
             first += 1
             continue
         last = first
         while last + 1 < count:
-            here, there = _corner(route.entry(last)), _corner(route.exit(last))
+            here, there = corner_near(route.entry(last)), corner_near(route.exit(last))
             if there is None or here != there:
                 break
             last += 1
-        enter = _corner(route.entry(last))
+        enter = corner_near(route.entry(last))
         current = route.crossings[first : last + 1]
         for way in neighbors.ways(leave, enter) if enter else ():
             if tuple(step.crossing for step in way) != current:
@@ -145,10 +137,3 @@ def _over_missing_neighbors(neighbors: Neighbors, loop: RefinedLoop) -> Iterator
                 )
                 there = 1.0 - enter if crossing.flipped else enter
                 yield _Change(piece + 1, piece + 1, ((crossing, leave), (back, there)))
-
-
-def _corner(place: Place) -> Place | None:
-    """The corner of its patch that a place on an edge is near to; None if it is near to none."""
-    nearest = Place(place.patch, float(round(place.u)), float(round(place.v)))
-    apart = max(abs(place.u - nearest.u), abs(place.v - nearest.v))
-    return nearest if apart <= NEAR_CORNER else None

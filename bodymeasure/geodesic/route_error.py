@@ -91,7 +91,9 @@ def route_length(refined: Refined) -> RouteLength:
         (np.abs(correction) <= TRUSTED_CORRECTION * total).all()
         and (residual <= TRUSTED_RESIDUAL).all()
     )
-    whole = error.sum() + JOINT_SAFETY * excess + _rounding(refined)
+    whole = (
+        error.sum() + JOINT_SAFETY * excess + rounding_of(refined.problem.surface.control_points)
+    )
     return RouteLength(
         raw=float(total * size),
         corrected=float((total - correction.sum()) * size) if known else float(total * size),
@@ -132,8 +134,8 @@ def _joints(refined: Refined, short: NDArray[np.bool_]) -> tuple[float, float]:
     return largest, np.inf
 
 
-def _rounding(refined: Refined) -> float:
-    nets = refined.problem.surface.control_points
+def rounding_of(nets: _Array) -> float:
+    """What rounding does to the length of a path over patches."""
     widths = np.ptp(nets, axis=(1, 2)).max(axis=1)
     # The nets' coordinates are rounded before they are subtracted.
     return float(ROUNDING * (widths.sum() + np.abs(nets).max()))

@@ -12,6 +12,7 @@ from bodymeasure.geodesic.box_newton import BoxMinimum, minimize_in_box
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.route import Route
 from bodymeasure.geodesic.route_length import RouteProblem
+from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
 
 _Array = NDArray[np.float64]
@@ -91,7 +92,7 @@ def refine(
 def measured(problem: RouteProblem, minimum: BoxMinimum) -> Refined:
     """A path, and how long its pieces are."""
     values = problem.values(minimum.unknowns)
-    return Refined(problem, minimum, values, _lengths(problem, values))
+    return Refined(problem, minimum, values, piece_lengths(problem.surface, problem.space, values))
 
 
 def _corners(refined: Refined) -> NDArray[np.bool_]:
@@ -120,9 +121,10 @@ def resampled(before: Refined, problem: RouteProblem) -> _Array:
     return unknowns
 
 
-def _lengths(problem: RouteProblem, values: _Array) -> _Array:
-    place, slopes, _ = problem.space.at_quadrature
+def piece_lengths(surface: Surface, space: TrialSpace, values: _Array) -> _Array:
+    """Lengths of paths with nodal values (pieces, 2, n + 1), one on each surface."""
+    place, slopes, _ = space.at_quadrature
     du, dv = ((values - values[:, :, :1]) @ slopes.T).transpose(1, 0, 2)
-    _, s_u, s_v = problem.surface.jet((values @ place.T).transpose(0, 2, 1), 1)
+    _, s_u, s_v = surface.jet((values @ place.T).transpose(0, 2, 1), 1)
     speed = np.linalg.norm(s_u * du + s_v * dv, axis=0)
-    return np.asarray(speed @ problem.space.quadrature.weights)
+    return np.asarray(speed @ space.quadrature.weights)

@@ -139,17 +139,17 @@ def _round_corners(neighbors: Neighbors, route: Route, passed: set[int]) -> Iter
     """Round the other side of corners that a path runs into or nearly so; not of those passed."""
     first = 0
     while first < len(route.crossings):
-        leave = _corner(route.exit(first))
+        leave = corner_near(route.exit(first))
         if leave is None or first in passed:
             first += 1
             continue
         last = first
         while last + 1 < len(route.crossings):
-            here, there = _corner(route.entry(last + 1)), _corner(route.exit(last + 1))
+            here, there = corner_near(route.entry(last + 1)), corner_near(route.exit(last + 1))
             if there is None or here != there:
                 break
             last += 1
-        enter = _corner(route.entry(last + 1))
+        enter = corner_near(route.entry(last + 1))
         current = route.crossings[first : last + 1]
         for way in neighbors.ways(leave, enter) if enter else ():
             crossings = tuple(step.crossing for step in way)
@@ -160,7 +160,7 @@ def _round_corners(neighbors: Neighbors, route: Route, passed: set[int]) -> Iter
         first = last + 1
 
 
-def _corner(place: Place) -> Place | None:
+def corner_near(place: Place) -> Place | None:
     """The corner of its patch that a place on an edge is near to; None if it is near to none."""
     nearest = Place(place.patch, float(round(place.u)), float(round(place.v)))
     apart = max(abs(place.u - nearest.u), abs(place.v - nearest.v))
