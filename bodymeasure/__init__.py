@@ -40,6 +40,7 @@ from bodymeasure.geodesic import (
     contract,
     geodesic_alternatives,
     geodesic_between,
+    geodesics_between,
     solve_geodesic,
 )
 from bodymeasure.measure import (
@@ -109,6 +110,7 @@ __all__ = [
     "fork",
     "geodesic_alternatives",
     "geodesic_between",
+    "geodesics_between",
     "homogeneous",
     "limb_girth",
     "load_sample",

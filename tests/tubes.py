@@ -25,6 +25,20 @@ def tube(radii: Sequence[float], center: tuple[float, float] = (0.0, 0.0)) -> At
     return Atlas(points.reshape(-1, 3), np.array(index), Unit.CM)
 
 
+def cone(height: float) -> Atlas:
+    """A cone over the ring of radius 1, of four patches whose side u = 0 is its tip."""
+    ring = np.concatenate([_turned(quarter)[:3] for quarter in range(4)])
+    levels = np.arange(1, 4)[:, None, None] / 3
+    heights = np.broadcast_to(height * (1.0 - levels), (3, 12, 1))
+    points = np.concatenate([levels * ring, heights], axis=-1).reshape(-1, 3)
+    around = (3 * np.arange(4)[:, None] + np.arange(4)) % 12
+    index = 1 + 12 * np.arange(3)[:, None] + around[:, None, :]
+    tip = np.zeros((4, 1, 4), dtype=np.int64)
+    return Atlas(
+        np.vstack([[0.0, 0.0, height], points]), np.concatenate([tip, index], axis=1), Unit.CM
+    )
+
+
 def ring_length() -> float:
     """Length of the section of radius 1."""
     # Smooth, and so exact with 40 Gauss points.

@@ -94,7 +94,22 @@ class Neighbors:
                 )
 
     def steps(self, place: Place) -> Iterator[Step]:
-        """All steps over a seam at a place."""
+        """All steps over a seam at a place; from a pole, at both ends of its collapsed side."""
+        side = self.pole_side(place)
+        if side is None:
+            yield from self._steps(place)
+            return
+        for along in (0.0, 1.0):
+            yield from self._steps(Place(place.patch, *on_side(side, along)))
+
+    def pole_side(self, place: Place) -> int | None:
+        """The side on which a place lies that is collapsed to a point, if any."""
+        for side, edge in enumerate(EDGES):
+            if self.collapsed[place.patch, side] and place[1 + edge.fixed_axis] == edge.fixed_value:
+                return side
+        return None
+
+    def _steps(self, place: Place) -> Iterator[Step]:
         parameters = (place.u, place.v)
         for side, edge in enumerate(EDGES):
             if parameters[edge.fixed_axis] != edge.fixed_value:
@@ -107,14 +122,18 @@ class Neighbors:
 
     def same(self, place: Place) -> list[Place]:
         """All places that are the same point of the atlas, this one first."""
-        found = {_key(place): place}
+        found = {self._key(place): place}
         queue = [place]
         while queue:
             for step in self.steps(queue.pop()):
-                if _key(step.place) not in found:
-                    found[_key(step.place)] = step.place
+                if self._key(step.place) not in found:
+                    found[self._key(step.place)] = step.place
                     queue.append(step.place)
         return list(found.values())
+
+    def are_same(self, place: Place, other: Place) -> bool:
+        """Whether two places are the same point of the atlas."""
+        return self._key(other) in {self._key(same) for same in self.same(place)}
 
     def ways(self, start: Place, end: Place) -> list[tuple[Step, ...]]:
         """The ways from one place to another that is the same point, fewest steps first.
@@ -124,16 +143,19 @@ class Neighbors:
         found: list[tuple[Step, ...]] = []
 
         def follow(here: Place, seen: frozenset[Place], way: tuple[Step, ...]) -> None:
-            if _key(here) == _key(end):
+            if self._key(here) == self._key(end):
                 found.append(way)
                 return
             for step in self.steps(here):
-                if _key(step.place) not in seen:
-                    follow(step.place, seen | {_key(step.place)}, (*way, step))
+                if self._key(step.place) not in seen:
+                    follow(step.place, seen | {self._key(step.place)}, (*way, step))
 
-        follow(start, frozenset({_key(start)}), ())
+        follow(start, frozenset({self._key(start)}), ())
         return sorted(found, key=len)
 
-
-def _key(place: Place) -> Place:
-    return Place(place.patch, round(place.u, DIGITS), round(place.v, DIGITS))
+    def _key(self, place: Place) -> Place:
+        """The same for places of a patch that are the same point."""
+        side = self.pole_side(place)
+        if side is not None:
+            return Place(place.patch, *on_side(side, 0.0))
+        return Place(place.patch, round(place.u, DIGITS), round(place.v, DIGITS))

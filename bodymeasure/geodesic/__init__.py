@@ -2,7 +2,7 @@
 
 from bodymeasure.geodesic.alternatives import geodesic_alternatives
 from bodymeasure.geodesic.atlas_path import AtlasPath, PathPiece, SeamCrossing
-from bodymeasure.geodesic.between import geodesic_between
+from bodymeasure.geodesic.between import geodesic_between, geodesics_between
 from bodymeasure.geodesic.closed import ClosedPath, contract
 from bodymeasure.geodesic.closed_error import LoopKind
 from bodymeasure.geodesic.kernels import WU_C2, WU_C4, WU_C6, WU_C10, Kernel
@@ -43,5 +43,6 @@ __all__ = [
     "contract",
     "geodesic_alternatives",
     "geodesic_between",
+    "geodesics_between",
     "solve_geodesic",
 ]

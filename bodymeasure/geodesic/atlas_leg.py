@@ -36,7 +36,7 @@ class Leg(NamedTuple):
 
 def shortest_leg(atlas: Atlas, neighbors: Neighbors, start: Place, end: Place) -> Leg:
     """The shortest path between two places that was found."""
-    if end in neighbors.same(start):
+    if neighbors.are_same(start, end):
         return Leg(Status.CONVERGED, None, start)
     route = first_route(atlas, neighbors, (start, end))
     if route is None:

@@ -74,3 +74,55 @@ def geodesic_between(
     if on_failure == "raise" and not path.converged:
         raise ConvergenceError(path.status.sentence)
     return path
+
+
+def geodesics_between(
+    atlas: Atlas,
+    starts: Sequence[AtlasPoint],
+    ends: Sequence[AtlasPoint],
+    *,
+    on_failure: Literal["raise", "status"] = "status",
+) -> tuple[AtlasPath, ...]:
+    """The geodesics between many pairs of points of an atlas.
+
+    One after the other: each takes its own route, so that nothing is gained by more at once. What
+    is made of the atlas for the first one, its meshes and what its seams join, serves for all.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    starts, ends : sequence of AtlasPoint
+        As many of the one as of the other.
+    on_failure : {"raise", "status"}
+        As for `geodesic_between`; by default the others are measured all the same.
+
+    Returns
+    -------
+    tuple of AtlasPath
+
+    Raises
+    ------
+    InputError
+        As for `geodesic_between`, before anything is measured; the message names the pair.
+    ConvergenceError, MissingExtraError
+        As for `geodesic_between`.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> shoulders, elbows = (
+    ...     [body.landmarks[f"{name} point {side}"] for side in ("left", "right")]
+    ...     for name in ("shoulder", "elbow")
+    ... )
+    >>> [f"{path.length:.4f}" for path in geodesics_between(body, shoulders, elbows)]
+    ['0.2572', '0.2572']
+    """
+    if len(starts) != len(ends):
+        raise InputError(f"there are {len(starts)} starts and {len(ends)} ends; expected as many")
+    for number, pair in enumerate(zip(starts, ends, strict=True)):
+        checked_places(atlas, pair, [f"the {end} of pair {number}" for end in ("start", "end")])
+    return tuple(
+        geodesic_between(atlas, start, end, on_failure=on_failure)
+        for start, end in zip(starts, ends, strict=True)
+    )

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Neighbors, Place, Step
 from bodymeasure.geodesic.route import Route
-from bodymeasure.geodesic.route_mesh import RouteMesh, barycentric
+from bodymeasure.geodesic.route_mesh import RouteMesh, at_weights, barycentric
 from bodymeasure.geodesic.route_start import SEGMENTS, polyhedral_path
 
 _Array = NDArray[np.float64]
@@ -158,7 +158,7 @@ def _feet(mesh: RouteMesh, faces: NDArray[np.int64], point: _Array) -> tuple[_Ar
 
 def _place(mesh: RouteMesh, face: int, weights: _Array) -> Place:
     weights = np.where(weights > ON_SIDE, weights, 0.0)
-    u, v = (weights / weights.sum()) @ mesh.face_parameters[face]
+    u, v = at_weights(mesh, face, weights / weights.sum())
     return Place(int(mesh.face_patch[face]), _snapped(u), _snapped(v))
 
 

@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.neighbors import Place
+from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.box_newton import BoxMinimum, minimize_in_box
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.route import Route
@@ -76,7 +78,8 @@ def refine(
         A path along the same route to start from; straight lines in (u, v) if not given.
     """
     space = polynomial_space(space) if isinstance(space, int) else space
-    problem = RouteProblem(atlas, route, space, size)
+    slides = _pole_side(atlas, route.start), _pole_side(atlas, route.end)
+    problem = RouteProblem(atlas, route, space, size, slides)
     start = problem.straight() if before is None else resampled(before, problem)
     minimum = minimize_in_box(problem.expand, start, problem.idle)
     refined = measured(problem, minimum)
@@ -87,6 +90,16 @@ def refine(
     pinned = minimize_in_box(problem.expand, place, problem.idle | corners)
     through = measured(problem, replace(pinned, held=pinned.held | corners))
     return through if through.length < refined.length else refined
+
+
+def _pole_side(atlas: Atlas, place: Place) -> int | None:
+    """The collapsed side on which a path ends: it leaves the point there in any direction."""
+    for side, edge in enumerate(EDGES):
+        if place[1 + edge.fixed_axis] == edge.fixed_value:
+            row = np.take(atlas.index[place.patch], int(3 * edge.fixed_value), axis=edge.fixed_axis)
+            if (row == row[0]).all():
+                return side
+    return None
 
 
 def measured(problem: RouteProblem, minimum: BoxMinimum) -> Refined:
@@ -118,6 +131,12 @@ def resampled(before: Refined, problem: RouteProblem) -> _Array:
     inner = np.clip(before.values @ place.T, 0.0, 1.0)
     rows = problem.joints[:-1, None] + 1 + np.arange(problem.inner)
     unknowns[rows] = inner.reshape(len(rows), -1)
+    for row, side, values in (
+        (0, problem.slides[0], before.values[0, :, 0]),
+        (-1, problem.slides[1], before.values[-1, :, -1]),
+    ):
+        if side is not None:
+            unknowns[row] = values[1 - EDGES[side].fixed_axis]
     return unknowns
 
 

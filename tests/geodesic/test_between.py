@@ -195,6 +195,21 @@ def test_via_points_are_led_through_in_order(rng: np.random.Generator) -> None:
     assert path.points == tuple(points)
 
 
+def test_many_pairs_are_measured_as_each_alone(rng: np.random.Generator) -> None:
+    atlas = wavy_plane(rng)
+    starts, ends = ([random_point(rng, atlas) for _ in range(4)] for _ in range(2))
+    paths = bm.geodesics_between(atlas, starts, ends)
+    assert [path.length for path in paths] == [
+        bm.geodesic_between(atlas, start, end).length
+        for start, end in zip(starts, ends, strict=True)
+    ]
+    assert bm.geodesics_between(atlas, [], []) == ()
+    with pytest.raises(bm.InputError, match="4 starts and 3 ends"):
+        bm.geodesics_between(atlas, starts, ends[1:])
+    with pytest.raises(bm.InputError, match="the end of pair 1 is on patch 9"):
+        bm.geodesics_between(atlas, starts[:2], [ends[0], AtlasPoint(9, 0.5, 0.5)])
+
+
 def test_a_point_is_at_no_distance_from_itself() -> None:
     atlas = grid_atlas(2, 1)
     for start, end in (

@@ -48,7 +48,7 @@ def test_points_are_inserted_by_splitting_faces(
     place: Place, faces: int, rng: np.random.Generator
 ) -> None:
     atlas = wavy_plane(rng)
-    whole = RouteMesh.of(tessellate(atlas, 4))
+    whole = RouteMesh.of(atlas, tessellate(atlas, 4))
     mesh, number = inserted(whole, atlas, place)
     assert len(mesh.faces) == len(whole.faces) + faces
     np.testing.assert_allclose(
