@@ -184,8 +184,8 @@ def _squares(record: _AtlasRecord, what: str, values: list[list[list[Any]]]) -> 
         wrong = [count for count in counts if count != side]
         if wrong:
             raise InputError(
-                f"patch {number} ({patch.name!r}): expected {side} rows of {side} {what}, of "
-                f"degree {record.degree}: an array has length {side}, got {wrong[0]}"
+                f"patch {number} ({patch.name!r}): expected {side} rows of {side} {what}, as of "
+                f"degree {record.degree}; got {wrong[0]}"
             )
     return np.array(values).reshape(-1, side, side)
 

@@ -76,7 +76,7 @@ def test_no_atlas_to_read(
         (set_point(math.nan), ": NaN is not a number; expected finite coordinates"),
         (set_point(math.inf), ": Infinity is not a number; expected finite coordinates"),
         (lambda content: content["patches"][1]["points"][0].__setitem__(0, 999), NOT_THERE),
-        (cut_patch, "patch 1 ('patch 1'): Expected `array` of length 4, got 3"),
+        (cut_patch, "patch 1 ('patch 1'): expected 4 rows of 4 numbers, as of degree 3; got 3"),
     ],
     ids=["version", "no unit", "unknown unit", "nan", "infinity", "out of range", "3x4"],
 )
