@@ -61,6 +61,21 @@ def test_great_circles_over_the_seams_of_a_whole_sphere(
             )
 
 
+@pytest.mark.slow
+def test_great_circles_past_the_poles(rng: np.random.Generator) -> None:
+    pytest.importorskip("pygeodesic")
+    sphere = joined(sphere_nets())
+    converged = 0
+    for _ in range(60):
+        ends = [bm.AtlasPoint(int(rng.integers(8)), *rng.uniform(size=2)) for _ in range(2)]
+        path = bm.geodesic_between(sphere, ends[0], ends[1], on_failure="status")
+        if path.converged:
+            converged += 1
+            exact = float(angle_between(*(sphere.position(point) for point in ends)))
+            assert path.length == pytest.approx(exact, rel=1e-10)
+    assert converged >= 54
+
+
 def test_helices_on_a_cylinder(rng: np.random.Generator) -> None:
     start, end = rng.uniform(0.0, 1.0, (2, 50, 2))
     found = bm.solve_geodesic(revolved(line((1.5, 0.0), (1.5, 4.0))), start, end)
