@@ -71,7 +71,7 @@ class ReadOptions:
             raise InputError(
                 f"{source}: {title} says no unit, and none was given; say in which unit its "
                 f"coordinates are (one of {known}): unit=... in Python, --file-unit or --unit on "
-                "the command line"
+                "the command line; `bodymeasure convert` keeps it in a file"
             )
         return self.unit
 

@@ -148,6 +148,11 @@ def decode(content: bytes, source: str, form: Format, options: ReadOptions) -> A
         unit = read.unit or options.known_unit(source, form.title)
         atlas = patches.assemble(read, source, unit=unit, axes=axes, tolerance=options.tolerance)
     else:
+        if options.tolerance is not None:
+            raise InputError(
+                f"{source}: is a mesh, joined by the vertices of its faces; leave the tolerance "
+                "out, and merge vertices where it was made"
+            )
         unit = options.known_unit(source, form.title)
         atlas = obj_mesh.assemble(read, unit=unit, axes=axes)
     if not options.groups:

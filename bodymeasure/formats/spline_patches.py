@@ -8,6 +8,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure.atlas import LARGEST_DEGREE
 from bodymeasure.bezier import BezierPieces, bezier_pieces, restrict
 from bodymeasure.errors import InputError
 
@@ -44,8 +45,13 @@ def spline_patches(
     Raises
     ------
     InputError
-        Which direction's knots or range are wrong, and how.
+        If a degree is above 9, or which direction's knots or range are wrong, and how.
     """
+    if max(degrees) > LARGEST_DEGREE:
+        raise InputError(
+            f"has the degrees {degrees[0]} and {degrees[1]}; only degrees up to {LARGEST_DEGREE} "
+            "can be read; reduce the degree where it was made"
+        )
     # Files may hold many thousands of surfaces that are patches already.
     own = tuple(map(_range_of_one_piece, degrees, (vector.tobytes() for vector in knots)))
     is_net = points.shape[:2] == (degrees[0] + 1, degrees[1] + 1) and None not in own

@@ -18,6 +18,8 @@ COMMANDS = (
     "landmarks",
     "diagonals",
     "check",
+    "info",
+    "convert",
     "view",
     "samples",
     "bench",

@@ -147,3 +147,8 @@ def test_a_mesh_of_an_impossible_size_is_refused() -> None:
     # A vertex that no face has does not matter.
     far = (PLAIN + "v 1e200 0 0\n").encode()
     assert read(far, "obj").digest == read(PLAIN.encode(), "obj").digest
+
+
+def test_a_mesh_has_no_loose_patches() -> None:
+    with pytest.raises(InputError, match=r"^file: is a mesh, joined by the vertices of its faces"):
+        read(PLAIN.encode(), "obj", ReadOptions(unit=UNIT, tolerance=0.1))

@@ -224,3 +224,12 @@ def test_a_file_with_neither_or_both_is_refused() -> None:
         read(both.encode(), "obj")
     assert read(both.encode(), "obj-surfaces").digest == body_like(1, 2).digest
     assert read(both.encode(), "obj-mesh").unit == UNIT
+
+
+def test_a_huge_degree_is_refused_at_once() -> None:
+    # Cutting it at its knots would take hours.
+    lines = ["v 0 0 0"] * 2000 + ["cstype bspline", "deg 998 1"]
+    lines.append("surf 0 1 0 1 " + " ".join(map(str, range(1, 2001))))
+    lines += ["parm u " + "0 " * 999 + "0.5 " + "1 " * 999, "parm v 0 0 1 1", "end"]
+    with pytest.raises(InputError, match=r"^file, line 2003: has the degrees 998 and 1; only"):
+        read("\n".join(lines).encode(), "obj")
