@@ -15,12 +15,12 @@ from bodymeasure.formats.text import TextFile, Words, quoted, whole_number
 # All that the format's description names and that has no bearing on shape: display, materials,
 # curves' and points' data, and how surfaces join, which their edges tell.
 IGNORED = frozenset(
-    {"vt", "vn", "vp", "p", "l", "curv2", "sp", "con", "s", "mg", "bevel", "c_interp", "d_interp"}
+    {"vt", "vn", "vp", "p", "l", "sp", "con", "s", "mg", "bevel", "c_interp", "d_interp"}
     | {"lod", "usemtl", "mtllib", "shadow_obj", "trace_obj", "ctech", "stech", "maplib", "usemap"}
 )
 MEANINGFUL = frozenset(
-    {"cstype", "deg", "bmat", "step", "f", "fo", "curv", "surf", "parm", "trim", "hole", "scrv"}
-    | {"end", "g", "o", "t", "bzp", "bsp", "cdc", "cdp", "res", "call", "csh"}
+    {"cstype", "deg", "bmat", "step", "f", "fo", "curv", "curv2", "surf", "parm", "trim", "hole"}
+    | {"scrv", "end", "g", "o", "t", "bzp", "bsp", "cdc", "cdp", "res", "call", "csh"}
 )
 # Coordinates of a vertex; with a weight; with a color; with both.
 _VERTEX_WORDS = (3, 4, 6, 7)

@@ -30,6 +30,8 @@ from bodymeasure.formats.patches import ReadPatches
 from bodymeasure.formats.spline_patches import clamped_knots, spline_patches
 from bodymeasure.formats.text import few_numbers, quoted, whole_number, written
 
+# Elements with a body; curves are passed over.
+ELEMENTS = frozenset({"surf", "curv", "curv2"})
 # Statements that belong to a surface's body and change its shape.
 TRIMMING = frozenset({"trim", "hole", "scrv"})
 # Statements for which the format has others by now, and those that refer to other files.
@@ -101,7 +103,7 @@ def _surfaces(file: ObjFile, source: str) -> Iterator[_Surface]:
             kind, rational = _kind(words, place)
         elif keyword == "deg":
             degrees = _degrees(words, place)
-        elif keyword in ("surf", "curv"):
+        elif keyword in ELEMENTS:
             body, parameters = statement, {}
         elif body is None:
             if keyword in TRIMMING | {"parm", "end"}:

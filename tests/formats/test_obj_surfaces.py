@@ -71,7 +71,8 @@ def test_a_backslash_continues_a_line() -> None:
 
 def test_what_has_no_bearing_on_the_shape_is_passed_over() -> None:
     extra = "mtllib a.mtl\nvt 0 0\nvn 0 0 1\nvp 0.1 0.2\ns off\nusemtl skin\nl 1 2\np 3\n"
-    curve = "cstype bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1 1\nend\ncstype bezier\ndeg 3 3\n"
+    curve = "cstype bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1 1\nend\n"
+    curve += curve.replace("curv 0 1", "curv2") + "cstype bezier\ndeg 3 3\n"
     content = PLAIN.replace("cstype", extra + "cstype", 1).replace("o patch 0", curve + "o patch 0")
     assert read(content.encode(), "obj").digest == body_like(1, 2).digest
 
