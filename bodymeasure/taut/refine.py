@@ -79,12 +79,18 @@ def divided(skin: Skin, string: String, now: Measured, parts: NDArray[np.int64])
     return relax(skin, nodes, weights, pressure[1:])
 
 
-def doubtful_parts(now: Measured, least: int) -> NDArray[np.int64]:
+def doubtful_parts(string: String, now: Measured, least: int) -> NDArray[np.int64]:
     """Into how many parts to divide each segment: `least`, or more where its length is in doubt.
 
-    Those are the segments over kinks, and those in which the string leaves the skin. The doubt of
-    a kink falls with the square of the parts.
+    Those are the segments over kinks, whose doubt falls with the square of the parts; and those in
+    which the string leaves the skin, where a kink may hide between the points that are looked at.
     """
     doubt = now.doubt / (SEGMENT_TOLERANCE * now.length.sum())
     parts = np.ceil(np.sqrt(doubt)).astype(np.int64)
+    touching = np.concatenate([[True], string.touching, [True]])
+    free = ~touching[:-1] | ~touching[1:]
+    near = touching[:-1] | touching[1:]
+    near[1:] |= touching[:-2]
+    near[:-1] |= touching[2:]
+    parts[free & near] = MOST_PARTS
     return np.asarray(np.clip(parts, least, MOST_PARTS))

@@ -65,7 +65,7 @@ def draw_taut(skin: Skin, nodes: _Array) -> Drawn:
     now = measured(skin, string.nodes)
     length, error = float(now.length.sum()), np.inf
     for level in range(1, LEVELS):
-        finer = divided(skin, string, now, doubtful_parts(now, min(level, 2)))
+        finer = divided(skin, string, now, doubtful_parts(string, now, min(level, 2)))
         if string.settled and not finer.settled and level > 1:
             # Over sharp kinks a fine string may not come to rest where a coarser one did.
             break
