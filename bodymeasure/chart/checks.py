@@ -57,14 +57,6 @@ def _measurement_faults(measurement: Measurement) -> Iterator[Fault]:
         )
     if plain in FUNCTIONS:
         yield Fault(measurement, "key", f"the key {plain!r} is a function's name; choose another")
-    for name in measurement.seamly:
-        if not _KEY.fullmatch(name):
-            yield Fault(
-                measurement,
-                "seamly",
-                f"seamly holds {name!r}, which Seamly2D would not take; expected letters, digits "
-                "and underscores, not a digit first",
-            )
     yield from _side_faults(measurement, "key", measurement.key)
     match measurement:
         case PathMeasure(through=through) if len(through) < 2:

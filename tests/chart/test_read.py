@@ -165,7 +165,6 @@ FAULTS = [
         HEAD + PATH.replace('"Back"', '"a\\nb"'),
         r"line 8: .*name is 'a\\nb'; expected text on one l",
     ),
-    (HEAD + PATH + 'seamly = ["a b"]', r"line 10: .*seamly holds 'a b', which Seamly2D would not"),
     (
         HEAD + PATH + PATH,
         r"line 12: measurement 'back': the key 'back' is there twice, first on line 6; rename",
