@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 # Distance of neighbouring labels in a column, in heights of a label.
 PITCH = 1.3
+# Leaders that touch rather than cross: twice the area, in squared pixels, of what they overlap by.
+TOUCHING = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,8 +79,8 @@ def place_labels(
     -----
     All things labeled from the left have their anchors to the left of a vertical line, the others
     to the right of it, which keeps the columns' leaders apart. In a column, places are as near to
-    the anchors' heights as their distance allows; from the top, each place takes the anchor whose
-    leader has all that are left below it.
+    the anchors' heights as their distance allows. Of two leaders that cross, the labels change
+    places: that shortens the leaders, so that it comes to an end.
     """
     count = len(leftmost)
     on_right = _sides(leftmost, rightmost)
@@ -89,11 +91,9 @@ def place_labels(
     y = np.empty(count)
     for side, edge in ((False, columns.left), (True, columns.right)):
         rows = np.flatnonzero(on_right == side)
-        places = _spread(np.sort(anchor[rows, 1]), columns, PITCH * height)
-        for place in places:
-            taken = _topmost(anchor[rows], np.array([edge, place]))
-            y[rows[taken]] = place
-            rows = np.delete(rows, taken)
+        rows = rows[np.argsort(anchor[rows, 1], kind="stable")]
+        places = _spread(anchor[rows, 1], columns, PITCH * height)
+        y[rows] = _uncrossed(anchor[rows], edge, places)
     return Layout(on_right, anchor, y, height)
 
 
@@ -134,9 +134,21 @@ def _spread(wanted: NDArray[np.float64], columns: Columns, pitch: float) -> NDAr
     return np.asarray(np.clip(level, first, last) + offset)
 
 
-def _topmost(anchors: NDArray[np.float64], place: NDArray[np.float64]) -> int:
-    """Of some anchors to one side of a place, that whose leader has all others below it."""
-    run = np.maximum(np.abs(anchors[:, 0] - place[0]), np.finfo(np.float64).tiny)
-    slope = (anchors[:, 1] - place[1]) / run
-    # Of several in one line the nearest, so that no leader runs through another's anchor.
-    return int(np.lexsort((run, slope))[0])
+def _uncrossed(
+    anchors: NDArray[np.float64], edge: float, places: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Places (n,) for anchors (n, 2), changed among them until no two leaders cross."""
+    y = places.copy()
+    while True:
+        # Where leader j's ends lie from leader i: right of it at the column, left at the anchor.
+        along = anchors - np.stack([np.full(len(y), edge), y], axis=1)
+        place = y[None, :] - y[:, None]
+        anchor = anchors[None, :] - anchors[:, None]
+        at_column = along[:, None, 0] * place
+        at_anchor = along[:, None, 0] * anchor[..., 1] - along[:, None, 1] * anchor[..., 0]
+        apart = (at_column * at_anchor < 0.0) & (np.abs(at_anchor) > TOUCHING)
+        crossing = np.argwhere(apart & apart.T)
+        if len(crossing) == 0:
+            return y
+        first, second = crossing[0]
+        y[[first, second]] = y[[second, first]]

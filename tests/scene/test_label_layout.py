@@ -98,6 +98,16 @@ def test_labels_that_crowd_spread_evenly_about_their_anchors() -> None:
         np.testing.assert_allclose(y, [500.0 - pitch, 500.0, 500.0 + pitch])
 
 
+def test_anchors_close_to_the_column_do_not_send_a_far_one_astray() -> None:
+    x = [890.0, 891.0, 892.0, 893.0, 500.0]
+    y = [300.0, 301.0, 302.0, 303.0, 420.0]
+    others = np.stack([np.full(5, 200.0), 100.0 * np.arange(1, 6)], axis=1)
+    anchors = np.concatenate([others, np.stack([x, y], axis=1)])
+    layout = place_labels(anchors, anchors, COLUMNS)
+    assert layout.on_right[5:].all()
+    assert layout.y[9] == pytest.approx(420.0)
+
+
 def test_too_many_labels_become_smaller() -> None:
     y = np.linspace(0.0, 1000.0, 200)
     anchors = np.stack([np.tile([300.0, 700.0], 100), y], axis=1)
