@@ -25,6 +25,8 @@ SEGMENTS, ENOUGH = (4, 6, 8, 12, 16), 2000
 LONGEST = 3
 # A point is joined to the grid points this many steps away, in u and v.
 REACH = 1.5
+# A zero would read as "no step".
+SHORTEST = 1e-300
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,12 +59,17 @@ class PatchGraph:
         joined = joined[joined >= 0]
         position = evaluate(atlas.control_points[place.patch], np.array(place[1:]))
         first = np.linalg.norm(self.vertices[joined] - position, axis=1)
-        nearest = int(np.argmin(first))
-        ways = scipy.sparse.csgraph.dijkstra(self.steps, indices=joined[nearest])
-        # Straight to those beside it, and to others by the nearest.
-        ways += first[nearest]
-        ways[joined] = first
-        return np.asarray(ways)
+        # The place is one more node, with steps to those beside it.
+        count = len(self.vertices)
+        graph = scipy.sparse.csr_array(
+            (
+                np.concatenate([self.steps.data, np.maximum(first, SHORTEST)]),
+                np.concatenate([self.steps.indices, joined]),
+                np.append(self.steps.indptr, self.steps.nnz + len(joined)),
+            ),
+            shape=(count + 1, count + 1),
+        )
+        return np.asarray(scipy.sparse.csgraph.dijkstra(graph, indices=count)[:count])
 
 
 @lru_cache(maxsize=4)

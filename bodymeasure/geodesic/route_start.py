@@ -74,9 +74,19 @@ def polyhedral_path(
             points = _exact(part, first, last)
             # Not so where the band is pinched.
             ends = part.vertices[[first, last]]
-            if points.ndim == 2 and np.array_equal(points[[0, -1]], ends):
+            led = points.ndim == 2 and np.array_equal(points[[0, -1]], ends)
+            rim = np.intersect1d(mesh.faces[~within], used)
+            if led and not _passes(points[1:-1], mesh.vertices[rim]):
                 return part, points, first
     return None
+
+
+def _passes(points: _Array, vertices: _Array) -> bool:
+    """Whether a path passes through some vertices, as where the rim of a band holds it."""
+    # Of what is cut off at a coordinate's value, few are left to compare.
+    lower, upper = points.min(axis=0, initial=np.inf), points.max(axis=0, initial=-np.inf)
+    close = vertices[((vertices >= lower) & (vertices <= upper)).all(axis=1)]
+    return bool((points[:, None] == close).all(axis=2).any())
 
 
 def _bands(atlas: Atlas, mesh: RouteMesh, start: Place, end: Place) -> Iterator[NDArray[np.bool_]]:
