@@ -11,6 +11,7 @@ from bodymeasure.atlas import (
     tessellate,
 )
 from bodymeasure.bezier import homogeneous
+from bodymeasure.chart import load_definitions, measure_chart
 from bodymeasure.errors import (
     BodymeasureError,
     ConvergenceError,
@@ -113,8 +114,10 @@ __all__ = [
     "geodesics_between",
     "homogeneous",
     "limb_girth",
+    "load_definitions",
     "load_sample",
     "measure_atlas",
+    "measure_chart",
     "measure_mesh",
     "plane_girth",
     "read_atlas",

@@ -18,7 +18,7 @@ def blocks(language: str) -> list[str]:
 
 
 def test_the_python_examples_run(capsys: pytest.CaptureFixture[str]) -> None:
-    example, across = blocks("python")
+    example, across, _ = blocks("python")
     code = [line for line in example.splitlines() if line and not line.startswith("import")]
     assert len(code) <= 10
     names: dict[str, object] = {}
@@ -30,10 +30,26 @@ def test_the_python_examples_run(capsys: pytest.CaptureFixture[str]) -> None:
     assert re.fullmatch(r"0\.\d+ \+- \S+", oblique)
     pytest.importorskip("pygeodesic")
     exec(across, names)
-    path, girth = capsys.readouterr().out.splitlines()
+    path, girth, tape, natural, ways = capsys.readouterr().out.splitlines()
     assert re.match(r"0\.\d+ \+- \S+ CONVERGED \(\d+, ", path)
     contact, taut, gap = map(float, girth.split())
     assert contact - taut == gap > 0.0
+    chord, taut, contact = map(float, tape.split())
+    assert chord < taut < contact
+    assert re.fullmatch(r"0\.6\d+ MINIMUM", natural)
+    back, front = map(float, ways.strip("[]").split(","))
+    assert back < front < 1.4 * back
+
+
+def test_the_example_of_pyvista_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pyvista = pytest.importorskip("pyvista", minversion="0.48")
+    pytest.importorskip("pygeodesic")
+    _, _, example = blocks("python")
+    bm.write_atlas(bm.load_sample("female_average"), tmp_path / "body.atlas")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(pyvista, "OFF_SCREEN", True)
+    with pyvista.vtk_verbosity("off"):
+        exec(example, {})
 
 
 def test_the_atlas_of_the_format_is_valid_and_sound(tmp_path: Path) -> None:

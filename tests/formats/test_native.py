@@ -150,8 +150,14 @@ def both(*changes: Callable[[dict[str, Any]], None]) -> Callable[[dict[str, Any]
         (put("axes", "up", "-y"), "lie along the same axis"),
         (put("color", "red"), "contains unknown field `color`"),
         (put("patches", 1, "color", "red"), r"patch 1 \('hip right'\): .*unknown field `color`"),
-        (put("patches", 1, "points", [[0, 1, 2, 3]] * 3), r"patch 1 \('hip right'\): expected 4 rows of 4 .*; got 3"),
-        (put("patches", 0, "points", 2, [0, 1, 2]), r"patch 0 \('hip left'\): expected 4 rows of 4 .*; got 3"),
+        (
+            put("patches", 1, "points", [[0, 1, 2, 3]] * 3),
+            r"patch 1 \('hip right'\): expected 4 rows of 4 .*; got 3",
+        ),
+        (
+            put("patches", 0, "points", 2, [0, 1, 2]),
+            r"patch 0 \('hip left'\): expected 4 rows of 4 .*; got 3",
+        ),
         (put("patches", 0, "points", 2, 1, 1.5), r"\('hip left'\): Expected `int`, got `float`"),
         (put("patches", 0, "points", 2, 1, -1), r"\('hip left'\): Expected `int` >= 0"),
         (put("patches", 0, "points", 2, 1, 2**64), r"\('hip left'\): Expected `int` <= "),
