@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from bodymeasure.viewer.controls import INK, TEXT_SIZE, WINDOW_SIZE, listen, say
 from bodymeasure.viewer.describe import describe_measured
 from numpy.typing import NDArray
 
@@ -23,21 +23,15 @@ from bodymeasure.scene.visibility import sight
 if TYPE_CHECKING:
     from bodymeasure.chart import Chart
 
-WINDOW_SIZE = (1000, 1100)
 # Radius of a contact tape, as a fraction of the body's size, and by how much a picked one is wider.
 RADIUS = 0.0026
 PICKED_WIDER = 1.7
 PICKED = (0.95, 0.75, 0.05)
-INK = (0.15, 0.16, 0.17)
-TEXT_SIZE = 10
 NUMBER_SIZE = 16
-TEXT_COLUMNS = 60
 # Numbers stand off the skin by so many radii of a tape, so that it does not hide them.
 NUMBER_LIFT = 4.0
 # A closed tape has a number at each quarter: from every side one is seen.
 QUARTERS = (0.0, 0.25, 0.5, 0.75)
-# How near a click must be, as a fraction of the window's diagonal.
-PICK_TOLERANCE = 0.003
 # Array of a mesh that says which of the scene's tapes a cell belongs to; -1 on the surface.
 TAPE = "tape"
 # Straight tapes run through the body, and are drawn before it: by so much in depth.
@@ -92,7 +86,7 @@ class TapeWindow:
         self.shown = self.shown + 1 if self.shown + 1 < len(self.groups) else -1
         self._update()
         group = self.groups[self.shown] if self.shown >= 0 else ""
-        self._say(group or "all measurements")
+        say(self.plotter, group or "all measurements")
         self.plotter.render()
         return group
 
@@ -125,7 +119,7 @@ class TapeWindow:
         if all(line.through_body for line in lines):
             _draw_before_all(actor)
         words: str = describe_measured(self.chart[key], self.chart.atlas.unit)
-        self._say(f"{self.scene.numbers[key]}  {words}")
+        say(self.plotter, f"{self.scene.numbers[key]}  {words}")
         return words
 
     def framed(self, side: str) -> View:
@@ -155,11 +149,17 @@ class TapeWindow:
         set_camera(plotter, self.scene.surface, self.framed(self._first_side(key)))
         if key is not None:
             words = describe_measured(self.chart[key], self.chart.atlas.unit)
-            self._say(f"{self.scene.numbers[key]}  {words}")
+            say(self.plotter, f"{self.scene.numbers[key]}  {words}")
         elif self.groups:
-            self._say(self.groups[self.shown])
+            say(self.plotter, self.groups[self.shown])
         if not plotter.off_screen:
-            self._listen()
+            listen(
+                self.plotter,
+                HELP,
+                {"g": self.next_group, "n": self.toggle_numbers},
+                self.look_from,
+                self.pick,
+            )
 
     def _first_side(self, key: str | None) -> str:
         """The side to begin with: of one measurement, that which sees most of it."""
@@ -225,33 +225,6 @@ class TapeWindow:
             for actor in self.number_actors[group]:
                 actor.visibility = on and self.numbers_on
         self.plotter.remove_actor("picked", render=False)
-
-    def _listen(self) -> None:
-        plotter = self.plotter
-        plotter.add_text(HELP, position=(10, 10), font_size=TEXT_SIZE - 2, color=INK)
-        plotter.add_key_event("g", self.next_group)
-        plotter.add_key_event("n", self.toggle_numbers)
-        for number, side in enumerate(SIDES, start=1):
-            plotter.add_key_event(f"F{number}", lambda side=side: self.look_from(side))
-        plotter.enable_surface_point_picking(
-            lambda _, picker: self.pick(picker.GetDataSet(), picker.GetCellId()),
-            show_message=False,
-            show_point=False,
-            left_clicking=True,
-            use_picker=True,
-            tolerance=PICK_TOLERANCE,
-        )
-
-    def _say(self, words: str) -> None:
-        lines = [line for part in words.splitlines() for line in textwrap.wrap(part, TEXT_COLUMNS)]
-        self.plotter.add_text(
-            "\n".join(lines),
-            position="upper_right",
-            font_size=TEXT_SIZE,
-            color=INK,
-            name="words",
-            render=not self.plotter.off_screen,
-        )
 
 
 def number_places(line: TapeLine, lift: float) -> NDArray[np.float64]:

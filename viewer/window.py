@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from bodymeasure.viewer.controls import INK, TEXT_SIZE, WINDOW_SIZE, listen, say
 from bodymeasure.viewer.describe import describe
 
 from bodymeasure.scene import (
@@ -34,7 +34,6 @@ from bodymeasure.scene.strokes import dashed
 if TYPE_CHECKING:
     from bodymeasure.measure import Survey
 
-WINDOW_SIZE = (1000, 1100)
 # How far curves stand off the surface, as a fraction of the body's size: above the tessellation's
 # distance from the curved surface, below a line's width.
 LIFT = 0.001
@@ -44,11 +43,6 @@ EDGE_WIDTH = 1.2
 PATH_WIDTH = 3.0
 PICKED_WIDTH = 6.0
 PICKED = (0.05, 0.05, 0.05)
-INK = (0.15, 0.16, 0.17)
-TEXT_SIZE = 10
-TEXT_COLUMNS = 60
-# How near a click must be to a line, as a fraction of the window's diagonal.
-PICK_TOLERANCE = 0.003
 # Arrays of the window's meshes that say what a cell belongs to; the diagonal is -1 on the surface.
 PATCH = "patch"
 DIAGONAL = "diagonal"
@@ -125,7 +119,7 @@ class Window:
             pickable=False,
             reset_camera=False,
         )
-        self._say(words)
+        say(self.plotter, words)
         return words
 
     def _fill(self) -> None:
@@ -157,7 +151,13 @@ class Window:
         plotter.enable_anti_aliasing("msaa", multi_samples=8)
         set_camera(plotter, self.scene.surface, self.framed(SIDES[0]))
         if not plotter.off_screen:
-            self._listen()
+            listen(
+                self.plotter,
+                HELP,
+                {"n": self.toggle_edges, "d": self.toggle_paths},
+                self.look_from,
+                self.pick,
+            )
 
     def _add_paths(self, kind: PathKind, scale: ColorScale | None) -> None:
         """Add the paths of one kind; those compared are colored on a scale, with its bar."""
@@ -197,33 +197,6 @@ class Window:
             }
         actor = self.plotter.add_mesh(mesh, line_width=PATH_WIDTH, **LINES, **looks)
         self.path_actors.append(actor)
-
-    def _listen(self) -> None:
-        plotter = self.plotter
-        plotter.add_text(HELP, position=(10, 10), font_size=TEXT_SIZE - 2, color=INK)
-        plotter.add_key_event("n", self.toggle_edges)
-        plotter.add_key_event("d", self.toggle_paths)
-        for number, side in enumerate(SIDES, start=1):
-            plotter.add_key_event(f"F{number}", lambda side=side: self.look_from(side))
-        plotter.enable_surface_point_picking(
-            lambda _, picker: self.pick(picker.GetDataSet(), picker.GetCellId()),
-            show_message=False,
-            show_point=False,
-            left_clicking=True,
-            use_picker=True,
-            tolerance=PICK_TOLERANCE,
-        )
-
-    def _say(self, words: str) -> None:
-        lines = [line for part in words.splitlines() for line in textwrap.wrap(part, TEXT_COLUMNS)]
-        self.plotter.add_text(
-            "\n".join(lines),
-            position="upper_right",
-            font_size=TEXT_SIZE,
-            color=INK,
-            name="words",
-            render=not self.plotter.off_screen,
-        )
 
     def _toggle(self, actors: list[Any]) -> None:
         for actor in actors:
