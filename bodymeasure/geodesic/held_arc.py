@@ -7,13 +7,14 @@ import numpy as np
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Neighbors, Place
 from bodymeasure.atlas.seams import EDGES
+from bodymeasure.bezier import scaled
 from bodymeasure.geodesic.atlas_path import PathPiece
 from bodymeasure.geodesic.edge_arc import EdgeArc, edge_arc
 from bodymeasure.geodesic.held_parts import HeldPath
 from bodymeasure.geodesic.legs import Contact
 from bodymeasure.geodesic.route_error import RouteLength
 from bodymeasure.geodesic.route_pattern import side_of
-from bodymeasure.geodesic.surface import BezierSurfaces
+from bodymeasure.geodesic.surfaces_of import surfaces_of
 
 
 def on_edge(neighbors: Neighbors, place: Place, patch: int, contact: Contact) -> Place:
@@ -42,7 +43,7 @@ def pressed_arc(
         sides.append((crossing.to_patch, beyond, (begin, end)))
     arcs = []
     for number, on, (begin, end) in sides:
-        surface = BezierSurfaces(atlas.control_points[[number]] / size)
+        surface = surfaces_of(scaled(atlas.control_points[[number]], 1.0 / size))
         arcs.append(edge_arc(surface, on, np.array(begin[1:]), np.array(end[1:])))
     return arcs[0] if all(arc.is_pressed for arc in arcs) else None
 

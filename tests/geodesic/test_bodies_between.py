@@ -1,8 +1,12 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from body_oracle import mesh_distance, quarter_point
+from cut_atlases import random_point
+from scipy.spatial.transform import Rotation
 
 import bodymeasure as bm
 
@@ -21,6 +25,26 @@ def test_lengths_across_a_body_agree_with_exact_mesh_distances(
         path = bm.geodesic_between(body, start, end)
         exact, doubt = mesh_distance(body, start, end, path.length)
         assert path.length == pytest.approx(exact, abs=3.0 * doubt + 1e-5 * exact)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", bm.sample_names())
+def test_swapped_ends_and_motions_change_no_length_on_a_body(
+    name: str, rng: np.random.Generator
+) -> None:
+    body = bm.load_sample(name)
+    turn = Rotation.from_rotvec(rng.normal(size=3)).as_matrix()
+    moved = replace(body, points=body.points @ turn.T + rng.normal(size=3))
+    for _ in range(6):
+        start, end = random_point(rng, body), random_point(rng, body)
+        path = bm.geodesic_between(body, start, end)
+        assert path.error_estimate <= 1e-6 * path.length
+        back, there = (
+            bm.geodesic_between(body, end, start),
+            bm.geodesic_between(moved, start, end),
+        )
+        assert back.length == pytest.approx(path.length, rel=1e-9)
+        assert there.length == pytest.approx(path.length, rel=1e-9)
 
 
 def test_landmarks_of_a_symmetric_body_are_at_mirrored_distances() -> None:

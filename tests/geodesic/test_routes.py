@@ -76,8 +76,8 @@ def test_the_path_over_the_mesh_of_a_plane_is_nearly_straight(rng: np.random.Gen
         np.testing.assert_array_equal(points[0], mesh.vertices[first])
         length = np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
         chord = np.linalg.norm(points[-1] - points[0])
-        # The package's exact algorithm drops small windows: mostly right to rounding, it is at times
-        # off by some 1e-4, whatever part of the mesh it is given.
+        # The package's algorithm drops small windows: mostly right to rounding, it is at times off
+        # by some 1e-4, whatever part of the mesh it is given.
         assert chord * (1.0 - 1e-12) <= length < chord * (1.0 + 1e-3)
 
 
