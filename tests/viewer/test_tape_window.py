@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bodymeasure.viewer import describe_measured, view_chart
+from bodymeasure.viewer import controls, describe_measured, view_chart
 from bodymeasure.viewer import tape_window as tape_window_module
 from hand_charts import chart_of, chord_between, girth_at, height_of, missing
 from PIL import Image
@@ -93,7 +93,7 @@ def test_picking_a_tape_names_its_measurement(window: Any, chart: Chart) -> None
     front = line.points[np.argmin(line.points[:, 1])]
     (x, y), _ = window.framed("front").project(front, size)
     picker = pyvista._vtk.vtkCellPicker()
-    picker.SetTolerance(tape_window_module.PICK_TOLERANCE)
+    picker.SetTolerance(controls.PICK_TOLERANCE)
     picker.Pick(x, size[1] - y, 0.0, plotter.renderer)
     words = window.pick(picker.GetDataSet(), picker.GetCellId())
     assert words == describe_measured(chart["girth_bust_point_left"], chart.atlas.unit)

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bodymeasure.viewer import describe, view
+from bodymeasure.viewer import controls, describe, view
 from bodymeasure.viewer import window as window_module
 from PIL import Image
 from straight_survey import straight_survey
@@ -112,7 +112,7 @@ def test_picking_finds_the_patch_under_the_pointer(body: Atlas, landmark: str) -
         spot = evaluate(body.control_points[patch], (0.5, 0.25))
         (x, y), _ = framed.project(spot, tuple(window.plotter.window_size))
         picker = pyvista._vtk.vtkCellPicker()
-        picker.SetTolerance(window_module.PICK_TOLERANCE)
+        picker.SetTolerance(controls.PICK_TOLERANCE)
         picker.Pick(x, window.plotter.window_size[1] - y, 0.0, window.plotter.renderer)
         words = window.pick(picker.GetDataSet(), picker.GetCellId())
         assert words == describe(survey, patch)
