@@ -82,4 +82,4 @@ def _spread(steps: scipy.sparse.csr_array) -> tuple[_Numbers, _Array, float]:
     apart = np.array(rows)[:, picks]
     # Where all vertices are picked, the spacing is their own.
     others = np.where(np.eye(len(picks), dtype=bool), np.inf, apart).min(axis=1)
-    return np.array(picks), apart, float(max(nearest.max(), np.median(others)))
+    return np.array(picks), apart, float(nearest.max() or np.median(others))
