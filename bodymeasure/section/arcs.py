@@ -54,15 +54,17 @@ def pair_crossings(cells: Cells, crossings: Crossings) -> Arcs | None:
     over_u = cells.axis == 0
     place[over_u, 0], place[over_u, 1] = cells.lower[over_u, :1], cells.upper[over_u, :1]
     place[~over_u, 2], place[~over_u, 3] = cells.lower[~over_u, 1:], cells.upper[~over_u, 1:]
-    number = crossings.number.reshape(count, 12)
-    flat = np.where(number >= 0, place.reshape(count, 12), np.inf)
+    # As many on each of four sides as the degree has roots.
+    most = 4 * place.shape[-1]
+    number = crossings.number.reshape(count, most)
+    flat = np.where(number >= 0, place.reshape(count, most), np.inf)
     found = (number >= 0).sum(axis=1)
     if (found % 2).any():
         return None
 
     order = np.argsort(flat, axis=1, kind="stable")
-    places = np.take_along_axis(flat, order, axis=1).reshape(count, 6, 2)
-    numbers = np.take_along_axis(number, order, axis=1).reshape(count, 6, 2)
+    places = np.take_along_axis(flat, order, axis=1).reshape(count, most // 2, 2)
+    numbers = np.take_along_axis(number, order, axis=1).reshape(count, most // 2, 2)
     cell, pair = np.nonzero(numbers[..., 0] >= 0)
     axis = cells.axis[cell]
     pieces = Pieces(

@@ -8,12 +8,13 @@ import numpy as np
 import pytest
 from grids import grid_atlas, grid_index
 from numpy.typing import ArrayLike, NDArray
+from quadrics import torus_nets
 from scipy.spatial.transform import Rotation
 from scipy.special import ellipe
 from surfaces import ENNEPER, PARABOLOID, PH_CYLINDER, PLANE
 
 from bodymeasure.atlas import Atlas, Unit
-from bodymeasure.bezier import bernstein, restrict, split
+from bodymeasure.bezier import bernstein, elevate, restrict, split
 from bodymeasure.errors import InputError
 from bodymeasure.section import Plane, convex_hull, extent, plane_section
 
@@ -199,6 +200,20 @@ def test_splitting_moving_and_scaling_change_nothing(
         there = plane_at(1e3 * turn @ plane.point + (5.0, -4.0, 3.0), turn @ normal)
         lengths = [loop.length for loop in plane_section(moved, there).loops]
         np.testing.assert_allclose(lengths, 1e3 * np.array(known), rtol=1e-11)
+
+
+@pytest.mark.parametrize("degree", [4, 5, 9])
+def test_sections_do_not_depend_on_the_degree(degree: int, rng: np.random.Generator) -> None:
+    for nets in (ENNEPER, torus_nets(2.0, 0.7)[0]):
+        whole = Atlas.from_control_points(elevate(nets, 3, 3), Unit.CM)
+        raised = Atlas.from_control_points(elevate(nets, degree, degree), Unit.CM)
+        for _ in range(4):
+            plane = plane_at(whole.points[5] + 0.1 * rng.normal(size=3), rng.normal(size=3))
+            known = [loop.length for loop in plane_section(whole, plane).loops]
+            lengths = [loop.length for loop in plane_section(raised, plane).loops]
+            np.testing.assert_allclose(lengths, known, rtol=1e-12)
+    # A plane that misses.
+    assert not plane_section(raised, plane_at((0.0, 0.0, 9.0), UP)).loops
 
 
 def test_a_plane_through_seams_and_corners() -> None:
