@@ -150,6 +150,20 @@ def test_parts_add_up(name: str) -> None:
     assert heights == sorted(heights, reverse=True)
 
 
+@bodies
+def test_armholes_are_halved(name: str) -> None:
+    chart = chart_of(name)
+    value = {one.definition.key: one.value for one in chart.measured}
+    shoulder, armpit = value["shoulder_height_left"], value["armpit_height_left"]
+    for side in ("front", "back"):
+        point = chart.landmarks[f"{side} mid-armhole point left"]
+        height = float(chart.atlas.position(point)[2])
+        down = (shoulder - height) / (shoulder - armpit)
+        assert 0.35 < down < 0.85, side
+    # The chest between the creases is narrower than the back.
+    assert value["across_front_width"] < 0.9 * value["across_back_width"]
+
+
 def test_known_girths_of_the_average_body() -> None:
     # Found by another program on this body, at these heights to a millimetre.
     chart = chart_of("female_average")
