@@ -46,7 +46,10 @@ class Seams(NamedTuple):
 
 def seams_of(table: EdgeTable, collapsed: NDArray[np.bool_]) -> Seams:
     """The edges that two sides share, without the `collapsed` sides (patches, 4)."""
-    shared = np.flatnonzero((table.sides[table.edge] == 2) & ~collapsed)
+    # Of the two sides of an edge, a degenerate patch's may not count as collapsed.
+    single = np.zeros(len(table.sides), dtype=np.bool_)
+    single[table.edge[collapsed]] = True
+    shared = np.flatnonzero((table.sides[table.edge] == 2) & ~single[table.edge])
     order = np.argsort(table.edge.ravel()[shared], kind="stable")
     pairs = shared[order].reshape(-1, 2)
     patch, side = np.divmod(pairs, 4)
