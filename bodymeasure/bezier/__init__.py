@@ -8,7 +8,7 @@ from bodymeasure.bezier.bernstein import bernstein, bernstein_values
 from bodymeasure.bezier.bspline import BezierPieces, bezier_pieces
 from bodymeasure.bezier.degree import elevate
 from bodymeasure.bezier.evaluate import derivatives, evaluate
-from bodymeasure.bezier.rational import homogeneous, project, scaled
+from bodymeasure.bezier.rational import divide, homogeneous, project, scaled
 from bodymeasure.bezier.split import restrict, split
 
 __all__ = [
@@ -17,6 +17,7 @@ __all__ = [
     "bernstein_values",
     "bezier_pieces",
     "derivatives",
+    "divide",
     "elevate",
     "evaluate",
     "homogeneous",

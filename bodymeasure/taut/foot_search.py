@@ -28,7 +28,7 @@ def descend(coefficients: _Array, targets: _Array, start: _Array) -> tuple[_Arra
 
     Parameters
     ----------
-    coefficients : ndarray, shape (k, 4, 4, 3)
+    coefficients : ndarray, shape (k, m + 1, m + 1, 3 or 4)
         See `bodymeasure.taut.jets`.
     targets : ndarray, shape (k, 3)
     start : ndarray, shape (k, 2)

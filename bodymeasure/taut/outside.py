@@ -120,7 +120,7 @@ def _caps(
     # The cap's round runs against the patch's own.
     backwards = round_of_side(side) == (signs[patch] > 0.0)
     lines[backwards] = lines[backwards, ::-1]
-    ends = table.control_index[patch, side][:, [0, 3]]
+    ends = table.control_index[patch, side][:, [0, -1]]
     nodes, corner = np.unique(ends, return_inverse=True)
     corner = corner.reshape(-1, 2)
     loop = connected_components(corner[:, 0], corner[:, 1], len(nodes))[corner[:, 0]]

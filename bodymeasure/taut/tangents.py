@@ -19,7 +19,7 @@ def normals_and_bends(coefficients: _Array, x: _Array) -> tuple[_Array, _Array, 
 
     Parameters
     ----------
-    coefficients : ndarray, shape (k, 4, 4, 3)
+    coefficients : ndarray, shape (k, m + 1, m + 1, 3 or 4)
         Of powers.
     x : ndarray, shape (k, 2)
 

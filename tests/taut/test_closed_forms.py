@@ -6,11 +6,14 @@ import numpy as np
 import pytest
 from cut_atlases import cut
 from drawn_out import CUBIC, HILL, RIDGE, ROOF, at, parabola_arc, row_of
+from quadrics import sphere_nets
 from scipy.integrate import quad
 from surfaces import bicubic
 
 import bodymeasure as bm
+from bodymeasure.atlas import weld
 from bodymeasure.atlas.closest import closest_points
+from bodymeasure.bezier import elevate, project
 from bodymeasure.taut import TautStatus
 
 # There are no wheels of it for the latest versions of Python.
@@ -119,3 +122,16 @@ def test_along_a_sharp_valley_that_arches() -> None:
     assert tape.length == pytest.approx(exact, rel=1e-8)
     np.testing.assert_allclose(tape.points[:, 0], 0.0, atol=1e-9)
     assert tape.touching.all()
+
+
+@pytest.mark.parametrize("degree", [3, 5])
+def test_round_a_rational_sphere_the_taut_tape_is_a_great_circle(degree: int) -> None:
+    nets = elevate(sphere_nets(), degree, degree)
+    points, index = weld(project(nets), weights=nets[..., 3])
+    sphere = bm.Atlas(points, index, "m", weights=nets[..., 3])
+    start, end = bm.AtlasPoint(0, 0.3, 0.4), bm.AtlasPoint(6, 0.2, 0.7)
+    tape = bm.taut_tape(sphere, start, end)
+    first, last = sphere.position(start), sphere.position(end)
+    exact = math.atan2(float(np.linalg.norm(np.cross(first, last))), float(first @ last))
+    assert abs(tape.length - exact) <= tape.error_estimate <= 1e-6
+    assert tape.gap <= tape.error_estimate

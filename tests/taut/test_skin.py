@@ -6,10 +6,15 @@ from drawn_out import HILL, RIDGE, row_of
 from numpy.typing import NDArray
 
 import bodymeasure as bm
+from bodymeasure.atlas import edge_table, weld
 from bodymeasure.atlas.closest import closest_points
-from bodymeasure.bezier import derivatives
+from bodymeasure.bezier import derivatives, elevate, evaluate
 from bodymeasure.taut.jets import jets, power_coefficients
+from bodymeasure.taut.outside import _caps, outward_signs
 from bodymeasure.taut.skin import Skin, skin_of
+
+SIDE = np.linspace(0.0, 1.0, 5)
+GRID = np.stack(np.meshgrid(SIDE, SIDE, indexing="ij"), axis=-1)
 
 
 def turned(atlas: bm.Atlas, patches: NDArray[np.int64]) -> bm.Atlas:
@@ -19,10 +24,35 @@ def turned(atlas: bm.Atlas, patches: NDArray[np.int64]) -> bm.Atlas:
     return bm.Atlas(atlas.points, index, atlas.unit)
 
 
-def test_jets_are_the_derivatives(rng: np.random.Generator) -> None:
-    nets, x = rng.normal(size=(7, 4, 4, 3)), rng.random((7, 2))
+@pytest.mark.parametrize(("degree", "coordinates"), [(3, 3), (3, 4), (5, 3), (9, 3), (9, 4)])
+def test_jets_are_the_derivatives(degree: int, coordinates: int, rng: np.random.Generator) -> None:
+    nets, x = rng.normal(size=(7, degree + 1, degree + 1, coordinates)), rng.random((7, 2))
+    if coordinates == 4:
+        nets[..., 3] = rng.uniform(0.5, 2.0, nets.shape[:-1])
     found = jets(power_coefficients(nets), x)
-    np.testing.assert_allclose(found, derivatives(nets, x, order=2), rtol=1e-11, atol=1e-11)
+    expected = derivatives(nets, x, order=2)
+    # Powers of high degrees cancel one another.
+    cancelled = 1e-11 * 10.0 ** (degree - 3)
+    np.testing.assert_allclose(found, expected, atol=cancelled * np.abs(expected).max())
+
+
+@pytest.mark.parametrize("degree", [5, 9])
+def test_the_outside_of_open_parts_does_not_depend_on_the_degree(degree: int) -> None:
+    body = bm.load_sample("female_average")
+    nets = elevate(body.control_points, degree, degree)
+    points, index = weld(nets)
+    raised = bm.Atlas(points, index, body.unit)
+    swapped = np.arange(0, len(body), 3)
+    for atlas in (body, raised):
+        atlas = turned(atlas, swapped)
+        samples = evaluate(atlas.control_points, np.broadcast_to(GRID, (len(atlas), *GRID.shape)))
+        signs = outward_signs(atlas, samples, edge_table(atlas.index), "told")
+        assert (signs[swapped] == -1.0).all()
+        assert (np.delete(signs, swapped) == 1.0).all()
+        area, volume = _caps(samples, edge_table(atlas.index), signs, np.zeros(len(atlas), int))
+        if atlas.degree == 3:
+            known = area, volume
+    np.testing.assert_allclose((area, volume), known, rtol=1e-9)
 
 
 @pytest.mark.parametrize("name", ["female_average", "male_average"])
