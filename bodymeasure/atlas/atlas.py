@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure.atlas.axes import Axes
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.seams import EDGES, SAME_RATIO, edge_table, sides_of
+from bodymeasure.atlas.seams import EDGES, edge_table, sides_of, weights_differ
 from bodymeasure.atlas.units import Unit
 from bodymeasure.bezier import evaluate, homogeneous, project
 from bodymeasure.errors import InputError
@@ -131,11 +131,14 @@ class Atlas:
     def control_points(self) -> NDArray[np.float64]:
         """Control points of every patch, shape (patches, degree + 1, degree + 1, 3); read-only.
 
-        Of rational patches in homogeneous coordinates, of which there are four.
+        Of rational patches in homogeneous coordinates, of which there are four; the weights of
+        each patch times a power of 2, so that the largest is from 1/2 to 1.
         """
         control_points = self.points[self.index]
         if self.weights is not None:
-            control_points = homogeneous(control_points, self.weights)
+            # A common factor cancels. Products of weights of any size would overflow.
+            _, exponent = np.frexp(self.weights.max(axis=(1, 2), keepdims=True))
+            control_points = homogeneous(control_points, np.ldexp(self.weights, -exponent))
         control_points.flags.writeable = False
         return control_points
 
@@ -273,9 +276,9 @@ def _check_weights_of_seams(index: NDArray[np.int64], weights: NDArray[np.float6
     table = edge_table(index)
     along = sides_of(weights)
     along = np.where(table.reversed[..., None], along[..., ::-1], along)
-    ratio = (along / along[..., :1]).reshape(-1, along.shape[-1])
+    along = along.reshape(-1, along.shape[-1])
     _, first = np.unique(table.edge, return_index=True)
-    differ = np.abs(ratio - ratio[first[table.edge.ravel()]]).max(axis=1) > SAME_RATIO
+    differ = weights_differ(along, along[first[table.edge.ravel()]])
     collapsed = (table.control_index == table.control_index[..., :1]).all(axis=-1).ravel()
     bad = np.flatnonzero(differ & ~collapsed)
     if len(bad):

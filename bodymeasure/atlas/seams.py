@@ -20,7 +20,7 @@ class Edge(NamedTuple):
     fixed_value: float
 
 
-# Ratios of weights along a seam that differ by less differ by rounding.
+# Weights along a seam whose ratios to one another differ by less, relatively, differ by rounding.
 SAME_RATIO = 1e-12
 EDGES = (
     Edge("u = 0", 0, 0.0),
@@ -81,3 +81,10 @@ def sides_of(nets: NDArray[Any]) -> NDArray[Any]:
     Shape (patches, 4, k, ...).
     """
     return np.stack([nets[:, 0], nets[:, -1], nets[:, :, 0], nets[:, :, -1]], axis=1)
+
+
+def weights_differ(first: NDArray[np.float64], second: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Whether weights along edges, shape (..., k), are not proportional to others."""
+    # Weights may be of many magnitudes; logarithms of their quotients are not.
+    quotient = np.log(first) - np.log(second)
+    return np.asarray(np.ptp(quotient, axis=-1) > SAME_RATIO)

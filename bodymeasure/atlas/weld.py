@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.degeneracy import collapsed_sides
 from bodymeasure.atlas.gaps import free_edges, near_seams, welded_index
-from bodymeasure.atlas.seams import SAME_RATIO, EdgeTable, edge_table, sides_of
+from bodymeasure.atlas.seams import EdgeTable, edge_table, sides_of, weights_differ
 from bodymeasure.atlas.size import require_size
 
 _Points = NDArray[np.float64]
@@ -63,7 +63,7 @@ def weld(
         near = near._replace(coincide=near.coincide | (near.distance <= tolerance))
     first, second = (along[free.patch, free.side][pair] for pair in (near.first, near.second))
     second = np.where(near.turned[:, None], second[:, ::-1], second)
-    near = near._replace(coincide=near.coincide & ~_differ(first, second))
+    near = near._replace(coincide=near.coincide & ~weights_differ(first, second))
     index = welded_index(index, free._replace(control_index=numbers), near)
     _, first, index = np.unique(index, return_index=True, return_inverse=True)
     # In the order in which patches first name them.
@@ -81,12 +81,6 @@ def same_places(points: _Points) -> _Index:
     return number
 
 
-def _differ(first: _Points, second: _Points) -> NDArray[np.bool_]:
-    """Whether rows of weights (..., k) are not proportional."""
-    first, second = first / first[..., :1], second / second[..., :1]
-    return np.asarray(np.abs(first - second).max(axis=-1) > SAME_RATIO)
-
-
 def _join_same(
     own: _Index, table: EdgeTable, collapsed: NDArray[np.bool_], weights: _Points
 ) -> _Index:
@@ -98,7 +92,7 @@ def _join_same(
     leads = first[table.edge.ravel()]
     weights = weights.reshape(-1, own.shape[-1])
     weights = np.where(backwards, weights[:, ::-1], weights)
-    apart = _differ(weights, weights[leads])
+    apart = weights_differ(weights, weights[leads])
     leader = np.where(apart[:, None], along, along[leads])
     # A collapsed side is no edge that could be shared, but its ends are shared with other sides.
     leader = np.where(collapsed.reshape(-1, 1), along[:, :1], leader)

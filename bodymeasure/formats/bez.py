@@ -14,6 +14,7 @@ import re
 import numpy as np
 
 from bodymeasure.atlas import Atlas
+from bodymeasure.bezier import homogeneous
 from bodymeasure.errors import InputError
 from bodymeasure.formats.patches import ReadPatches
 from bodymeasure.formats.text import TextFile, Words, quoted, written
@@ -78,11 +79,14 @@ def write(atlas: Atlas) -> bytes:
             f"an atlas of degree {atlas.degree} cannot be written to a Geomview file, whose header "
             f"goes up to {LARGEST}; choose .bpt or .obj"
         )
-    coordinates = atlas.control_points.shape[-1]
+    coordinates = 4 if atlas.is_rational else 3
     header = (
         "BBP"
         if (atlas.degree, coordinates) == (3, 3)
         else f"BEZ{atlas.degree}{atlas.degree}{coordinates}"
     )
-    nets = atlas.control_points.transpose(0, 2, 1, 3).reshape(len(atlas), -1, coordinates)
+    nets = atlas.points[atlas.index]
+    if atlas.weights is not None:
+        nets = homogeneous(nets, atlas.weights)
+    nets = nets.transpose(0, 2, 1, 3).reshape(len(atlas), -1, coordinates)
     return (header + "\n" + "".join("\n".join(written(net)) + "\n\n" for net in nets)).encode()

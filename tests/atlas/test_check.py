@@ -9,10 +9,22 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from numpy.typing import NDArray
+from quadrics import sphere_nets
 from scipy.spatial.transform import Rotation
 
 from bodymeasure import InputError
-from bodymeasure.atlas import Atlas, Finding, FindingKind, Severity, Unit, check_atlas
+from bodymeasure.atlas import (
+    Atlas,
+    AtlasPoint,
+    Finding,
+    FindingKind,
+    Severity,
+    Unit,
+    check_atlas,
+    weld,
+)
+from bodymeasure.bezier import elevate, project
+from bodymeasure.measure import body_girth
 from bodymeasure.samples import load_sample, sample_names
 
 Array = NDArray[np.float64]
@@ -458,3 +470,44 @@ def test_a_torus_of_patches_is_sound() -> None:
         np.broadcast_arrays(radius * np.cos(big), radius * np.sin(big), np.sin(small)), axis=-1
     )
     assert check_atlas(Atlas(points.reshape(-1, 3), index, Unit.CM)) == ()
+
+
+def test_a_line_beside_a_lids_tip_is_told() -> None:
+    """Of the edge that both share, only the lid's side counts as collapsed."""
+    lid = grid_atlas(1, 1).control_points[0].copy()
+    lid[:, 3] = lid[0, 3]
+    line = np.zeros((4, 4, 3))
+    line[:] = lid[0, 3] + np.arange(4.0)[None, :, None] * [0.0, 1.0, 0.0]
+    index = np.arange(32).reshape(2, 4, 4)
+    index[1, :, 0] = index[0, :, 3]
+    atlas = Atlas(np.concatenate([lid, line]).reshape(-1, 3), index, Unit.CM)
+    kinds = {finding.kind for finding in check_atlas(atlas)}
+    assert {FindingKind.COLLAPSED_PATCH, FindingKind.COLLAPSED_EDGE} <= kinds
+
+
+@pytest.mark.parametrize("magnitude", [0.0, 12.0, 290.0])
+def test_a_factor_of_a_patchs_weights_changes_nothing(
+    magnitude: float, rng: np.random.Generator
+) -> None:
+    nets = elevate(sphere_nets(), 3, 3)
+    factor = 10.0 ** rng.uniform(-magnitude, magnitude, (len(nets), 1, 1))
+    weights = nets[..., 3] * factor
+    points, index = weld(project(nets), weights=weights)
+    sphere = Atlas(points, index, Unit.M, weights=weights)
+    assert len(points) == 62
+    assert {finding.kind for finding in check_atlas(sphere)} == {FindingKind.COLLAPSED_EDGE}
+    position = sphere.position(AtlasPoint(0, 0.3, 0.4))
+    girth = body_girth(sphere, AtlasPoint(0, 0.3, 0.4)).contact
+    assert girth == pytest.approx(2.0 * np.pi * np.hypot(*position[:2]), rel=1e-13)
+
+
+def test_weights_of_many_magnitudes_are_joined() -> None:
+    """The same but for rounding, relative to each."""
+    weights = np.broadcast_to([1e-12, 1.0, 3.0, 1e-7], (2, 4, 4)).copy()
+    weights[1] *= 0.3 * (1.0 + 2e-16 * np.array([1.0, -1.0, 1.0, 0.0]))
+    nets = grid_atlas(2, 1).control_points
+    points, index = weld(nets, weights=weights)
+    assert len(points) == 28
+    assert len(Atlas(points, index, Unit.M, weights=weights)) == 2
+    weights[1, 0, 0] *= 1.0 + 1e-9
+    assert len(weld(nets, weights=weights)[0]) == 32
