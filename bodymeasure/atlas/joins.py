@@ -46,7 +46,7 @@ class Seams(NamedTuple):
 
 def seams_of(table: EdgeTable, collapsed: NDArray[np.bool_]) -> Seams:
     """The edges that two sides share, without the `collapsed` sides (patches, 4)."""
-    # Of the two sides of an edge, a degenerate patch's may not count as collapsed.
+    # Neither side of an edge of which one belongs to a patch without area.
     single = np.zeros(len(table.sides), dtype=np.bool_)
     single[table.edge[collapsed]] = True
     shared = np.flatnonzero((table.sides[table.edge] == 2) & ~single[table.edge])

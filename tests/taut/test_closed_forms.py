@@ -128,7 +128,7 @@ def test_along_a_sharp_valley_that_arches() -> None:
 def test_round_a_rational_sphere_the_taut_tape_is_a_great_circle(degree: int) -> None:
     nets = elevate(sphere_nets(), degree, degree)
     points, index = weld(project(nets), weights=nets[..., 3])
-    sphere = bm.Atlas(points, index, "m", weights=nets[..., 3])
+    sphere = bm.Atlas(points, index, bm.Unit.M, weights=nets[..., 3])
     start, end = bm.AtlasPoint(0, 0.3, 0.4), bm.AtlasPoint(6, 0.2, 0.7)
     tape = bm.taut_tape(sphere, start, end)
     first, last = sphere.position(start), sphere.position(end)
