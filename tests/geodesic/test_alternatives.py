@@ -62,6 +62,7 @@ def test_the_first_is_the_shortest_and_fewer_are_the_first_of_more() -> None:
         assert apart > 0.02 * path.length
 
 
+@pytest.mark.slow
 def test_swapped_ends_have_the_same_alternatives() -> None:
     atlas = tube((1.0, 0.8, 0.8, 1.0))
     start, end = AtlasPoint(0, 0.2, 0.1), AtlasPoint(0, 0.6, 0.5)
@@ -72,6 +73,7 @@ def test_swapped_ends_have_the_same_alternatives() -> None:
     np.testing.assert_allclose(there, back, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_where_there_is_one_way_only(rng: np.random.Generator) -> None:
     for atlas in (wavy_plane(rng), cut(PARABOLOID, (0.4,), (0.5,))):
         start, end = random_point(rng, atlas), random_point(rng, atlas)
