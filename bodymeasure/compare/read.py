@@ -25,10 +25,13 @@ COLUMNS = {
     "subject": ("subject",),
     "error": ("error_estimate", "error"),
     "reason": ("reason",),
+    "kind": ("kind",),
 }
 NEEDED = ("measurement", "value", "unit")
 # The first of them that the header has is taken.
 DELIMITERS = ("\t", ";", ",")
+# Of the lengths that a chart's CSV holds, these alone may be zero or less: differences.
+FORMULA = "formula"
 PLAIN_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?", re.IGNORECASE | re.ASCII)
 TAILORS_FRACTION = re.compile(r"(\d+\s+)?\d+/0*[1-9]\d*", re.ASCII)
 UNITS = (*(unit.value for unit in Unit), DEGREES)
@@ -71,18 +74,30 @@ def _rows(content: bytes, path: Path) -> list[Reading]:
     header = text.partition("\n")[0]
     delimiter = next((each for each in DELIMITERS if each in header), ",")
     table = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter)
+    readings = []
     try:
-        columns = _columns(next(table, []), path)
-        readings = [
-            _reading(row, columns, f"{path}, line {table.line_num}", delimiter)
-            for row in table
-            if any(cell.strip() for cell in row)
-        ]
+        cells = next(table, [])
+        columns = _columns(cells, path)
+        for row in table:
+            if any(cell.strip() for cell in row):
+                place = f"{path}, line {table.line_num}"
+                _check_width(row, len(cells), place)
+                readings.append(_reading(row, columns, place, delimiter))
     except csv.Error as error:
         raise InputError(f"{path}, line {table.line_num}: is not CSV ({error})") from None
     if not readings:
         raise InputError(f"{path}: holds no measurement; expected one a line below the header")
     return readings
+
+
+def _check_width(row: list[str], count: int, place: str) -> None:
+    """Refuse what stands beyond the header's columns, such as what a decimal comma cuts off."""
+    beyond = [cell for cell in row[count:] if cell.strip()]
+    if beyond:
+        raise InputError(
+            f"{place}: has {beyond[0]!r} beyond the last column of the header; if a comma is a "
+            "decimal point, part the columns by semicolons"
+        )
 
 
 def _columns(header: list[str], path: Path) -> dict[str, int]:
@@ -113,12 +128,20 @@ def _reading(row: list[str], columns: dict[str, int], place: str, delimiter: str
         raise InputError(f"{place}: {what}; expected one of {', '.join(UNITS)}")
     value, error = cell("value"), cell("error")
     decimal_comma = delimiter != ","
+    number = _number(value, unit, decimal_comma, place) if value else None
+    if number is not None and number <= 0.0 and unit != DEGREES and cell("kind") != FORMULA:
+        raise InputError(
+            f"{place}: {value!r} is no length; expected one above zero, or an empty cell"
+        )
+    bound = _number(error, unit, decimal_comma, place) if error else None
+    if bound is not None and bound < 0.0:
+        raise InputError(f"{place}: {error!r} is no error; expected zero or more")
     return Reading(
         subject=cell("subject"),
         measurement=cell("measurement"),
-        value=_number(value, unit, decimal_comma, place) if value else None,
+        value=number,
         unit=unit,
-        error=_number(error, unit, decimal_comma, place) if error else None,
+        error=bound,
         reason=cell("reason") or "no value is given",
         place=place,
     )

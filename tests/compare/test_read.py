@@ -70,7 +70,14 @@ def test_subjects_errors_and_gaps_are_read(tmp_path: Path) -> None:
         ("measurement,value,unit\na,33 1/0,inch\n", "'33 1/0' is not a number"),
         ("measurement;value;unit\na;1.234,5;cm\n", r"'1\.234,5' is not a number"),
         # The comma parts columns here.
-        ("measurement,value,unit\na,91,5,cm\n", "unknown unit '5'"),
+        ("measurement,value,unit\na,91,5,cm\n", "line 2: has 'cm' beyond the last column"),
+        (
+            "measurement,unit,value\na,cm,91,5\n",
+            "line 2: has '5' beyond the last column .* part the columns by semicolons",
+        ),
+        ("measurement,value,unit\na,-91.5,cm\n", "line 2: '-91.5' is no length; expected one abo"),
+        ("measurement,value,unit\na,0,inch\n", "line 2: '0' is no length"),
+        ("measurement,value,unit,error\na,1,cm,-1\n", "line 2: '-1' is no error"),
         (b"measurement,value,unit\n\xff,1,cm\n", "is not text in UTF-8"),
         ('measurement,value,unit\n"a\x00,1,cm\n', "line 2"),
     ],
@@ -78,6 +85,12 @@ def test_subjects_errors_and_gaps_are_read(tmp_path: Path) -> None:
 def test_bad_tables_are_refused(tmp_path: Path, text: str | bytes, message: str) -> None:
     with pytest.raises(InputError, match=message):
         read_readings(written(tmp_path, text))
+
+
+def test_angles_and_differences_may_be_below_zero(tmp_path: Path) -> None:
+    text = "key,kind,value,unit\nslope,chord,-3,deg\ngap,formula,-0.5,cm\n"
+    slope, gap = read_readings(written(tmp_path, text)).values
+    assert (slope.value, gap.value) == (-3.0, -0.5)
 
 
 def test_a_charts_json_and_csv_read_alike(tmp_path: Path) -> None:
