@@ -75,6 +75,9 @@ def chart(
 
     What is measured is data: bodymeasure/chart/data/default.toml, or a file of yours. Where both
     sides are measured, the files for pattern programs hold the wearer's right one.
+
+    Of the default set, what lacks a landmark is told, but is no fault (exit code 0) unless nothing
+    is left; of a set of yours, it is (1).
     """
     if output is not None and form is not None:
         raise click.UsageError("--format is for printing; with -o, all formats are written.")
@@ -148,12 +151,13 @@ def _pictures(chart: Chart) -> TapePictures:
 
 
 def _exit_code(document: ChartDocument, definitions: Path | None) -> int:
-    """1 if a measurement could not be taken though its landmarks are there.
+    """1 if a measurement could not be taken though its landmarks are there, or none was taken.
 
     Whoever gives a set of their own asked for all of it.
     """
+    outcomes = [record.outcome for record in document.measurements]
     harmless = ("measured", *(ABSENT if definitions is None else ()))
-    wanting = any(record.outcome not in harmless for record in document.measurements)
+    wanting = "measured" not in outcomes or any(each not in harmless for each in outcomes)
     return EXIT_NOT_MEASURED if wanting else 0
 
 

@@ -111,7 +111,7 @@ def _chart(loaded: Atlas, definitions: Path | None, key: str | None) -> Chart:
     Raises
     ------
     InputError
-        If there is no such measurement, or it has no tape, and why.
+        If there is no such measurement, or it has no tape, or none has one, and why.
     """
     from bodymeasure.chart import both_sides, load_definitions
 
@@ -125,6 +125,12 @@ def _chart(loaded: Atlas, definitions: Path | None, key: str | None) -> Chart:
     if key is not None and not (chart[key].tapes and math.isfinite(chart[key].value)):
         reason = chart[key].reason or "it is calculated from others; show one of those"
         raise InputError(f"{key}: there is no tape to show: {reason}")
+    if not any(item.tapes for item in chart.measured):
+        first = chart.measured[0]
+        raise InputError(
+            "there is no tape to show, since nothing was measured; "
+            f"{first.definition.key}: {first.reason}"
+        )
     return chart
 
 

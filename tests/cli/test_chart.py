@@ -113,6 +113,15 @@ def test_what_was_asked_for_and_is_missing_is_told(run: Run, definitions: Path) 
     assert re.search(r"^Wrist height: .*'no such point'", ran.out, re.M)
 
 
+def test_an_atlas_without_landmarks_is_no_success(run: Run) -> None:
+    ran = run("chart", "paraboloid")
+    assert ran.code == 1
+    assert "measured" not in ran.out
+    assert re.search(r"^Bust girth .* missing landmark$", ran.out, re.M)
+    reason = "the atlas has no landmark 'front waist point', nor any other"
+    assert f"Waist girth: {reason}" in ran.out
+
+
 def test_pictures_and_progress(
     run: Run, definitions: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

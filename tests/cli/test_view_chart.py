@@ -62,6 +62,15 @@ def test_a_measurement_that_cannot_be_shown_is_told(
     assert not picture.exists()
 
 
+def test_a_body_on_which_nothing_was_measured_is_told(run: Run, tmp_path: Path) -> None:
+    picture = tmp_path / "body.png"
+    ran = run("view", "paraboloid", "--chart", "--screenshot", picture)
+    assert (ran.code, ran.out) == (2, "")
+    assert "there is no tape to show, since nothing was measured; neck_girth: the " in ran.err
+    assert "add it with `bodymeasure landmarks`" in ran.err
+    assert not picture.exists()
+
+
 @pytest.mark.parametrize("option", [("--measure", "hip"), ("--set", "two.toml")])
 def test_options_of_the_chart_need_it(run: Run, option: tuple[str, str]) -> None:
     ran = run("view", "female_average", *option)
