@@ -36,6 +36,11 @@ def triangle_mesh(mesh: Any) -> TriangleMesh:
     InputError
         If it is none of these, or holds no triangles.
     """
+    if hasattr(mesh, "cast_to_unstructured_grid") and not hasattr(mesh, "n_strips"):
+        raise InputError(
+            f"the mesh is a {type(mesh).__name__}, which is no surface; pass its surface, "
+            "mesh.extract_surface()"
+        )
     if hasattr(mesh, "triangulate") and hasattr(mesh, "n_points"):
         surface = mesh.triangulate()
         vertices, faces = surface.points, np.asarray(surface.faces).reshape(-1, 4)[:, 1:]
@@ -49,11 +54,15 @@ def triangle_mesh(mesh: Any) -> TriangleMesh:
             "pyvista.PolyData, or a pair (vertices, faces)"
         )
     try:
-        result = TriangleMesh(
-            np.asarray(vertices, dtype=np.float64), np.asarray(faces).astype(np.int64)
-        )
+        points, corners = np.asarray(vertices), np.asarray(faces)
     except (TypeError, ValueError):
-        raise InputError("the mesh's vertices or faces are not numbers") from None
+        raise InputError("the mesh's vertices or faces are ragged; expected arrays") from None
+    if points.dtype.kind not in "fiu" or (corners.dtype.kind not in "iu" and corners.size):
+        raise InputError(
+            f"the mesh's vertices are {points.dtype} and its faces {corners.dtype}; expected real "
+            "numbers, and whole numbers of vertices"
+        )
+    result = TriangleMesh(points.astype(np.float64), corners.astype(np.int64))
     if result.faces.ndim != 2 or result.faces.shape[1] != 3 or len(result.faces) == 0:
         raise InputError(
             f"the mesh's faces have shape {result.faces.shape}; expected (f, 3): triangles"

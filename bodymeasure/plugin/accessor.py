@@ -10,7 +10,7 @@ import pyvista as pv
 
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 from bodymeasure.atlas.closest import closest_points
-from bodymeasure.errors import InputError
+from bodymeasure.errors import BodymeasureError, InputError
 from bodymeasure.geodesic import geodesic_between
 from bodymeasure.measure import body_girth
 from bodymeasure.measure.places import landmark_of
@@ -44,7 +44,7 @@ class MeasureAccessor:
         Raises
         ------
         InputError
-            If the mesh was moved or deformed since.
+            If the mesh was moved, deformed or cut since.
         """
         return atlas_of(self._mesh)
 
@@ -196,7 +196,7 @@ class MeasureAccessor:
             waiting.clear()
             try:
                 path = self.path(start, end)
-            except (ValueError, ArithmeticError) as error:
+            except BodymeasureError as error:
                 plotter.add_text(str(error), name="measure", font_size=9)
                 return
             paths.append(path)
@@ -220,7 +220,10 @@ class MeasureAccessor:
                 )
             u, v = np.asarray(self._mesh.point_data[PARAMETERS], dtype=float)[place].tolist()
             return AtlasPoint(int(self._mesh.point_data[PATCH][place]), u, v)
-        position = np.asarray(place, dtype=np.float64)
+        try:
+            position = np.asarray(place, dtype=np.float64)
+        except (TypeError, ValueError):
+            position = np.empty(0)
         if position.shape != (3,):
             raise InputError(
                 f"a place is {place!r}; expected a vertex's number, a landmark's name, three "

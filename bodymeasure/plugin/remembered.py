@@ -24,6 +24,8 @@ ATLAS, UNIT, PATCH, PARAMETERS = (
 )
 # Of the atlas's size. Coordinates may have been through a file of single precision.
 MOVED = 1e-6
+# Vertices whose places are checked at a time, so that large meshes take little memory.
+_BLOCK = 1 << 15
 
 
 def mesh_of(atlas: Atlas, *, unit_known: bool = True, segments: int = SEGMENTS) -> pv.PolyData:
@@ -61,7 +63,8 @@ def atlas_of(mesh: pv.PolyData) -> Atlas | None:
     Raises
     ------
     InputError
-        If the mesh was moved, turned or deformed since, so that the atlas is another surface.
+        If the mesh was moved, turned, deformed or cut since, so that the atlas is another surface,
+        or does not know its vertices.
     """
     if ATLAS not in mesh.field_data:
         return None
@@ -88,22 +91,26 @@ def _read(text: str) -> Atlas:
 
 def _check_place(mesh: pv.PolyData, atlas: Atlas) -> None:
     patch = np.asarray(mesh.point_data[PATCH])
-    if len(patch) == 0:
-        return
-    # A few are enough: whatever moves a mesh moves most of it.
-    some = np.unique(np.linspace(0, len(patch) - 1, 50).astype(int))
-    patch = patch[some].astype(np.int64)
-    expected = evaluate(
-        atlas.control_points[patch], np.asarray(mesh.point_data[PARAMETERS], dtype=float)[some]
-    )
-    away = np.linalg.norm(np.asarray(mesh.points)[some] - expected, axis=1).max()
-    size = float(np.ptp(atlas.points, axis=0).max())
-    if away > MOVED * size:
+    parameters = np.asarray(mesh.point_data[PARAMETERS], dtype=np.float64)
+    known = parameters.shape == (len(patch), 2) and patch.ndim == 1
+    if not known or ((patch < 0) | (patch >= len(atlas))).any():
         raise InputError(
-            f"the mesh is up to {away:.3g} away from the atlas that it remembers: it was moved, "
-            "scaled or deformed since it was read; measure it before, or measure the mesh itself "
-            "with bodymeasure.measure_mesh"
+            f"the mesh's arrays {PATCH!r} and {PARAMETERS!r} were changed: they are no places on "
+            f"the atlas's {len(atlas)} patches; read the atlas again"
         )
+    # One vertex may have been moved alone, and only those along a cut are new.
+    size = float(np.ptp(atlas.points, axis=0).max())
+    for first in range(0, len(patch), _BLOCK):
+        block = slice(first, first + _BLOCK)
+        expected = evaluate(atlas.control_points[patch[block].astype(np.int64)], parameters[block])
+        away = np.linalg.norm(np.asarray(mesh.points)[block] - expected, axis=1).max()
+        # `not close` rather than `far`, so that NaN is refused too.
+        if not away <= MOVED * size:
+            raise InputError(
+                f"the mesh is {away:.3g} away from the atlas that it remembers: it was moved, "
+                "scaled, deformed or cut since it was read; measure it before, or measure the mesh "
+                "itself with bodymeasure.measure_mesh"
+            )
 
 
 def lines_of(points: Any) -> pv.PolyData:

@@ -85,6 +85,53 @@ def test_a_mesh_that_was_moved_is_not_measured_by_its_old_atlas(mesh, move: str)
         moved.measure.path(NECK, BUST)
 
 
+def _one_vertex_moved(mesh) -> None:  # type: ignore[no-untyped-def]
+    mesh.points[777] += (0.0, 0.3, 0.0)
+
+
+def _not_a_number(mesh) -> None:  # type: ignore[no-untyped-def]
+    mesh.points[5] = np.nan
+
+
+def _other_patches(mesh) -> None:  # type: ignore[no-untyped-def]
+    mesh.point_data["bodymeasure_patch"] = np.full(mesh.n_points, 376)
+
+
+def _no_parameters(mesh) -> None:  # type: ignore[no-untyped-def]
+    mesh.point_data["bodymeasure_uv"] = np.zeros(mesh.n_points)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (_one_vertex_moved, r"the mesh is 0\.3 away from the atlas that it remembers"),
+        (_not_a_number, r"the mesh is nan away from the atlas"),
+        (_other_patches, r"'bodymeasure_uv' were changed: .* on the atlas's 376 patches"),
+        (_no_parameters, r"'bodymeasure_uv' were changed"),
+    ],
+)
+def test_a_mesh_that_was_changed_is_refused(mesh, change: Any, message: str) -> None:  # type: ignore[no-untyped-def]
+    change(mesh)
+    with pytest.raises(bm.InputError, match=message):
+        mesh.measure.path(NECK, BUST)
+
+
+def test_new_vertices_along_a_cut_are_no_places_of_the_atlas(mesh) -> None:  # type: ignore[no-untyped-def]
+    """Their patches and parameters are means of others'."""
+    # So high that few of all vertices are new.
+    cut = mesh.clip((0.3, 0.1, 1.0), origin=(0.0, 0.0, 1.3), invert=True)
+    with pytest.raises(bm.InputError, match=r"moved, scaled, deformed or cut since it was read"):
+        cut.measure.path(NECK, BUST)
+    # Leaving out faces makes none.
+    less = mesh.remove_cells(range(100))
+    assert less.measure.distance(NECK, BUST) == pytest.approx(mesh.measure.distance(NECK, BUST))
+
+
+def test_a_mesh_that_is_no_surface_is_refused() -> None:
+    with pytest.raises(bm.InputError, match=r"a ImageData, which is no surface.*extract_surface"):
+        bm.measure_mesh(pyvista.ImageData(dimensions=(3, 3, 3)), 0, 5)
+
+
 def test_a_plain_mesh_says_that_it_is_one() -> None:
     sphere = pyvista.Sphere()
     assert sphere.measure.atlas is None
@@ -112,6 +159,8 @@ def test_quads_are_measured_as_triangles() -> None:
         (10**6, r"vertex 1000000 is not there"),
         ((0.0, 0.0), r"expected a vertex's number, a landmark's name, three"),
         ((100.0, 0.0, 0.0), r"from the surface.*another unit"),
+        (object(), r"expected a vertex's number, a landmark's name, three"),
+        (("a", "b", "c"), r"expected a vertex's number, a landmark's name, three"),
     ],
 )
 def test_bad_places_are_refused(mesh, place, message: str) -> None:  # type: ignore[no-untyped-def]
