@@ -11,13 +11,13 @@ from bodymeasure.errors import InputError
 LARGEST = 1e60
 
 
-def require_size(points: NDArray[np.float64], unit: str = "") -> None:
+def require_size(points: NDArray[np.float64], unit: str = "", what: str = "the atlas") -> None:
     """Refuse points so far or so close that squares of their areas are no numbers.
 
     Parameters
     ----------
     points : ndarray, shape (n, 3)
-    unit : str
+    unit, what : str
         For the message.
 
     Raises
@@ -31,6 +31,6 @@ def require_size(points: NDArray[np.float64], unit: str = "") -> None:
     if extent > LARGEST or 0.0 < extent < 1.0 / LARGEST:
         over = f"{extent:.3g} {unit}".rstrip()
         raise InputError(
-            f"the atlas extends over {over}; expected a size between "
+            f"{what} extends over {over}; expected a size between "
             f"{1.0 / LARGEST:g} and {LARGEST:g}: choose another unit"
         )

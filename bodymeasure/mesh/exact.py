@@ -54,9 +54,11 @@ def exact_path(mesh: TriangleMesh, source: int, target: int) -> NDArray[np.float
     inside = way <= longest * (1.0 + ROOM)
     part, used = part_of(mesh, inside[mesh.faces].any(axis=1))
     first, last = (int(np.searchsorted(used, number)) for number in (source, target))
-    solver = PyGeodesicAlgorithmExact(part.vertices, part.faces)
+    # Its tolerances are lengths. A power of 2 rounds nothing.
+    scale = float(np.ldexp(1.0, np.frexp(longest)[1]))
+    solver = PyGeodesicAlgorithmExact(part.vertices / scale, part.faces)
     # It gives the path from its target back to its source.
-    return np.asarray(solver.geodesicDistance(last, first)[1], dtype=np.float64)
+    return scale * np.asarray(solver.geodesicDistance(last, first)[1], dtype=np.float64)
 
 
 def _along_edges(mesh: TriangleMesh, source: int, target: int) -> float:

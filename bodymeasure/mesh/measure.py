@@ -11,6 +11,7 @@ import scipy
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Unit
+from bodymeasure.atlas.size import require_size
 from bodymeasure.errors import InputError
 from bodymeasure.mesh.arrays import TriangleMesh, part_of, triangle_mesh
 from bodymeasure.mesh.curved import curved, vertex_normals
@@ -83,25 +84,28 @@ def measure_mesh(
     if not np.isfinite(given.vertices).all():
         row = int(np.flatnonzero(~np.isfinite(given.vertices).all(axis=1))[0])
         raise InputError(f"mesh vertex {row} is not finite; expected three finite coordinates")
+    require_size(given.vertices, what="the mesh")
     places = [start, *via, end]
     names = ["the start", *(f"via place {i}" for i in range(len(via))), "the end"]
-    whole, numbers = given, []
+    whole, numbers, moved = given, [], 0.0
     for name, place in zip(names, places, strict=True):
-        whole, number = _with_vertex(whole, len(given.vertices), name, place)
+        whole, number, away = _with_vertex(whole, len(given.vertices), name, place)
         numbers.append(number)
+        # A place on the way is an end of two legs.
+        moved += 2.0 * away
     whole, numbers = _component(whole, numbers)
     validate_mesh(*whole)
     legs = [exact_path(whole, *ends) for ends in pairwise(numbers)]
     error = sum(_error(whole, ends, leg) for leg, ends in zip(legs, pairwise(numbers), strict=True))
     points = np.concatenate([legs[0], *(leg[1:] for leg in legs[1:])])
     known = None if unit is None else Unit.parse(unit)
-    return MeshPath(sum(map(length_of, legs)), float(error), points, known)
+    return MeshPath(sum(map(length_of, legs)), float(error) + moved, points, known)
 
 
 def _with_vertex(
     mesh: TriangleMesh, count: int, name: str, place: MeshPlace
-) -> tuple[TriangleMesh, int]:
-    """The mesh with a place as one of its vertices, and its number."""
+) -> tuple[TriangleMesh, int, float]:
+    """The mesh with a place as one of its vertices, its number, and how far it was moved."""
     if isinstance(place, (int, np.integer)) and not isinstance(place, bool):
         if not 0 <= place < count:
             raise InputError(
@@ -109,7 +113,7 @@ def _with_vertex(
             )
         if not (mesh.faces == place).any():
             raise InputError(f"{name} is vertex {place}, which belongs to no face; choose another")
-        return mesh, int(place)
+        return mesh, int(place), 0.0
     try:
         position = np.asarray(place, dtype=np.float64)
     except (TypeError, ValueError):
@@ -120,13 +124,14 @@ def _with_vertex(
         )
     foot, face = closest_on_mesh(mesh.vertices, mesh.faces, position[None])
     distance = float(np.linalg.norm(foot[0] - position))
-    size = float(np.linalg.norm(np.ptp(mesh.vertices, axis=0)))
+    size = float(np.linalg.norm(np.ptp(mesh.vertices[mesh.faces.ravel()], axis=0)))
     if distance > FARTHEST * size:
         raise InputError(
             f"{name}, {position.tolist()}, is {distance:.3g} from the mesh, whose size is "
             f"{size:.3g}; expected a place on it: is it in another unit?"
         )
-    return inserted(mesh, int(face[0]), foot[0])
+    more, number = inserted(mesh, int(face[0]), foot[0])
+    return more, number, float(np.linalg.norm(more.vertices[number] - foot[0]))
 
 
 def _component(mesh: TriangleMesh, numbers: list[int]) -> tuple[TriangleMesh, list[int]]:

@@ -53,7 +53,7 @@ def sphere(segments: int) -> TriangleMesh:
 
 def test_a_flat_mesh_is_measured_exactly() -> None:
     path = bm.measure_mesh(grid(7), np.array([0.1, 0.13, 0.0]), np.array([0.83, 0.71, 0.0]))
-    assert path.length == pytest.approx(np.hypot(0.73, 0.58), rel=1e-5)
+    assert path.length == pytest.approx(np.hypot(0.73, 0.58), rel=1e-13)
     assert path.error_estimate < 1e-9
     assert path.unit is None
 
@@ -134,6 +134,14 @@ Change = Callable[[Array, NDArray[np.int64]], tuple[Any, Any, Any, Any]]
         (lambda v, f: (v, np.vstack([f, [[0, 0, 1]]]), 0, 3), r"mesh face \d+ .*has no area"),
         (lambda v, f: (v, np.vstack([f, [[0, 1, 77]]]), 0, 3), r"mesh face 50 .*numbered 0 to 35"),
         (lambda v, f: (np.where(v == 0.2, np.nan, v), f, 0, 3), r"mesh vertex \d+ is not finite"),
+        (lambda v, f: (v, f + 0.4, 0, 3), r"its faces float64; expected .*whole numbers"),
+        (lambda v, f: (v + 1j, f, 0, 3), r"vertices are complex128 .*expected real numbers"),
+        (lambda v, f: ([[0.0], v[0].tolist()], f, 0, 3), r"vertices or faces are ragged"),
+        (lambda v, f: (1e-200 * v, f, 0, 3), r"the mesh extends over 1e-200; expected a size"),
+        (
+            lambda v, f: (np.vstack([v, [[1e6, 0.0, 0.0]]]), f, [50.0, 0.0, 0.0], 3),
+            r"the start.* from the mesh, whose size is 1.41",
+        ),
     ],
 )
 def test_bad_meshes_and_places_are_refused(change: Change, message: str) -> None:
@@ -155,3 +163,21 @@ def test_other_parts_and_unused_vertices_do_not_matter() -> None:
     assert bm.measure_mesh((more, both), 37, 72).length == pytest.approx(np.sqrt(2.0))
     with pytest.raises(bm.InputError, match=r"the start is vertex 36, which belongs to no face"):
         bm.measure_mesh((more, both), 36, 72)
+
+
+@pytest.mark.parametrize("scale", [1e-50, 1e-20, 1e20, 1e50])
+def test_size_does_not_matter(scale: float) -> None:
+    vertices, faces = sphere(4)
+    middle = vertices[faces[5]].mean(axis=0)
+    known = bm.measure_mesh((vertices, faces), 60, middle)
+    path = bm.measure_mesh((scale * vertices, faces), 60, scale * middle)
+    assert path.length == pytest.approx(scale * known.length, rel=1e-12)
+    assert path.error_estimate == pytest.approx(scale * known.error_estimate, rel=1e-9)
+
+
+def test_the_estimate_covers_that_places_beside_an_edge_are_moved_onto_it() -> None:
+    mesh = grid(3)
+    start, end = np.array([0.4, 0.4 + 1e-7, 0.0]), np.array([0.9, 0.2, 0.0])
+    path = bm.measure_mesh(mesh, start, end)
+    off = abs(path.length - np.linalg.norm(end - start))
+    assert 1e-9 < off <= path.error_estimate <= 1e-6
