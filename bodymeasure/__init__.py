@@ -59,7 +59,7 @@ from bodymeasure.measure import (
     measure_atlas,
     plane_girth,
 )
-from bodymeasure.mesh import MeshPath, measure_mesh, write_glb
+from bodymeasure.mesh import MeshPath, measure_mesh, path_to_trimesh, write_glb
 from bodymeasure.samples import load_sample, sample_names
 from bodymeasure.section import Plane
 from bodymeasure.taut import TautStatus, TautTape, taut_tape
@@ -119,6 +119,7 @@ __all__ = [
     "measure_atlas",
     "measure_chart",
     "measure_mesh",
+    "path_to_trimesh",
     "plane_girth",
     "read_atlas",
     "read_population",

@@ -57,7 +57,8 @@ class Tessellation:
             self.vertices,
             self.faces,
             vertex_attributes={
-                "patch": self.patch,
+                # GLB files have no wider whole numbers.
+                "patch": self.patch.astype(np.uint16 if self.patch.max() < 2**16 else np.uint32),
                 "u": self.parameters[:, 0],
                 "v": self.parameters[:, 1],
             },

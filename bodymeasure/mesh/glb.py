@@ -10,17 +10,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from bodymeasure.atlas import Atlas, Unit, tessellate
+from bodymeasure.atlas import Atlas, tessellate
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.files import write_bytes
 from bodymeasure.geodesic import AtlasPath
 from bodymeasure.mesh.path import MeshPath
+from bodymeasure.mesh.points import points_of
 from bodymeasure.mesh.tube import tube
 
 # Steps along a patch's side.
 SEGMENTS = 8
-# Points along a path over the smooth surface.
-PATH_POINTS = 200
 # Meters: as thick as a pencil is seen well on a body.
 RADIUS = 0.003
 # Of other objects than bodies, in parts of their size.
@@ -85,7 +84,7 @@ def write_glb(
     size = float(np.ptp(body.vertices, axis=0).max())
     radius = min(RADIUS, THICKNESS * size)
     for number, (name, given) in enumerate((paths or {}).items()):
-        points, facts = _points_of(name, given, atlas.unit)
+        points, facts = points_of(repr(name), given, atlas.unit)
         mesh = tube(points @ to_gltf.T, radius)
         if not len(mesh.faces):
             continue
@@ -100,24 +99,3 @@ def _to_gltf(atlas: Atlas) -> NDArray[np.float64]:
     axes = atlas.axes
     rows = np.stack([axes.left_vector, axes.up_vector, axes.front_vector])
     return np.asarray(rows * atlas.unit.metres)
-
-
-def _points_of(
-    name: str, given: AtlasPath | MeshPath | ArrayLike, unit: Unit
-) -> tuple[NDArray[np.float64], dict[str, Any]]:
-    if isinstance(given, AtlasPath):
-        facts = {"length": given.length, "error_estimate": given.error_estimate, "unit": unit.value}
-        return given.position(np.linspace(0.0, 1.0, PATH_POINTS)), facts
-    if isinstance(given, MeshPath):
-        said = "" if given.unit is None else given.unit.value
-        facts = {"length": given.length, "error_estimate": given.error_estimate, "unit": said}
-        return given.points, facts
-    try:
-        points = np.asarray(given, dtype=np.float64)
-    except (TypeError, ValueError):
-        points = np.empty(0)
-    if points.ndim != 2 or points.shape[1:] != (3,) or not np.isfinite(points).all():
-        raise InputError(
-            f"path {name!r} is no path; expected an AtlasPath, a MeshPath, or finite points (k, 3)"
-        )
-    return points, {}

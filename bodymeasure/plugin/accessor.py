@@ -15,14 +15,13 @@ from bodymeasure.geodesic import geodesic_between
 from bodymeasure.measure import body_girth
 from bodymeasure.measure.places import landmark_of
 from bodymeasure.mesh import measure_mesh
+from bodymeasure.mesh.points import points_of
 from bodymeasure.plugin.drawn import drawn_path, shown
 from bodymeasure.plugin.remembered import PARAMETERS, PATCH, atlas_of, lines_of, unit_of
 
 MeshPlace = int | str | AtlasPoint | Sequence[float]
 """A vertex by number; a position; on meshes that remember an atlas, a landmark or its point too."""
 
-# Points along a path over a smooth surface: so many that the chain is as long to six digits.
-PATH_POINTS = 200
 # Of the body's size: a position farther off is not on it, or in another unit.
 FARTHEST = 0.02
 
@@ -100,7 +99,7 @@ class MeasureAccessor:
             )
         places = [self._point(atlas, place) for place in (start, *via, end)]
         path = geodesic_between(atlas, places[0], places[-1], places[1:-1])
-        line = lines_of(path.position(np.linspace(0.0, 1.0, PATH_POINTS)))
+        line = lines_of(points_of("between the places", path)[0])
         return _with_facts(
             line,
             path.length,

@@ -39,6 +39,30 @@ def test_the_length_of_a_path_goes_along(tmp_path: Path) -> None:
     assert facts["unit"] == "m"
 
 
+def test_a_path_is_trimeshs_too(tmp_path: Path) -> None:
+    pytest.importorskip("pygeodesic")
+    body = bm.load_sample("female_average")
+    neck, bust = (body.landmarks[name] for name in ("back neck point", "bust point left"))
+    path = bm.geodesic_between(body, neck, bust)
+    line = bm.path_to_trimesh(path)
+    # Chords of the smooth path are a little shorter than it.
+    assert line.length == pytest.approx(path.length, rel=1e-5)
+    assert line.length < path.length
+    assert line.metadata["length"] == path.length
+    trimesh.Scene([body.to_trimesh(1), line]).export(tmp_path / "both.glb")
+    assert len(trimesh.load(tmp_path / "both.glb").geometry) == 2
+    with pytest.raises(bm.InputError, match=r"path given is no path"):
+        bm.path_to_trimesh([[0.0, 1.0]])
+
+
+def test_a_path_in_another_unit_is_refused(tmp_path: Path) -> None:
+    pytest.importorskip("pygeodesic")
+    body = bm.load_sample("paraboloid")
+    path = bm.geodesic_between(body, bm.AtlasPoint(0, 0.1, 0.2), bm.AtlasPoint(0, 0.8, 0.9))
+    with pytest.raises(bm.InputError, match=r"path 'p' is in \w+, but inch is expected"):
+        bm.write_glb(tmp_path / "p.glb", body.converted("inch"), {"p": path})
+
+
 @pytest.mark.parametrize(
     ("name", "paths", "message"),
     [
