@@ -62,16 +62,16 @@ class Atlas:
         The geometry is judged by `bodymeasure.check_atlas`.
     """
 
-    points: NDArray[np.float64]
-    index: NDArray[np.int64]
+    points: NDArray[np.float64] = field(repr=False)
+    index: NDArray[np.int64] = field(repr=False)
     unit: Unit
-    patch_names: tuple[str, ...] = ()
-    regions: tuple[str, ...] = ()
-    landmarks: Mapping[str, AtlasPoint] = field(default_factory=dict)
+    patch_names: tuple[str, ...] = field(default=(), repr=False)
+    regions: tuple[str, ...] = field(default=(), repr=False)
+    landmarks: Mapping[str, AtlasPoint] = field(default_factory=dict, repr=False)
     axes: Axes = field(default_factory=Axes)
     name: str = ""
     provenance: Mapping[str, str] = field(default_factory=dict)
-    weights: NDArray[np.float64] | None = None
+    weights: NDArray[np.float64] | None = field(default=None, repr=False)
 
     def __post_init__(self) -> None:
         index = _checked_index(self.index)

@@ -117,10 +117,10 @@ class Chart:
     """
 
     atlas: Atlas
-    definitions: Definitions
-    landmarks: Mapping[str, AtlasPoint]
-    missing_landmarks: Mapping[str, str]
-    measured: tuple[Measured, ...]
+    definitions: Definitions = field(repr=False)
+    landmarks: Mapping[str, AtlasPoint] = field(repr=False)
+    missing_landmarks: Mapping[str, str] = field(repr=False)
+    measured: tuple[Measured, ...] = field(repr=False)
     seconds: float = 0.0
     versions: Mapping[str, str] = field(default_factory=dict)
 

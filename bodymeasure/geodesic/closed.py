@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
@@ -35,6 +35,8 @@ class ClosedPath(AtlasPath):
         What loops lie close to it.
     """
 
+    # Of a loop, many.
+    points: tuple[AtlasPoint, ...] = field(repr=False)
     kind: LoopKind
 
     @property

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
@@ -59,8 +59,8 @@ class Drop:
     contact: float
     taut: float
     error_estimate: float
-    arc: SectionLoop
-    hull: Hull
+    arc: SectionLoop = field(repr=False)
+    hull: Hull = field(repr=False)
     unit: Unit
 
     @property

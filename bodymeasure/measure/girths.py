@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,9 +51,9 @@ class Girth:
     contact: float
     taut: float
     error_estimate: float
-    loop: SectionLoop
-    tape: SectionLoop | BridgedLoop
-    hull: Hull
+    loop: SectionLoop = field(repr=False)
+    tape: SectionLoop | BridgedLoop = field(repr=False)
+    hull: Hull = field(repr=False)
     unit: Unit
     remark: str = ""
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -36,13 +36,13 @@ class SectionLoop:
         Body region of each patch of the atlas.
     """
 
-    surface: CutSurface
-    pieces: Pieces
-    piece_length: NDArray[np.float64]
+    surface: CutSurface = field(repr=False)
+    pieces: Pieces = field(repr=False)
+    piece_length: NDArray[np.float64] = field(repr=False)
     error_estimate: float
     closed: bool
     unit: Unit
-    regions: tuple[str, ...]
+    regions: tuple[str, ...] = field(repr=False)
 
     @property
     def length(self) -> float:

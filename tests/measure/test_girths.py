@@ -19,7 +19,9 @@ from bodymeasure.measure import (
     body_girth,
     breadth,
     chord,
+    closed_geodesic,
     depth,
+    drop,
     extreme_girth,
     height,
     limb_girth,
@@ -248,6 +250,21 @@ def test_breadth_and_depth_follow_the_axes() -> None:
     lying = replace(oval, points=oval.points[:, [0, 2, 1]], axes=Axes(up="+y", front="+z"))
     assert height(lying, AtlasPoint(0, 0.0, 1.0)) == pytest.approx(3.0, rel=1e-15)
     assert body_girth(lying, at(0, 1, 0)).contact == pytest.approx(loop.length, rel=1e-13)
+
+
+def test_results_are_shown_in_a_line_or_two() -> None:
+    body = load_sample("female_average")
+    waist = body_girth(body, "front waist point")
+    assert repr(waist).startswith(f"Girth(contact={waist.contact}, taut={waist.taut}, ")
+    shown = (
+        body,
+        waist,
+        waist.loop,
+        drop(body, "back neck point", "back waist point"),
+        closed_geodesic(body, "front waist point"),
+    )
+    # The provenance of a body is the longest.
+    assert max(len(repr(each)) for each in shown) < 2000
 
 
 def test_mistakes_are_named() -> None:
