@@ -13,7 +13,7 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Neighbors, Place, Step
 from bodymeasure.geodesic.route import Route
 from bodymeasure.geodesic.route_mesh import RouteMesh, at_weights, barycentric
-from bodymeasure.geodesic.route_start import SEGMENTS, polyhedral_path
+from bodymeasure.geodesic.route_start import default_segments, polyhedral_path
 
 _Array = NDArray[np.float64]
 
@@ -46,12 +46,13 @@ class Segments(NamedTuple):
 
 
 def first_route(
-    atlas: Atlas, neighbors: Neighbors, ends: tuple[Place, Place], segments: int = SEGMENTS
+    atlas: Atlas, neighbors: Neighbors, ends: tuple[Place, Place], segments: int | None = None
 ) -> Route | None:
     """The route of the shortest path over a tessellation; None if none is found.
 
     Where one cannot be read, coarser meshes are tried.
     """
+    segments = default_segments(len(atlas)) if segments is None else segments
     for steps in (segments, *(coarser for coarser in COARSER if coarser < segments)):
         found = mesh_segments(atlas, *ends, steps)
         if found is None:
@@ -63,7 +64,7 @@ def first_route(
 
 
 def mesh_segments(
-    atlas: Atlas, start: Place, end: Place, segments: int = SEGMENTS
+    atlas: Atlas, start: Place, end: Place, segments: int | None = None
 ) -> Segments | None:
     """The shortest path over a tessellation; None if no path joins the two."""
     found = polyhedral_path(atlas, start, end, segments)
