@@ -74,6 +74,11 @@ def fork(atlas: Atlas, regions: tuple[str, str]) -> AtlasPoint:
     method finds its gradient zero and its Hessian indefinite; on a seam with a kink; or at a corner
     of patches.
     """
+    if isinstance(regions, str) or len(regions) != 2:
+        raise InputError(
+            f"the regions are {regions!r}; expected the beginnings of two regions' names, such as "
+            "('torso', 'upper arm left')"
+        )
     above, below = _enclosed(atlas, regions)
     first, second = _narrowest(*below.loops)
     middle, aside = 0.5 * (first + second), ASIDE * float(np.abs(atlas.points).max())

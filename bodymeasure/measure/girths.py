@@ -136,6 +136,8 @@ def body_girth(atlas: Atlas, at: Place, *, cut: tuple[Place, Place] | None = Non
     plane = Plane(position_of(atlas, at), atlas.axes.up_vector)
     if cut is None:
         return plane_girth(atlas, plane, at)
+    if isinstance(cut, str) or len(cut) != 2:
+        raise InputError(f"cut is {cut!r}; expected two places: the left and the right armpit")
     left, right = (float(position_of(atlas, place) @ atlas.axes.left_vector) for place in cut)
     if left <= right:
         raise InputError(
@@ -164,9 +166,12 @@ def limb_girth(atlas: Atlas, start: Place, end: Place, *, at: Place | float = 0.
     Raises
     ------
     InputError
-        As `plane_girth`, or if start and end coincide.
+        As `plane_girth`, if start and end coincide, or a fraction is not in [0, 1].
     """
     first, last = position_of(atlas, start), position_of(atlas, end)
+    # `not inside` rather than `outside`, so that NaN is refused too.
+    if isinstance(at, (int, float)) and not 0.0 <= at <= 1.0:
+        raise InputError(f"at is {at}; expected 0 to 1, or a place on the limb")
     point = first + at * (last - first) if isinstance(at, (int, float)) else position_of(atlas, at)
     return plane_girth(atlas, Plane(point, limb_axis(first, last)), point, limb=True)
 

@@ -91,5 +91,8 @@ def test_mistakes_are_named() -> None:
         body_girth(atlas, at(1, 0, 1), cut=(at(2, 0, 0), at(0, 0, 0)))
     with pytest.raises(InputError, match=r"the left plane .* misses it.*from 1 to -1"):
         body_girth(atlas, at(1, 0, 1), cut=(at(3, 0, 0), at(2, 0, 0)))
+    for wrong in (("armpit left",), "armpit left"):
+        with pytest.raises(InputError, match="expected two places: the left and the right armpit"):
+            body_girth(atlas, at(1, 0, 1), cut=wrong)  # type: ignore[arg-type]
     with pytest.raises(InputError, match="no landmark 'armpit left'"):
         body_girth(atlas, at(1, 0, 1), cut=("armpit left", "armpit right"))

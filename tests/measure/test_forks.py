@@ -93,6 +93,9 @@ def test_mistakes_are_named() -> None:
     atlas = load_sample("female_average")
     with pytest.raises(InputError, match=r"no region whose name begins with 'arm'; it has: crotch"):
         fork(atlas, ("torso", "arm"))
+    for wrong in (("torso",), "torso"):
+        with pytest.raises(InputError, match="expected the beginnings of two regions' names"):
+            fork(atlas, wrong)  # type: ignore[arg-type]
     with pytest.raises(InputError, match=r"share no height.*two neighboring parts"):
         fork(atlas, ("neck", "thigh"))
     with pytest.raises(InputError, match="no two horizontal loops that join farther up"):

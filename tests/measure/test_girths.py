@@ -283,6 +283,10 @@ def test_mistakes_are_named() -> None:
         plane_girth(atlas, Plane(np.zeros(3), at(1.0, 0.0, 0.0)), "crotch point")
     with pytest.raises(InputError, match="axis starts and ends at one place"):
         limb_girth(atlas, "elbow point left", "elbow point left")
+    # Beyond the elbow, the nearest loop would be the trunk's or a leg's.
+    for fraction in (-0.1, 2.0, math.nan):
+        with pytest.raises(InputError, match=rf"at is {fraction}; expected 0 to 1, or a place"):
+            limb_girth(atlas, "shoulder point left", "elbow point left", at=fraction)
     with pytest.raises(InputError, match="starts and ends at one height"):
         extreme_girth(atlas, at(0, 0, 1), at(0.1, 0, 1), "largest")
     with pytest.raises(InputError, match="kind is 'biggest'; expected 'largest' or 'smallest'"):
