@@ -18,7 +18,10 @@ from bodymeasure.geodesic.route_refine import Refined, refine
 from bodymeasure.geodesic.route_repair import other_routes, over_missing_neighbors
 
 # Of the polynomial on each patch, tried in turn.
-DEGREES = (8, 12, 16, 24, 32)
+DEGREES = (8, 12, 16, 24, 32, 48, 72)
+# Beyond this, only for paths that have no length yet, such as through the crotch of a body, where
+# patches bend sharply.
+ORDINARY = 32
 # Relative error of the length that is asked for, and what is good enough if the last degree has not
 # met it, as where patches bend sharply near a corner.
 TOLERANCE, GOOD_ENOUGH = 1e-9, 1e-6
@@ -95,7 +98,8 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
             good = length.trusted and length.error <= GOOD_ENOUGH * length.raw
         history.append(best.length)
         good = good and best.minimum.converged
-        if good and not contact and length.error <= TOLERANCE * length.raw:
+        exact = not contact and length.error <= TOLERANCE * length.raw
+        if good and (exact or degree >= ORDINARY):
             break
     return Found(best, length, contact, good, len(tried))
 

@@ -70,3 +70,12 @@ def test_down_the_middle_of_the_back_where_the_path_runs_along_seams(name: str) 
     assert path.length == pytest.approx(back.length, rel=1e-11)
     # The body is symmetric about x = 0: the path leaves the seams by micrometers.
     np.testing.assert_allclose(path.position(np.linspace(0.0, 1.0, 50))[:, 0], 0.0, atol=1e-4)
+
+
+def test_a_path_through_the_crotch_has_as_many_functions_as_it_takes() -> None:
+    body = bm.load_sample("female_average")
+    start, end = bm.AtlasPoint(131, 0.5, 0.5), bm.AtlasPoint(331, 0.5, 0.75)
+    ahead, back = bm.geodesic_between(body, start, end), bm.geodesic_between(body, end, start)
+    assert ahead.length == pytest.approx(back.length, rel=1e-9)
+    assert ahead.error_estimate < 1e-7 * ahead.length
+    assert any(body.regions[patch].startswith("crotch") for patch in ahead.patches)
