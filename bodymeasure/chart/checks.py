@@ -5,11 +5,14 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 import msgspec
 
 from bodymeasure.chart.definitions import (
+    ChordMeasure,
     Definitions,
+    HeightMeasure,
     LimbGirthMeasure,
     Measurement,
     PathMeasure,
@@ -61,8 +64,27 @@ def _measurement_faults(measurement: Measurement) -> Iterator[Fault]:
     match measurement:
         case PathMeasure(through=through) if len(through) < 2:
             yield Fault(measurement, "through", "through needs two landmarks or more")
+        case PathMeasure(through=through):
+            for one, other in pairwise(through):
+                yield from _one_place(measurement, "through", one, other)
+        case ChordMeasure(start=start, end=end):
+            yield from _one_place(measurement, "end", start, end)
+        case HeightMeasure(at=at, above=above):
+            yield from _one_place(measurement, "above", at, above)
         case LimbGirthMeasure(at=float() as at) if not 0.0 <= at <= 1.0:
             yield Fault(measurement, "at", f"at is {at}; expected 0 to 1, or a landmark's name")
+
+
+def _one_place(
+    measurement: Measurement, member: str, one: str, other: str | None
+) -> Iterator[Fault]:
+    """A slip that would be measured as 0."""
+    if one == other:
+        yield Fault(
+            measurement,
+            member,
+            f"leads from {one!r} to the same landmark, which is 0 on every body; name two",
+        )
 
 
 # Words may be left out; everything else that is text names something.

@@ -208,6 +208,18 @@ FAULTS = [
         r"line 9: measurement 'it': at: expected text, got",
     ),
     (
+        HEAD + entry("path", 'through = ["a", "b", "b"]'),
+        r"line 9: measurement 'it': leads from 'b' to the same landmark, which is 0 on every body",
+    ),
+    (
+        HEAD + entry("chord", 'start = "a"\nend = "a"'),
+        r"line 10: measurement 'it': leads from 'a' to the same landmark",
+    ),
+    (
+        HEAD + entry("height", 'at = "a"\nabove = "a"'),
+        r"line 10: measurement 'it': leads from 'a' to the same landmark",
+    ),
+    (
         HEAD + entry("formula", 'formula = "itt + 1"'),
         r"line 9: measurement 'it': the formula 'itt \+ 1' names 'itt', which is no key here; did",
     ),
