@@ -9,6 +9,9 @@ from bodymeasure.section import PlaneSection, SectionLoop
 ARM = ("upper arm", "elbow", "forearm", "wrist", "hand")
 TRUNK = ("torso", "hip", "crotch")
 SIDES = ("left", "right")
+# Of the arm's own loop: what the trunk's loop may have of the arm's patches. Just below the armpits
+# of the sample bodies it has up to 0.31; one that goes round the arm, about as much as that loop.
+TOUCHED = 0.4
 
 UNJUDGED = (
     "whether the loop goes round more than one part of the body was not judged, since the atlas "
@@ -37,8 +40,9 @@ def refuse_merged(section: PlaneSection, loop: SectionLoop, *, limb: bool) -> No
 
     Notes
     -----
-    Just below the armpit a loop of the trunk may cross patches that belong to the arm. It is only
-    merged with the arm if no other loop of the section is the arm's.
+    Just below the armpit a loop of the trunk may cross patches that belong to the arm, but only a
+    little beside the arm's own loop. A tilted plane may cut the arm a second time, farther down:
+    that there is another loop of it does not tell.
     """
     reason = merged(section, loop, limb=limb)
     if reason is not None:
@@ -52,7 +56,8 @@ def merged(section: PlaneSection, loop: SectionLoop, *, limb: bool) -> str | Non
         if arm == 0.0 or trunk == 0.0 or (limb and arm > trunk):
             continue
         others = [other for other in section.loops if other is not loop]
-        if not limb and any(_length(other, ARM, side) > 0.5 * other.length for other in others):
+        own = [other.length for other in others if _length(other, ARM, side) > 0.5 * other.length]
+        if not limb and own and arm <= TOUCHED * max(own):
             continue
         return (
             f"the loop merges the trunk and the {side} arm ({_words(loop)}): the plane passes "

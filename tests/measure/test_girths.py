@@ -28,7 +28,7 @@ from bodymeasure.measure import (
     plane_girth,
 )
 from bodymeasure.samples import load_sample
-from bodymeasure.section import Plane, convex_hull
+from bodymeasure.section import Plane, convex_hull, plane_section
 
 BODIES = ["female_average", "female_full_bust", "female_heavy", "female_old", "male_average"]
 
@@ -205,6 +205,19 @@ def test_a_loop_that_merges_trunk_and_arms_is_refused(name: str) -> None:
         body_girth(atlas, at(0.0, -0.2, z))
     with pytest.raises(InputError, match=r"at \d+\.\d % of the stretch.*shorten the stretch"):
         extreme_girth(atlas, "front waist point", "shoulder point left", "largest")
+
+
+def test_a_merging_loop_is_refused_though_the_plane_cuts_the_arm_again() -> None:
+    # From nape to waist in front: through the shoulders, and through the bent forearms too.
+    atlas = load_sample("female_average")
+    front, back = (
+        atlas.position(atlas.landmarks[name]) for name in ("front waist point", "back neck point")
+    )
+    tilted = Plane(front, np.cross(atlas.axes.left_vector, front - back))
+    arms = [loop for loop in plane_section(atlas, tilted).loops if loop.length < 0.5]
+    assert any(set(loop.length_by_region) <= {"forearm left", "upper arm left"} for loop in arms)
+    with pytest.raises(InputError, match="merges the trunk and the left arm"):
+        plane_girth(atlas, tilted, "front waist point")
 
 
 def test_a_limb_girth_round_the_trunk_is_refused() -> None:
