@@ -45,7 +45,7 @@ class Body:
     atlas: Atlas
     landmarks: Mapping[str, AtlasPoint]
     missing: Mapping[str, str] = field(default_factory=dict)
-    _girths: dict[tuple[str, bytes], Girth] = field(default_factory=dict, repr=False)
+    _girths: dict[tuple[str, bytes, bool], Girth] = field(default_factory=dict, repr=False)
 
     @cached_property
     def _outwards(self) -> float:
@@ -78,16 +78,16 @@ class Body:
         points = [self.point(name) for name in through]
         return joined([leg(self.atlas, *ends) for ends in pairwise(points)])
 
-    def girth(self, plane: Plane, at: str) -> Girth:
+    def girth(self, plane: Plane, at: str, *, limb: bool = False) -> Girth:
         """The girth in a plane through a landmark, each found once."""
-        key = (at, plane.normal.tobytes())
+        key = (at, plane.normal.tobytes(), limb)
         if key not in self._girths:
-            self._girths[key] = plane_girth(self.atlas, plane, self.point(at))
+            self._girths[key] = plane_girth(self.atlas, plane, self.point(at), limb=limb)
         return self._girths[key]
 
-    def level_girth(self, at: str) -> Girth:
-        """The horizontal girth at a landmark's height."""
-        return self.girth(Plane(self.position(at), self.atlas.axes.up_vector), at)
+    def level_girth(self, at: str, *, limb: bool = False) -> Girth:
+        """The horizontal girth at a landmark's height; with `limb`, of one limb alone."""
+        return self.girth(Plane(self.position(at), self.atlas.axes.up_vector), at, limb=limb)
 
     def tape(self, kind: TapeKind, drawn: DrawnTape) -> Tape:
         """A tape along a section, to be drawn."""

@@ -12,6 +12,7 @@ import msgspec
 from bodymeasure.chart.definitions import (
     ChordMeasure,
     Definitions,
+    GirthMeasure,
     HeightMeasure,
     LimbGirthMeasure,
     Measurement,
@@ -71,6 +72,8 @@ def _measurement_faults(measurement: Measurement) -> Iterator[Fault]:
             yield from _one_place(measurement, "end", start, end)
         case HeightMeasure(at=at, above=above):
             yield from _one_place(measurement, "above", at, above)
+        case GirthMeasure(cut=cut, limb=True) if cut is not None:
+            yield Fault(measurement, "cut", "cut is for the trunk, limb for a leg or arm; give one")
         case LimbGirthMeasure(at=float() as at) if not 0.0 <= at <= 1.0:
             yield Fault(measurement, "at", f"at is {at}; expected 0 to 1, or a landmark's name")
 

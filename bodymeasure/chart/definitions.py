@@ -86,12 +86,14 @@ class GirthMeasure(_Measurement, frozen=True, kw_only=True, tag="girth"):
     """Horizontal girth of the trunk, or of whatever part the landmark lies on, at its height.
 
     `cut` names two landmarks (armpits) at whose vertical front-to-back planes a loop that merges
-    trunk and arms is cut; the gaps are bridged straight.
+    trunk and arms is cut; the gaps are bridged straight. With `limb`, the loop has to go round one
+    leg or arm alone.
     """
 
     at: str
     tape: TapeWanted = "taut"
     cut: tuple[str, str] | None = None
+    limb: bool = False
 
 
 class TiltedGirthMeasure(_Measurement, frozen=True, kw_only=True, tag="tilted girth"):

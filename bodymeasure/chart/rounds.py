@@ -23,7 +23,7 @@ def measure_girth(body: Body, definition: GirthMeasure) -> Measured:
     """The horizontal girth at a landmark's height."""
     at, cut = definition.at, definition.cut
     if cut is None:
-        return _measured(body, definition, body.level_girth(at), (at,))
+        return _measured(body, definition, body.level_girth(at, limb=definition.limb), (at,))
     girth = body_girth(body.atlas, body.point(at), cut=(body.point(cut[0]), body.point(cut[1])))
     return _measured(body, definition, girth, (at, *cut))
 

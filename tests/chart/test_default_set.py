@@ -9,6 +9,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from msgspec.structs import replace as replaced
 from pattern_names import FREESEWING, SEAMLY
 
 from bodymeasure.atlas import Atlas, Axes
@@ -177,6 +178,19 @@ def test_known_girths_of_the_average_body() -> None:
         assert chart[key].contact == pytest.approx(contact, abs=5e-4)
         assert chart[key].taut == pytest.approx(taut, abs=5e-4)
     assert 0.38 < chart["back_neck_to_waist"].value < 0.42
+
+
+def test_a_girth_of_both_thighs_is_none_of_a_thigh() -> None:
+    body = load_sample("female_average")
+    # As on a body whose thighs touch.
+    high = replace(
+        body, landmarks={**body.landmarks, "upper thigh point left": body.landmarks["crotch point"]}
+    )
+    thighs = tuple(one for one in DEFAULT.measurement if one.key == "thigh_girth_{side}")
+    left, right = measure_chart(high, replaced(DEFAULT, measurement=thighs)).measured
+    assert left.outcome is Outcome.REFUSED
+    assert re.match(r"the loop is to go round one limb, but has parts of both sides", left.reason)
+    assert right.outcome is Outcome.MEASURED
 
 
 def turned(atlas: Atlas) -> Atlas:

@@ -212,6 +212,10 @@ FAULTS = [
         r"line 9: measurement 'it': leads from 'b' to the same landmark, which is 0 on every body",
     ),
     (
+        HEAD + entry("girth", 'at = "a"\nlimb = true\ncut = ["b", "c"]'),
+        r"line 11: measurement 'it': cut is for the trunk, limb for a leg or arm; give one",
+    ),
+    (
         HEAD + entry("chord", 'start = "a"\nend = "a"'),
         r"line 10: measurement 'it': leads from 'a' to the same landmark",
     ),
