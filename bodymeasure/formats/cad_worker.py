@@ -73,16 +73,30 @@ def _surface(face: Any) -> tuple[Any, bool]:
 
     bounds = _static(BRepTools, "UVBounds")(face)
     surface = _static(BRep_Tool, "Surface")(face)
-    own = np.array(surface.Bounds())
-    whole = np.abs(own - bounds).max() <= ON_BORDER * max(1.0, np.abs(bounds).max())
-    if not whole:
-        surface = Geom_RectangularTrimmedSurface(surface, *bounds)
+    own, covered = np.array(surface.Bounds()), _covered(surface, bounds)
+    if (covered != own).any():
+        surface = Geom_RectangularTrimmedSurface(surface, *covered)
     spline = _static(GeomConvert, "SurfaceToBSplineSurface")(surface)
     if spline.IsUPeriodic():
         spline.SetUNotPeriodic()
     if spline.IsVPeriodic():
         spline.SetVNotPeriodic()
     return spline, _is_trimmed(face, bounds)
+
+
+def _covered(surface: Any, bounds: tuple[float, ...]) -> NDArray[np.float64]:
+    """A face's range in u and v, put on its surface's own borders where it is beside them.
+
+    Of more than a full turn, be it by rounding, Open CASCADE converts nothing at all.
+    """
+    own, covered = np.array(surface.Bounds()), np.array(bounds)
+    near = np.abs(covered - own) <= ON_BORDER * max(1.0, np.abs(covered).max())
+    covered[near] = own[near]
+    turns = (surface.IsUPeriodic(), surface.IsVPeriodic())
+    for axis, is_periodic in zip((slice(0, 2), slice(2, 4)), turns, strict=True):
+        if is_periodic and np.ptp(covered[axis]) >= np.ptp(own[axis]) * (1.0 - ON_BORDER):
+            covered[axis] = own[axis]
+    return covered
 
 
 def _is_trimmed(face: Any, bounds: tuple[float, ...]) -> bool:

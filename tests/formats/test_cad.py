@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import bodymeasure as bm
 from bodymeasure.bezier import evaluate
@@ -83,6 +84,35 @@ def test_a_sphere_has_diagonals_of_great_circles(kind: str, tmp_path: Path) -> N
     middle = np.array([1.0, 2.0, 3.0])
     cosine = ((start - middle) * (end - middle)).sum(axis=-1) / 400.0
     np.testing.assert_allclose(bm.diagonals(atlas).length, 20.0 * np.arccos(cosine), rtol=1e-9)
+
+
+@pytest.mark.filterwarnings("ignore:.*is trimmed:bodymeasure.errors.ReadWarning")
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("top", [0.0, 2.0])
+def test_full_turns_are_read_though_rounding_makes_them_a_little_more(
+    kind: str, top: float, tmp_path: Path, rng: np.random.Generator
+) -> None:
+    from OCP.BRepPrimAPI import BRepPrimAPI_MakeCone, BRepPrimAPI_MakeTorus
+
+    cone = BRepPrimAPI_MakeCone(5.0, top, 10.0).Shape()
+    atlas = bm.read_atlas(written(tmp_path / f"cone.{kind}", cone))
+    # Three patches round, and one for each lid.
+    assert len(atlas) == (4 if top == 0.0 else 5)
+    round_ = _points(atlas, rng)[:3]
+    radius = np.linalg.norm(round_[..., :2], axis=-1)
+    np.testing.assert_allclose(radius, 5.0 - (5.0 - top) * round_[..., 2] / 10.0, atol=1e-12)
+
+    segment = BRepPrimAPI_MakeTorus(10.0, 3.0, 1.0).Shape()
+    tube = _points(bm.read_atlas(written(tmp_path / f"torus.{kind}", segment)), rng)[:3]
+    angle = np.arctan2(tube[..., 1], tube[..., 0])
+    assert angle.min() > -1e-9
+    assert angle.max() < 1.0 + 1e-9
+    off_axis = np.linalg.norm(tube[..., :2], axis=-1) - 10.0
+    np.testing.assert_allclose(np.hypot(off_axis, tube[..., 2]), 3.0, atol=1e-12)
+
+
+def _points(atlas: bm.Atlas, rng: np.random.Generator) -> NDArray[np.float64]:
+    return evaluate(atlas.control_points, rng.uniform(size=(len(atlas), 50, 2)))
 
 
 @pytest.mark.parametrize("kind", KINDS)
