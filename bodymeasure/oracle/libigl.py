@@ -121,18 +121,19 @@ def closest_on_mesh(
     MissingExtraError
         If libigl is not installed.
     """
-    _, face, points = _import_igl().point_mesh_squared_distance(positions, vertices, faces)
+    igl = _import_igl("a place on a mesh between its vertices")
+    _, face, points = igl.point_mesh_squared_distance(positions, vertices, faces)
     return points, face
 
 
-def require_libigl() -> None:
+def require_libigl(feature: str = "the cross-check") -> None:
     """Raise `MissingExtraError` if libigl is not installed, before any work is shared out."""
     if find_spec("igl") is None:
-        raise MissingExtraError("the cross-check", "libigl", "oracle")
+        raise MissingExtraError(feature, "libigl", "oracle")
 
 
-def _import_igl() -> Any:
-    require_libigl()
+def _import_igl(feature: str = "the cross-check") -> Any:
+    require_libigl(feature)
     import igl
 
     return igl
