@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.extent import size_along
 from bodymeasure.atlas.joins import parts, seams_of
 from bodymeasure.atlas.normals import patch_sizes
 from bodymeasure.atlas.seams import edge_table
@@ -24,7 +25,7 @@ class AtlasSummary:
     rational : bool
     unit : Unit
     height, width, depth : float
-        Of the box round the control points, along the atlas's axes: up, across, to the front.
+        Of the box round the surface, along the atlas's axes: up, across, to the front.
     seams, boundary_edges, parts : int
         Edges that two patches share, that one has alone, and connected parts.
     collapsed_edges : int
@@ -69,7 +70,7 @@ def summarize(atlas: Atlas) -> AtlasSummary:
     sides = table.sides[table.edge][~collapsed]
     axes, nets = atlas.axes, atlas.points[atlas.index]
     frame = np.stack([axes.up_vector, axes.left_vector, axes.front_vector])
-    box = np.ptp(nets.reshape(-1, 3) @ frame.T, axis=0)
+    box = size_along(atlas, frame)
     sizes = patch_sizes(nets)
     return AtlasSummary(
         patches=len(atlas),

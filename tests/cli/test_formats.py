@@ -112,7 +112,7 @@ def test_info_says_what_an_atlas_holds(run: Run, teapot: Path) -> None:
     table = {row[:17].strip(): row[17:].strip() for row in rows}
     assert table["patches"] == "32, 302 control points"
     assert table["degree"] == "3, polynomial"
-    assert table["size"] == "3.15 high, 6.525 wide, 4 deep cm"
+    assert table["size"] == "3.15 high, 6.434 wide, 4 deep cm"
     assert table["seams"] == "52; 16 edges on the boundary, 8 collapsed to a point"
     assert table["parts"] == "4"
     assert table["landmarks"] == "none"
