@@ -24,6 +24,9 @@ def tube(points: NDArray[np.float64], radius: float) -> TriangleMesh:
     if len(points) < 2:
         return TriangleMesh(np.empty((0, 3)), np.empty((0, 3), dtype=np.int64))
     along = np.gradient(points, axis=0)
+    # Where a path goes back the way it came, the tube ends and begins again.
+    back = np.flatnonzero((along == 0.0).all(axis=1))
+    along[back] = points[back] - points[back - 1]
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     side = np.empty_like(points)
     across = np.eye(3)[np.argmin(np.abs(along[0]))]

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import bodymeasure as bm
+from bodymeasure.mesh.tube import tube
 
 trimesh = pytest.importorskip("trimesh")
 
@@ -89,3 +90,11 @@ def test_a_mesh_of_an_atlas_knows_where_its_vertices_are() -> None:
             int(attributes["patch"][row]), float(attributes["u"][row]), float(attributes["v"][row])
         )
         np.testing.assert_allclose(mesh.vertices[row], body.position(point), atol=1e-12)
+
+
+def test_a_tube_keeps_its_radius_where_its_path_goes_back() -> None:
+    points = np.array([[0.0, 0, 0], [1, 0, 0], [0, 0, 0], [0, 2, 0]])
+    mesh = tube(points, 0.1)
+    rings = mesh.vertices.reshape(len(points), -1, 3)
+    away = np.linalg.norm(rings - points[:, None], axis=-1)
+    np.testing.assert_allclose(away, 0.1, rtol=1e-12)
