@@ -14,6 +14,7 @@ from bodymeasure.chart.definitions import (
     Measurement,
 )
 from bodymeasure.chart.measured import Measured, Outcome, Tape, TapeKind
+from bodymeasure.errors import InputError
 from bodymeasure.measure import breadth, depth
 
 _Array = NDArray[np.float64]
@@ -22,21 +23,42 @@ _Array = NDArray[np.float64]
 # search stops where it is as good (`bodymeasure.section.extent`).
 ROUNDING = 4.0 * float(np.finfo(np.float64).eps)
 EXTENT = 1e-13
+# Of the body's extent: how far soles may reach below the floor, as those of a scan do.
+SUNKEN = 0.02
 
 
 def measure_height(body: Body, definition: HeightMeasure) -> Measured:
     """The vertical distance from the floor, or from another landmark.
 
     The floor is where the coordinate along the atlas's way up is 0: an atlas may end above the
-    ankles, so that its lowest point tells nothing.
+    ankles, so that its lowest point tells nothing, unless it lies below.
+
+    Raises
+    ------
+    InputError
+        If the body reaches below the floor from which a height is asked for.
     """
     up = body.atlas.axes.up_vector
     top = body.position(definition.at)
     above = definition.above
+    if above is None:
+        _require_floor(body)
     floor = 0.0 if above is None else float(body.position(above) @ up)
     names = (definition.at,) if above is None else (definition.at, above)
     height = float(top @ up) - floor
     return _straight(body, definition, abs(height), names, (top, top - height * up))
+
+
+def _require_floor(body: Body) -> None:
+    degree, unit = body.atlas.degree, body.atlas.unit
+    numbers = body.atlas.index[:, ::degree, ::degree]
+    corners = body.atlas.points[numbers] @ body.atlas.axes.up_vector
+    low, high = float(corners.min()), float(corners.max())
+    if low < -SUNKEN * (high - low):
+        raise InputError(
+            f"the body reaches {-low:.4g} {unit} below the floor, which is where the coordinate "
+            "along the way up is 0; move the body onto the floor, or check the atlas's axes"
+        )
 
 
 def measure_chord(body: Body, definition: ChordMeasure) -> Measured:

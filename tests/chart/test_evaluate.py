@@ -252,6 +252,23 @@ def refused(atlas: Atlas, measurement: Measurement, outcome: Outcome) -> str:
     return found.reason
 
 
+def test_heights_need_a_floor_under_the_body() -> None:
+    atlas = post()
+    sunk = replace(atlas, points=atlas.points - [0.0, 0.0, 2.0])
+    straight = [
+        HeightMeasure(key="height", name="height", at="front"),
+        HeightMeasure(key="rise", name="rise", at="high front", above="low front"),
+    ]
+    height, rise = chart_of(sunk, straight).measured
+    assert (height.outcome, rise.outcome) == (Outcome.REFUSED, Outcome.MEASURED)
+    assert height.reason.startswith("the body reaches 2 cm below the floor, which is where the ")
+    assert height.reason.endswith("move the body onto the floor, or check the atlas's axes")
+    assert rise.value == 1.5
+    # Of a scan, the soles are not quite flat.
+    standing = replace(atlas, points=atlas.points - [0.0, 0.0, 0.05])
+    assert chart_of(standing, straight)["height"].value == pytest.approx(1.45, rel=1e-12)
+
+
 def test_a_missing_landmark_is_named() -> None:
     height = HeightMeasure(key="a", name="a", at="high frnt")
     reason = refused(post(), height, Outcome.MISSING_LANDMARK)
