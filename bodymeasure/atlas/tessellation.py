@@ -85,9 +85,9 @@ def tessellate(atlas: Atlas, segments: int) -> Tessellation:
     Raises
     ------
     InputError
-        If `segments` is less than 1.
+        If `segments` is no whole number, or less than 1.
     """
-    if segments < 1:
+    if not isinstance(segments, (int, np.integer)) or segments < 1:
         raise InputError(f"segments is {segments}; expected at least 1 a patch edge")
     grid = _welded_grids(atlas.index, segments)
     # Number the vertices in the order in which patches first use them: the first is the owner.

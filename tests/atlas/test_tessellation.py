@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import math
 import sys
+from typing import Any
 
 import numpy as np
 import pytest
@@ -140,9 +141,10 @@ def test_without_trimesh_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> 
         mesh.to_trimesh()
 
 
-def test_no_segments_are_refused() -> None:
-    with pytest.raises(InputError, match="segments is 0; expected at least 1"):
-        tessellate(grid_atlas(1, 1), 0)
+@pytest.mark.parametrize("segments", [0, -3, 2.5, "4"])
+def test_no_segments_are_refused(segments: Any) -> None:
+    with pytest.raises(InputError, match=rf"segments is {segments}; expected at least 1"):
+        tessellate(grid_atlas(1, 1), segments)
 
 
 @pytest.mark.parametrize("segments", [1, 3])
