@@ -25,12 +25,18 @@ def main(file: str, result: str) -> int:
     if shape is None:
         return 1
     arrays: dict[str, Any] = {}
-    facts = []
+    faces: list[dict[str, Any]] = []
+    notes: list[str] = []
     for number, face in enumerate(_faces(shape)):
+        place = f"face {number + 1}"
         surface, trimmed = _surface(face)
+        if trimmed:
+            notes.append(f"{place} is trimmed; its underlying surface is taken")
         arrays |= {f"{name} {number}": array for name, array in _arrays(surface, face).items()}
-        facts.append({"degrees": [surface.UDegree(), surface.VDegree()], "trimmed": trimmed})
-    np.savez(result, faces=np.array(json.dumps(facts)), **arrays)
+        degrees = [surface.UDegree(), surface.VDegree()]
+        faces.append({"name": place, "group": "", "place": place, "degrees": degrees})
+    document = {"unit": "mm", "notes": notes, "faces": faces}
+    np.savez(result, document=np.array(json.dumps(document)), **arrays)
     return 0
 
 

@@ -1,0 +1,111 @@
+"""Files that a library of others reads, in a process of its own, which a broken file may end."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.errors import InputError
+from bodymeasure.formats.patches import ReadPatches
+from bodymeasure.formats.spline_patches import spline_patches
+
+_Array = NDArray[np.float64]
+
+
+class Reader(NamedTuple):
+    """What reads a file.
+
+    Parameters
+    ----------
+    script : str
+        Beside this file; called with the file and what it has to write: an ``.npz`` file with the
+        arrays ``points k``, ``weights k``, ``knots u k`` and ``knots v k`` of each surface, and as
+        ``document`` JSON with the ``unit``, ``notes``, and of each of the ``faces`` its ``name``,
+        ``group``, ``place`` and ``degrees``.
+    kind, title : str
+        Extension of the files, and what they are called.
+    library : str
+        What errors call it.
+    longest : float
+        Seconds that it may take.
+    """
+
+    script: str
+    kind: str
+    title: str
+    library: str
+    longest: float
+
+
+def surfaces_of_file(content: bytes, source: str, reader: Reader) -> tuple[str, ReadPatches]:
+    """The unit that a file says, and its surfaces cut into patches.
+
+    Raises
+    ------
+    InputError
+        If the library cannot read it, or a surface is no B-spline with positive weights.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        given, found = Path(folder, f"file.{reader.kind}"), Path(folder, "surfaces.npz")
+        given.write_bytes(content)
+        # By its path, since it needs nothing of the package, which takes a second to import.
+        worker = str(Path(__file__).with_name(reader.script))
+        try:
+            done = subprocess.run(
+                [sys.executable, "-P", worker, str(given), str(found)],
+                capture_output=True,
+                timeout=reader.longest,
+                check=False,
+            )
+        except subprocess.TimeoutExpired:
+            raise InputError(
+                f"{source}: {reader.library} did not read it in {reader.longest:.0f} s; it may be "
+                "damaged, or have very many faces: export fewer"
+            ) from None
+        if done.returncode != 0 or not found.exists():
+            raise InputError(
+                f"{source}: is no {reader.title} file that {reader.library} can read; "
+                "expected one with surfaces; it may have been cut off or edited by hand"
+            )
+        with np.load(found) as arrays:
+            return _patches(dict(arrays), source)
+
+
+def _patches(arrays: Mapping[str, NDArray[Any]], source: str) -> tuple[str, ReadPatches]:
+    document = json.loads(str(arrays["document"]))
+    nets: list[_Array] = []
+    weights: list[_Array] = []
+    names: list[str] = []
+    groups: list[str] = []
+    places: list[str] = []
+    for number, face in enumerate(document["faces"]):
+        try:
+            own_weights = arrays[f"weights {number}"]
+            # `not positive` rather than `negative`, so that NaN is refused too.
+            if not (own_weights > 0.0).all():
+                raise InputError(
+                    "has weights that are not positive, with which a surface has poles"
+                )
+            own_nets, cut_weights = spline_patches(
+                arrays[f"points {number}"],
+                own_weights,
+                tuple(face["degrees"]),
+                (arrays[f"knots u {number}"], arrays[f"knots v {number}"]),
+            )
+        except InputError as error:
+            raise InputError(f"{source}, {face['place']}: {error}") from None
+        nets += own_nets
+        weights += cut_weights
+        names += [face["name"]] * len(own_nets)
+        groups += [face["group"]] * len(own_nets)
+        places += [face["place"]] * len(own_nets)
+    found = ReadPatches(nets, weights, names, groups, places, notes=document["notes"])
+    return document["unit"], found

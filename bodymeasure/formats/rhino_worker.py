@@ -1,0 +1,171 @@
+"""The process in which rhino3dm reads a file: ``python rhino_worker.py FILE RESULT``."""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+_Array = NDArray[np.float64]
+
+# Bytes. A file of some kilobytes with one wrong byte may ask for many times what there is.
+MEMORY = 4 * 2**30
+# Points along an edge at which it is compared with the sides of its face's surface.
+ALONG = 5
+# Segments of a surface's sides for that; their sag on a half circle is 1e-4 of its radius.
+SEGMENTS = 256
+# Of a surface's size: edges that run so close to its sides are those, the face is not trimmed.
+# Rhino's own edges follow within 1e-5 or so.
+ON_SIDE = 1e-3
+
+
+class _Found(NamedTuple):
+    """One surface of a file, and whether its face covers only a part of it."""
+
+    name: str
+    layer: str
+    surface: Any
+    reversed: bool
+    trimmed: bool
+
+
+def main(file: str, result: str) -> int:
+    """Read all surfaces of a file and save them; 1 if it cannot be read."""
+    import rhino3dm
+
+    _limit_memory()
+    model: Any = rhino3dm.File3dm.Read(file)
+    if model is None:
+        return 1
+    arrays: dict[str, Any] = {}
+    faces: list[dict[str, Any]] = []
+    notes: list[str] = []
+    objects: Any = model.Objects
+    for number, item in enumerate(objects):
+        name = item.Attributes.Name
+        place = f"object {number}" + (f" ({name!r})" if name else "")
+        found = _surfaces(model, item)
+        if not found:
+            kind = type(item.Geometry).__name__
+            notes.append(f"{place} is a {kind}, which has no NURBS surface; it is left out")
+        for face, one in enumerate(found):
+            where = place if len(found) == 1 else f"{place}, face {face}"
+            if one.trimmed:
+                notes.append(f"{where} is trimmed; its whole underlying surface is taken")
+            own = _arrays(one)
+            arrays |= {f"{key} {len(faces)}": array for key, array in own.items()}
+            degrees = [one.surface.OrderU - 1, one.surface.OrderV - 1]
+            faces.append({"name": one.name, "group": one.layer, "place": where, "degrees": degrees})
+    document = {
+        "unit": model.Settings.ModelUnitSystem.name,
+        "notes": notes,
+        "faces": faces,
+    }
+    np.savez(result, document=np.array(json.dumps(document)), **arrays)
+    return 0
+
+
+def _limit_memory() -> None:
+    if sys.platform == "win32":
+        return
+    import resource
+
+    _, most = resource.getrlimit(resource.RLIMIT_AS)
+    least = MEMORY if most == resource.RLIM_INFINITY else min(MEMORY, most)
+    resource.setrlimit(resource.RLIMIT_AS, (least, most))
+
+
+def _surfaces(file: Any, item: Any) -> list[_Found]:
+    import rhino3dm
+
+    geometry, attributes = item.Geometry, item.Attributes
+    layer = _layer(file, attributes.LayerIndex)
+    if isinstance(geometry, rhino3dm.Extrusion):
+        geometry = geometry.ToBrep(True)
+    if isinstance(geometry, rhino3dm.Brep):
+        listed: Any = geometry.Faces
+        faces = [listed[number] for number in range(len(listed))]
+        surfaces = [face.ToNurbsSurface() for face in faces]
+        return [
+            _Found(
+                attributes.Name,
+                layer,
+                surface,
+                bool(face.OrientationIsReversed),
+                not geometry.IsSurface and _is_trimmed(geometry, face, surface),
+            )
+            for face, surface in zip(faces, surfaces, strict=True)
+            if surface is not None
+        ]
+    if isinstance(geometry, rhino3dm.Surface):
+        surface = geometry.ToNurbsSurface()
+        return [] if surface is None else [_Found(attributes.Name, layer, surface, False, False)]
+    return []
+
+
+def _layer(file: Any, index: int) -> str:
+    return str(file.Layers[index].Name) if 0 <= index < len(file.Layers) else ""
+
+
+def _is_trimmed(brep: Any, face: Any, surface: Any) -> bool:
+    """Whether a face's edges run elsewhere than along its surface's sides."""
+    if len(face.Loops) != 1:
+        return True
+    sides = np.concatenate(_sides(surface))
+    size = float(np.linalg.norm(np.ptp(sides, axis=0)))
+    trims = face.Loops[0].Trims
+    for number in range(len(trims)):
+        # At a pole a side has no edge.
+        if trims[number].EdgeIndex < 0:
+            continue
+        edge = brep.Edges[trims[number].EdgeIndex]
+        for fraction in (np.arange(ALONG) + 0.5) / ALONG:
+            t = edge.Domain.T0 + fraction * (edge.Domain.T1 - edge.Domain.T0)
+            point = edge.PointAt(t)
+            away = np.linalg.norm(sides - [point.X, point.Y, point.Z], axis=1).min()
+            if away > ON_SIDE * size + _spacing(sides):
+                return True
+    return False
+
+
+def _spacing(sides: _Array) -> float:
+    return 0.5 * float(np.median(np.linalg.norm(np.diff(sides, axis=0), axis=1)))
+
+
+def _sides(surface: Any) -> list[_Array]:
+    u, v = surface.Domain(0), surface.Domain(1)
+    along_u = np.linspace(u.T0, u.T1, SEGMENTS + 1)
+    along_v = np.linspace(v.T0, v.T1, SEGMENTS + 1)
+    pairs = [[(t, end) for t in along_u] for end in (v.T0, v.T1)]
+    pairs += [[(end, t) for t in along_v] for end in (u.T0, u.T1)]
+    points = [[surface.PointAt(*pair) for pair in side] for side in pairs]
+    return [np.array([[p.X, p.Y, p.Z] for p in side]) for side in points]
+
+
+def _arrays(found: _Found) -> dict[str, _Array]:
+    surface = found.surface
+    shape = surface.Points.CountU, surface.Points.CountV
+    points = [
+        surface.Points.GetControlPoint(i, j) for i in range(shape[0]) for j in range(shape[1])
+    ]
+    # Homogeneous: the coordinates are times the weight.
+    net = np.array([[p.X, p.Y, p.Z, p.W] for p in points]).reshape(*shape, 4)
+    if found.reversed:
+        net = net[::-1]
+    knots = []
+    for axis, vector in enumerate((surface.KnotsU, surface.KnotsV)):
+        inner = np.array([vector[number] for number in range(len(vector))])
+        # Rhino leaves out the first and the last knot, on which nothing depends.
+        full = np.concatenate([inner[:1], inner, inner[-1:]])
+        knots.append(full[-1] + full[0] - full[::-1] if found.reversed and axis == 0 else full)
+    weights = net[..., 3]
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        places = net[..., :3] / weights[..., None]
+    return {"points": places, "weights": weights, "knots u": knots[0], "knots v": knots[1]}
+
+
+if __name__ == "__main__":
+    raise SystemExit(main(*sys.argv[1:]))
