@@ -23,7 +23,7 @@ from bodymeasure.chart.definitions import (
 from bodymeasure.chart.derive import Derived, derive_landmarks
 from bodymeasure.chart.evaluate import measure_chart
 from bodymeasure.chart.measured import Chart, Measured, Outcome, Tape, TapeKind
-from bodymeasure.chart.read import load_definitions
+from bodymeasure.chart.read import default_set, load_definitions
 from bodymeasure.chart.sides import both_sides
 
 __all__ = [
@@ -52,6 +52,7 @@ __all__ = [
     "TiltedGirthMeasure",
     "accuracy_class",
     "both_sides",
+    "default_set",
     "definitions_schema",
     "derive_landmarks",
     "load_definitions",

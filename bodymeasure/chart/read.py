@@ -63,6 +63,11 @@ def load_definitions(path: str | Path | None = None) -> Definitions:
     return definitions_from(read_bytes(Path(path)), str(path))
 
 
+def default_set() -> str:
+    """The file of the default set, with its comments: what to copy and change."""
+    return read_bytes(DEFAULT).decode()
+
+
 @lru_cache(maxsize=1)
 def _default() -> Definitions:
     return definitions_from(read_bytes(DEFAULT), str(DEFAULT))

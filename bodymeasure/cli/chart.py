@@ -39,6 +39,15 @@ SIDES = 4
 NAMED = 6
 
 
+def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) -> None:
+    if not wanted or ctx.resilient_parsing:
+        return
+    from bodymeasure.chart import default_set
+
+    click.echo(default_set(), nl=False)
+    ctx.exit()
+
+
 @click.command(short_help="Chart the body measurements of a body.", epilog=EXIT_CODES)
 @optional_atlas_argument
 @definitions_option
@@ -55,6 +64,14 @@ NAMED = 6
     "form",
     type=click.Choice(["table", "csv", "json"]),
     help="How to print the chart where no folder is given.  [default: table]",
+)
+@click.option(
+    "--print-set",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_print_set,
+    help="Print the default set, to be copied and changed, and exit.",
 )
 @unit_option
 @click.option("--no-pictures", is_flag=True, help="Leave out the pictures.")
@@ -73,7 +90,7 @@ def chart(
     Along the smooth surface across its patches, with the tape drawn taut where that is asked for.
     ATLAS is the average female sample if not given.
 
-    What is measured is data: bodymeasure/chart/data/default.toml, or a file of yours. Where both
+    What is measured is data: the default set (--print-set), or a file of yours. Where both
     sides are measured, the files for pattern programs hold the wearer's right one.
 
     Of the default set, what lacks a landmark is told, but is no fault (exit code 0) unless nothing

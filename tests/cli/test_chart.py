@@ -201,3 +201,13 @@ def test_a_whole_body_with_pictures(run: Run, tmp_path: Path) -> None:
     assert [m["number"] for m in measured] == list(range(1, len(measured) + 1))
     for number in (1, len(measured)):
         assert f"<strong>{number}. " in page
+
+
+def test_the_default_set_is_printed_to_be_changed(run: Run, tmp_path: Path) -> None:
+    from bodymeasure.chart import load_definitions
+
+    ran = run("chart", "--print-set")
+    assert (ran.code, ran.err) == (0, "")
+    copy = tmp_path / "copy.toml"
+    copy.write_text(ran.out, "utf-8")
+    assert load_definitions(copy) == load_definitions()
