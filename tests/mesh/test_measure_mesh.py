@@ -96,9 +96,12 @@ def test_the_estimate_covers_what_is_known_of_bodies(
     ratios = []
     for _ in range(40):
         ends = [bm.AtlasPoint(int(rng.integers(376)), *rng.uniform(0, 1, 2)) for _ in range(2)]
-        smooth = bm.geodesic_between(body, ends[0], ends[1])
+        smooth = bm.geodesic_between(body, ends[0], ends[1], on_failure="status")
+        if not smooth.converged:
+            continue
         rough = bm.measure_mesh(mesh, body.position(ends[0]), body.position(ends[1]))
         ratios.append(abs(rough.length - smooth.length) / rough.error_estimate)
+    assert len(ratios) >= 38
     assert np.mean(np.array(ratios) <= 1.0) >= 0.95
     # Nor is it far too cautious.
     assert np.median(ratios) > 0.05
