@@ -64,6 +64,8 @@ def accuracy_class(definition: Measurement) -> AccuracyClass | None:
     kind, name = definition.__struct_config__.tag, definition.name
     if getattr(definition, "angle", False):
         return None
+    if kind == "girth arc":
+        return AccuracyClass.SEGMENT_LENGTH
     if kind == "limb girth" or getattr(definition, "limb", False):
         return AccuracyClass.SMALL_GIRTH
     # A formula may be the sum of arcs, and a path may lead round the body through landmarks.

@@ -12,6 +12,7 @@ import msgspec
 from bodymeasure.chart.definitions import (
     ChordMeasure,
     Definitions,
+    GirthArcMeasure,
     GirthMeasure,
     HeightMeasure,
     LimbGirthMeasure,
@@ -68,7 +69,7 @@ def _measurement_faults(measurement: Measurement) -> Iterator[Fault]:
         case PathMeasure(through=through):
             for one, other in pairwise(through):
                 yield from _one_place(measurement, "through", one, other)
-        case ChordMeasure(start=start, end=end):
+        case ChordMeasure(start=start, end=end) | GirthArcMeasure(start=start, end=end):
             yield from _one_place(measurement, "end", start, end)
         case HeightMeasure(at=at, above=above):
             yield from _one_place(measurement, "above", at, above)

@@ -96,6 +96,23 @@ class GirthMeasure(_Measurement, frozen=True, kw_only=True, tag="girth"):
     limb: bool = False
 
 
+class GirthArcMeasure(_Measurement, frozen=True, kw_only=True, tag="girth arc"):
+    """The front or the back part of the horizontal girth at a landmark's height.
+
+    It runs between the places of the girth's loop that are nearest to `start` and `end`, one at the
+    left and one at the right. With one `tape`, both parts together are the girth; where a taut tape
+    spans a hollow that the arc ends in, the arc ends on it square across from there. `cut` is as
+    for a `GirthMeasure`.
+    """
+
+    at: str
+    start: str
+    end: str
+    side: Literal["front", "back"]
+    tape: TapeWanted = "taut"
+    cut: tuple[str, str] | None = None
+
+
 class TiltedGirthMeasure(_Measurement, frozen=True, kw_only=True, tag="tilted girth"):
     """Girth in the plane that holds two landmarks and runs level from left to right.
 
@@ -177,6 +194,7 @@ Measurement = (
     | DropMeasure
     | OverMeasure
     | GirthMeasure
+    | GirthArcMeasure
     | TiltedGirthMeasure
     | LimbGirthMeasure
     | ExtremeGirthMeasure

@@ -18,6 +18,7 @@ from bodymeasure.chart.definitions import (
     DropMeasure,
     ExtremeGirthMeasure,
     FormulaMeasure,
+    GirthArcMeasure,
     GirthMeasure,
     HeightMeasure,
     LimbGirthMeasure,
@@ -35,6 +36,7 @@ from bodymeasure.chart.read import load_definitions
 from bodymeasure.chart.rounds import (
     measure_extreme_girth,
     measure_girth,
+    measure_girth_arc,
     measure_limb_girth,
     measure_tilted_girth,
 )
@@ -141,6 +143,8 @@ def _by_kind(body: Body, definition: Measurement, others: dict[str, Measured]) -
             return measure_over(body, definition)
         case GirthMeasure():
             return measure_girth(body, definition)
+        case GirthArcMeasure():
+            return measure_girth_arc(body, definition)
         case TiltedGirthMeasure():
             return measure_tilted_girth(body, definition)
         case LimbGirthMeasure():

@@ -1,4 +1,4 @@
-"""Girths of trunk and limbs."""
+"""Girths of trunk and limbs, and parts of them."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import numpy as np
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.definitions import (
     ExtremeGirthMeasure,
+    GirthArcMeasure,
     GirthMeasure,
     LimbGirthMeasure,
     Measurement,
@@ -15,17 +16,44 @@ from bodymeasure.chart.definitions import (
 )
 from bodymeasure.chart.measured import Measured, Outcome, TapeKind
 from bodymeasure.errors import InputError
-from bodymeasure.measure import Extremum, Girth, body_girth, extreme_girth, limb_girth
+from bodymeasure.measure import (
+    Extremum,
+    Girth,
+    body_girth,
+    extreme_girth,
+    girth_arc,
+    limb_girth,
+)
 from bodymeasure.section import Plane
 
 
 def measure_girth(body: Body, definition: GirthMeasure) -> Measured:
     """The horizontal girth at a landmark's height."""
-    at, cut = definition.at, definition.cut
-    if cut is None:
-        return _measured(body, definition, body.level_girth(at, limb=definition.limb), (at,))
-    girth = body_girth(body.atlas, body.point(at), cut=(body.point(cut[0]), body.point(cut[1])))
-    return _measured(body, definition, girth, (at, *cut))
+    girth = _level_girth(body, definition.at, definition.cut, limb=definition.limb)
+    return _measured(body, definition, girth, (definition.at, *(definition.cut or ())))
+
+
+def measure_girth_arc(body: Body, definition: GirthArcMeasure) -> Measured:
+    """The front or the back of the horizontal girth at a landmark's height."""
+    names = (definition.at, definition.start, definition.end, *(definition.cut or ()))
+    start, end = body.position(definition.start), body.position(definition.end)
+    girth = _level_girth(body, definition.at, definition.cut)
+    arc = girth_arc(girth, start, end, body.atlas.axes.front_vector, definition.side)
+    wanted = [(TapeKind.CONTACT, arc.contact_tape)]
+    if definition.tape != "contact":
+        wanted.append((TapeKind.TAUT, arc.taut_tape))
+    return Measured(
+        definition,
+        Outcome.MEASURED,
+        _sentence(girth.remark),
+        value=arc.taut if definition.tape == "taut" else arc.contact,
+        contact=arc.contact,
+        taut=arc.taut,
+        error_estimate=arc.error_estimate,
+        landmarks=tuple(dict.fromkeys(names)),
+        tapes=tuple(body.tape(kind, tape) for kind, tape in wanted),
+        length_by_region=arc.length_by_region,
+    )
 
 
 def measure_tilted_girth(body: Body, definition: TiltedGirthMeasure) -> Measured:
@@ -65,6 +93,17 @@ def measure_extreme_girth(body: Body, definition: ExtremeGirthMeasure) -> Measur
     return _measured(body, definition, found.girth, names, remark)
 
 
+def _level_girth(body: Body, at: str, cut: tuple[str, str] | None, *, limb: bool = False) -> Girth:
+    """The horizontal girth at a landmark's height, cut at two others if they are given."""
+    if cut is None:
+        return body.level_girth(at, limb=limb)
+    return body_girth(body.atlas, body.point(at), cut=(body.point(cut[0]), body.point(cut[1])))
+
+
+def _sentence(remark: str) -> str:
+    return f"{remark[:1].upper()}{remark[1:]}." if remark else ""
+
+
 def _measured(
     body: Body,
     definition: Measurement,
@@ -72,7 +111,7 @@ def _measured(
     landmarks: tuple[str, ...],
     remark: str = "",
 ) -> Measured:
-    remarks = [remark, f"{girth.remark[:1].upper()}{girth.remark[1:]}." if girth.remark else ""]
+    remarks = [remark, _sentence(girth.remark)]
     wanted: TapeWanted = getattr(definition, "tape", "contact")
     tapes = [body.tape(TapeKind.CONTACT, girth.contact_tape)]
     if wanted != "contact":

@@ -6,6 +6,7 @@ from bodymeasure.measure.diagonals import diagonals
 from bodymeasure.measure.drops import Drop, drop
 from bodymeasure.measure.extreme_girth import ExtremeGirth, Extremum, extreme_girth
 from bodymeasure.measure.forks import fork
+from bodymeasure.measure.girth_arcs import GirthArc, girth_arc
 from bodymeasure.measure.girths import Girth, body_girth, limb_girth, plane_girth
 from bodymeasure.measure.straight import breadth, chord, depth, height
 from bodymeasure.measure.survey import Survey, measure_atlas, package_versions
@@ -16,6 +17,7 @@ __all__ = [
     "ExtremeGirth",
     "Extremum",
     "Girth",
+    "GirthArc",
     "Survey",
     "body_girth",
     "boundary_lengths",
@@ -27,6 +29,7 @@ __all__ = [
     "drop",
     "extreme_girth",
     "fork",
+    "girth_arc",
     "height",
     "limb_girth",
     "measure_atlas",

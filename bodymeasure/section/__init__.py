@@ -1,7 +1,7 @@
 """Exact sections of the smooth atlas by planes, their convex hulls and extents."""
 
 from bodymeasure.section.bridged import BridgedLoop
-from bodymeasure.section.curve import Curve, DrawnTape, drawn
+from bodymeasure.section.curve import DRAWN, Curve, DrawnTape, drawn
 from bodymeasure.section.extent import extent
 from bodymeasure.section.hull import Hull, convex_hull, outer_hull, signed_area
 from bodymeasure.section.loop import SectionLoop
@@ -10,6 +10,7 @@ from bodymeasure.section.plane import Plane
 from bodymeasure.section.section import PlaneSection, plane_section
 
 __all__ = [
+    "DRAWN",
     "BridgedLoop",
     "Curve",
     "DrawnTape",

@@ -8,6 +8,7 @@ from dataclasses import fields, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from bodymeasure.section.curve import Curve
 from bodymeasure.section.loop import SectionLoop
 from bodymeasure.section.pieces import MORE_NODES, Pieces
 
@@ -67,12 +68,12 @@ def joined(parts: tuple[SectionLoop, ...]) -> SectionLoop:
     return replace(parts[0], pieces=pieces, piece_length=length, closed=False)
 
 
-def sample_places(loop: SectionLoop) -> _Array:
+def sample_places(loop: Curve) -> _Array:
     """Places close together along a curve, shape (n,), its end included."""
     return np.asarray(np.arange(SAMPLES * loop.count + 1) / SAMPLES)
 
 
-def nearest_place(loop: SectionLoop, position: ArrayLike) -> float:
+def nearest_place(loop: Curve, position: ArrayLike) -> float:
     """The place of a curve that is nearest to a position."""
     target, end = np.asarray(position, dtype=np.float64), float(loop.count)
 

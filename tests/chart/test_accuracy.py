@@ -10,6 +10,7 @@ from bodymeasure.chart import (
     DepthMeasure,
     ExtremeGirthMeasure,
     FormulaMeasure,
+    GirthArcMeasure,
     GirthMeasure,
     HeightMeasure,
     LimbGirthMeasure,
@@ -35,6 +36,12 @@ from bodymeasure.chart import (
         (GirthMeasure(key="a", name="Thigh girth, left", at="t"), "small girth"),
         (GirthMeasure(key="a", name="Calf girth", at="c"), "small girth"),
         (ClosedMeasure(key="a", name="Natural waist girth", at="w"), "large girth"),
+        (
+            GirthArcMeasure(
+                key="a", name="Front of the girth", at="b", start="l", end="r", side="front"
+            ),
+            "segment length",
+        ),
         (LimbGirthMeasure(key="a", name="Upper arm", start="s", end="e"), "small girth"),
         (
             ExtremeGirthMeasure(

@@ -139,7 +139,9 @@ def test_both_sides_agree(name: str) -> None:
 def test_parts_add_up(name: str) -> None:
     chart = chart_of(name)
     value = {one.definition.key: one.value for one in chart.measured}
-    assert value["bust_front_arc"] + value["bust_back_arc"] == pytest.approx(value["bust_girth"])
+    for part in ("bust", "waist", "hip"):
+        both = value[f"{part}_front_arc"] + value[f"{part}_back_arc"]
+        assert both == pytest.approx(value[f"{part}_girth"], rel=1e-12)
     legs = value["upper_arm_length_left"] + value["forearm_length_left"]
     assert value["arm_length_left"] == pytest.approx(legs, rel=1e-12)
     halves = value["crotch_length_front"] + value["crotch_length_back"]
