@@ -75,6 +75,7 @@ def _side(atlas: Atlas, patch: int, side: int) -> str:
 
 def _gap_findings(atlas: Atlas, free: FreeEdges, near: NearSeams) -> list[Finding]:
     findings = []
+    speeds = ", with the same ratios of weights" if atlas.is_rational else ""
     for pair in np.flatnonzero(~near.coincide):
         ends = near.first[pair], near.second[pair]
         first, second = (_side(atlas, free.patch[end], free.side[end]) for end in ends)
@@ -86,7 +87,7 @@ def _gap_findings(atlas: Atlas, free: FreeEdges, near: NearSeams) -> list[Findin
                 patches,
                 f"{first} and {second} nearly meet but leave a gap of up to "
                 f"{near.distance[pair]:.3g} {atlas.unit}; expected one shared edge; let both "
-                "patches refer to the same control points",
+                f"patches refer to the same control points{speeds}",
             )
         )
     pairs = np.flatnonzero(near.coincide)

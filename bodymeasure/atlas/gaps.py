@@ -25,6 +25,8 @@ _ALONG = np.linspace(0.0, 1.0, 9)
 # Segments of an edge when a point's distance to it is taken; on a quarter circle their error is
 # 2e-4 of its length, well under TOUCHES.
 _SEGMENTS = 32
+# The same where rational edges are compared, whose points may crowd at one end.
+_FINE = 512
 # Pairs whose distance is taken at once, which bounds the memory where many edges crowd together.
 _BLOCK = 10_000
 # Free edges whose middles lie next to a given one's; more than this at one place is no atlas.
@@ -96,7 +98,7 @@ def free_edges(
 def near_seams(edges: FreeEdges) -> NearSeams:
     """Pairs of free edges that run close together along their whole length."""
     first, second = _neighbors(edges)
-    curves = _points(edges.control_points, _ALONG)
+    curves = _compared_points(edges.control_points, _ALONG)
     reach = NEAR * np.minimum(edges.length, edges.width)
     tolerance = np.minimum(reach[first], reach[second])
 
@@ -121,7 +123,7 @@ def _neighbors(edges: FreeEdges) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     none = np.empty(0, dtype=np.int64)
     if count < 2:
         return none, none
-    middles = _points(edges.control_points, np.array([0.5]))[:, 0]
+    middles = _compared_points(edges.control_points, np.array([0.5]))[:, 0]
     reach = NEAR * np.minimum(edges.length, edges.width)
     _, found = scipy.spatial.KDTree(middles).query(
         middles, k=min(_NEIGHBORS, count), distance_upper_bound=float(reach.max()) * (1 + 1e-12)
@@ -197,3 +199,21 @@ def _distance_inside(
 def _points(curves: NDArray[np.float64], t: NDArray[np.float64]) -> NDArray[np.float64]:
     """Points (n, len(t), 3) of curves with control points (n, k, 3 or 4)."""
     return project(bernstein(curves.shape[1] - 1, t)[:, 0] @ curves)
+
+
+def _compared_points(curves: NDArray[np.float64], t: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Points by which two edges are compared: at t, or, of rational ones, at parts t of the length.
+
+    By their weights, one curve may be run along at many speeds.
+    """
+    if curves.shape[-1] == 3:
+        return _points(curves, t)
+    fine = _points(curves, np.linspace(0.0, 1.0, _FINE + 1))
+    steps = np.linalg.norm(np.diff(fine, axis=1), axis=-1)
+    way = np.concatenate([np.zeros((len(fine), 1)), np.cumsum(steps, axis=1)], axis=1)
+    at = np.arange(_FINE + 1, dtype=np.float64)
+    place = np.stack([np.interp(t * w[-1], w, at) for w in way]) if len(way) else way[:, : len(t)]
+    before = np.minimum(place.astype(np.int64), _FINE - 1)
+    rest = (place - before)[..., None]
+    row = np.arange(len(fine))[:, None]
+    return np.asarray((1.0 - rest) * fine[row, before] + rest * fine[row, before + 1])

@@ -221,6 +221,20 @@ def test_an_atlas_whose_seam_has_two_kinds_of_weights_is_refused() -> None:
         bm.Atlas(torus.points, torus.index, bm.Unit.M, weights=weights)
 
 
+@pytest.mark.parametrize("ratio", [1.5, 10.0])
+def test_an_edge_that_is_run_along_at_two_speeds_is_told(ratio: float) -> None:
+    from bodymeasure.atlas import weld
+    from bodymeasure.bezier import elevate, project
+
+    nets = elevate(sphere_nets(), 3, 3)
+    # The same points everywhere on the patch, and on its edges, at other parameters.
+    nets[0] *= (ratio ** np.arange(4))[:, None, None]
+    points, index = weld(project(nets), weights=nets[..., 3])
+    atlas = bm.Atlas(points, index, bm.Unit.M, weights=nets[..., 3])
+    told = {finding.kind.name for finding in bm.check_atlas(atlas)} - {"COLLAPSED_EDGE"}
+    assert "UNJOINED_SEAM" in told
+
+
 def test_patches_of_degree_five_measure_as_the_same_ones_of_degree_three() -> None:
     from bodymeasure.bezier import elevate
 
