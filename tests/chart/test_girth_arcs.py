@@ -8,6 +8,7 @@ from typing import Literal
 
 import numpy as np
 import pytest
+from msgspec.structs import replace as replaced
 from tubes import joined, ring_length, tube
 
 from bodymeasure.atlas import Atlas, AtlasPoint
@@ -26,6 +27,7 @@ from bodymeasure.chart import (
 from bodymeasure.errors import InputError
 from bodymeasure.measure import body_girth, girth_arc
 from bodymeasure.samples import load_sample
+from bodymeasure.section import BridgedLoop
 
 RADIUS = 1.5
 # Directions of the tube's patches where u = 0: to the left, back, right and front.
@@ -187,3 +189,35 @@ def test_front_and_back_are_the_girth(part: str, tape: Literal["contact", "taut"
             assert drawn == pytest.approx(lengths[lying.kind], rel=2e-3)
     ahead = chart.atlas.axes.front_vector
     assert (front.tapes[0].points @ ahead).mean() > (back.tapes[0].points @ ahead).mean()
+
+
+def test_arcs_of_a_girth_cut_at_the_armpits() -> None:
+    # Above the armpits the loop goes round trunk and arms.
+    kept = [
+        GirthArcMeasure(
+            key=side,
+            name=side,
+            at="armhole level point left",
+            start="side bust point left",
+            end="side bust point right",
+            side=side,
+            tape="contact",
+            cut=("armpit point left", "armpit point right"),
+        )
+        for side in SIDES
+    ]
+    definitions = replaced(DEFAULT, measurement=tuple(kept))
+    body = load_sample("female_average")
+    chart = measure_chart(body, definitions)
+    front, back = chart.measured
+    at, *cut = (
+        chart.landmarks[name]
+        for name in ("armhole level point left", "armpit point left", "armpit point right")
+    )
+    girth = body_girth(body, at, cut=(cut[0], cut[1]))
+    assert isinstance(girth.tape, BridgedLoop)
+    assert front.value + back.value == pytest.approx(girth.contact, rel=1e-12)
+    # The straight lines over the cuts lie in no region.
+    regions = [sum(one.length_by_region.values()) for one in (front, back)]
+    lines = np.linalg.norm(girth.tape.bridges[:, 1] - girth.tape.bridges[:, 0], axis=1).sum()
+    assert sum(regions) == pytest.approx(girth.contact - lines, rel=1e-9)

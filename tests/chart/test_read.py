@@ -196,6 +196,10 @@ FAULTS = [
         r"line 10: measurement 'it': cut: expected a list of length 2, got 1",
     ),
     (
+        HEAD + entry("girth arc", 'at = "a"\nstart = "b"\nend = "b"\nside = "front"'),
+        r"line 11: measurement 'it': leads from 'b' to the same landmark, which is 0 on every body",
+    ),
+    (
         HEAD + entry("limb girth", 'start = "a"\nend = "b"\nat = 1.5'),
         r"line 11: measurement 'it': at is 1.5; expected 0 to 1, or a landmark's name",
     ),
