@@ -15,8 +15,8 @@ from bodymeasure.errors import MissingExtraError
 from bodymeasure.formats.foreign import Reader, surfaces_of_file
 from bodymeasure.formats.patches import ReadPatches
 
-# Seconds. A body of ten thousand faces takes a minute.
-LONGEST = 600.0
+# Seconds, of which it needs one or two to start.
+LONGEST = 60.0
 
 
 def _read(content: bytes, source: str, *, kind: str) -> ReadPatches:

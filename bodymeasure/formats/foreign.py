@@ -20,6 +20,10 @@ from bodymeasure.formats.spline_patches import spline_patches
 _Array = NDArray[np.float64]
 
 
+# A broken file may keep its reader busy for ever; a sound one of so many bytes, for some seconds.
+CHUNK = 2_000_000
+
+
 class Reader(NamedTuple):
     """What reads a file.
 
@@ -35,7 +39,7 @@ class Reader(NamedTuple):
     library : str
         What errors call it.
     longest : float
-        Seconds that it may take.
+        Seconds that it may take, and as many more for each `CHUNK` bytes.
     """
 
     script: str
@@ -57,17 +61,18 @@ def surfaces_of_file(content: bytes, source: str, reader: Reader) -> tuple[str, 
         given, found = Path(folder, f"file.{reader.kind}"), Path(folder, "surfaces.npz")
         given.write_bytes(content)
         # By its path, since it needs nothing of the package, which takes a second to import.
+        longest = reader.longest * (1 + len(content) // CHUNK)
         worker = str(Path(__file__).with_name(reader.script))
         try:
             done = subprocess.run(
                 [sys.executable, "-P", worker, str(given), str(found)],
                 capture_output=True,
-                timeout=reader.longest,
+                timeout=longest,
                 check=False,
             )
         except subprocess.TimeoutExpired:
             raise InputError(
-                f"{source}: {reader.library} did not read it in {reader.longest:.0f} s; it may be "
+                f"{source}: {reader.library} did not read it in {longest:.0f} s; it may be "
                 "damaged, or have very many faces: export fewer"
             ) from None
         if done.returncode != 0 or not found.exists():

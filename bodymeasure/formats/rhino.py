@@ -23,7 +23,7 @@ UNITS = {
 }
 # What a file says that says no unit.
 NO_UNIT = ("None", "Unset")
-READER = Reader("rhino_worker.py", "3dm", "3dm", "rhino3dm", 120.0)
+READER = Reader("rhino_worker.py", "3dm", "3dm", "rhino3dm", 60.0)
 
 
 def read(content: bytes, source: str) -> ReadPatches:

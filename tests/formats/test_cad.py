@@ -163,3 +163,16 @@ def test_what_cannot_be_read_is_refused(kind: str, content: bytes, tmp_path: Pat
     path.write_bytes(content)
     with pytest.raises(bm.InputError, match=rf"bad\.{kind}: (is no .* file|holds no patch)"):
         bm.read_atlas(path)
+
+
+def test_a_file_that_takes_too_long_is_given_up(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from bodymeasure.formats import cad
+
+    path = written(tmp_path / "a.step", sphere())
+    monkeypatch.setattr(cad, "LONGEST", 1e-3)
+    with pytest.raises(
+        bm.InputError, match=r"a\.step: Open CASCADE did not read it in 0 s; it may"
+    ):
+        bm.read_atlas(path)
