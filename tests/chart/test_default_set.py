@@ -28,7 +28,7 @@ DEFAULT = load_definitions()
 BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
 bodies = pytest.mark.parametrize(
     "name",
-    [BODIES[0], *(pytest.param(name, marks=pytest.mark.slow) for name in BODIES[1:])],
+    [pytest.param(name, marks=pytest.mark.slow) for name in BODIES],
 )
 
 
@@ -169,6 +169,7 @@ def test_armholes_are_halved(name: str) -> None:
     assert value["across_front_width"] < 0.9 * value["across_back_width"]
 
 
+@pytest.mark.slow
 def test_known_girths_of_the_average_body() -> None:
     # Found by another program on this body, at these heights to a millimetre.
     chart = chart_of("female_average")
@@ -182,6 +183,7 @@ def test_known_girths_of_the_average_body() -> None:
     assert 0.38 < chart["back_neck_to_waist"].value < 0.42
 
 
+@pytest.mark.slow
 def test_a_girth_of_both_thighs_is_none_of_a_thigh() -> None:
     body = load_sample("female_average")
     # As on a body whose thighs touch.
@@ -203,6 +205,7 @@ def turned(atlas: Atlas) -> Atlas:
     return replace(atlas, points=moved, axes=Axes("+x", "-z"))
 
 
+@pytest.mark.slow
 @pytest.mark.slow
 def test_motion_and_units_change_nothing() -> None:
     chart = chart_of("female_average")

@@ -169,7 +169,7 @@ def chart_of(tape: Literal["contact", "taut"]) -> Chart:
     return measure_chart(load_sample("female_average"), definitions)
 
 
-@pytest.mark.parametrize("tape", ["contact", "taut"])
+@pytest.mark.parametrize("tape", [pytest.param("contact", marks=pytest.mark.slow), "taut"])
 @pytest.mark.parametrize("part", PAIRS)
 def test_front_and_back_are_the_girth(part: str, tape: Literal["contact", "taut"]) -> None:
     chart = chart_of(tape)
@@ -191,6 +191,7 @@ def test_front_and_back_are_the_girth(part: str, tape: Literal["contact", "taut"
     assert (front.tapes[0].points @ ahead).mean() > (back.tapes[0].points @ ahead).mean()
 
 
+@pytest.mark.slow
 def test_arcs_of_a_girth_cut_at_the_armpits() -> None:
     # Above the armpits the loop goes round trunk and arms.
     kept = [

@@ -31,6 +31,7 @@ def _small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(bodymeasure.bench, "run_benchmark", run)
 
 
+@pytest.mark.slow
 def test_all_is_printed_and_nothing_written(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -50,6 +51,7 @@ def test_all_is_printed_and_nothing_written(
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_failures_and_problems_left_out_are_told(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     document = small_benchmark()
     sets = [

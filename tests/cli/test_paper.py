@@ -58,6 +58,7 @@ class Loads(HTMLParser):
 
 
 @pytest.mark.usefixtures("small")
+@pytest.mark.slow
 def test_every_table_and_the_page(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -86,6 +86,7 @@ def bump(x: _Array, y: _Array) -> _Array:
     return np.stack([x, y, 3.0 * np.exp(-4.0 * ((x - 1.5) ** 2 + (y - 1.5) ** 2))], axis=-1)
 
 
+@pytest.mark.slow
 def test_left_and_right_round_a_bump() -> None:
     atlas = grid_atlas(3, 3, bump)
     left, right, *_ = bm.geodesic_alternatives(

@@ -251,7 +251,9 @@ def test_breaks_that_differ_by_rounding_are_one() -> None:
     np.testing.assert_allclose(trial.functions.edges, [0.0, 0.3, 0.6, 1.0])
 
 
-@pytest.mark.parametrize("count", [34, pytest.param(40, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "count", [pytest.param(count, marks=pytest.mark.slow) for count in (34, 40)]
+)
 def test_too_many_functions_are_refused_for_what_they_do_to_rounding_errors(count: int) -> None:
     with pytest.raises(InputError, match=r"rounding errors would grow .*choose fewer functions"):
         list(RBFCollocation(functions=count).spaces)

@@ -228,9 +228,16 @@ LEVELS = {
     "an arc too short for polygons": [[0, 2, 2, 5], [1, 0, 4, 5], [0, 2, 3, 2], [0, 5, 0, 5]],
     "a short arc and a sharp bend": [[0, 4, 0, 0], [5, 0, 0, 1], [2, 1, 0, 4], [4, 0, 0, 5]],
 }
+SLOW = ("an arc too short for polygons", "a short arc and a sharp bend")
 
 
-@pytest.mark.parametrize("levels", LEVELS.values(), ids=LEVELS)
+@pytest.mark.parametrize(
+    "levels",
+    [
+        pytest.param(levels, id=name, marks=[pytest.mark.slow] if name in SLOW else [])
+        for name, levels in LEVELS.items()
+    ],
+)
 def test_paths_along_edges_of_wild_patches(levels: list[list[int]]) -> None:
     net = heights(np.array(levels) / 5.0, side=0.6)
     solution = bm.solve_geodesic(net, START, END)

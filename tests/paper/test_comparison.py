@@ -62,6 +62,7 @@ def test_it_is_what_the_methods_find(nets: Array, found: Comparison) -> None:
     np.testing.assert_allclose(found.true_length, true_diagonals(nets).length, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_distributed_collocation_is_the_same_to_the_bit(nets: Array) -> None:
     runs = measure_scaling(nets, (1, 2), with_start=False)
     assert same_to_the_bit(runs[0].solution, runs[1].solution)

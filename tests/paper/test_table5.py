@@ -120,6 +120,7 @@ def test_the_published_errors_are_those_of_the_published_lengths_but_for_the_sig
         assert abs(row.relative_error) == pytest.approx(abs(error), abs=6e-5)
 
 
+@pytest.mark.slow
 def test_a_quick_look_at_a_mannequin() -> None:
     table = table5("female_average", rows=4, seed=1)
     spread, boundary = table.distributions()
