@@ -59,15 +59,17 @@ def torus_nets(large: float, small: float) -> Array:
     return np.array([revolved(profile, k) for profile in profiles for k in range(4)])
 
 
-def joined(nets: Array) -> Atlas:
+def joined(nets: Array, degree: int = 3) -> Atlas:
     """An atlas of rational patches; control points that agree to nine digits are one."""
-    nets = elevate(nets, 3, 3)
+    nets = elevate(nets, degree, degree)
     points = project(nets).reshape(-1, 3)
     # The shift keeps rounding away from the numbers that occur.
     _, first, number = np.unique(
         np.round(points + 0.123456789e-3, 9), axis=0, return_index=True, return_inverse=True
     )
-    return Atlas(points[first], number.reshape(-1, 4, 4), Unit.M, weights=nets[..., 3])
+    return Atlas(
+        points[first], number.reshape(-1, degree + 1, degree + 1), Unit.M, weights=nets[..., 3]
+    )
 
 
 def arc_parameter(angle: Array) -> Array:

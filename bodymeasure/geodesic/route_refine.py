@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Place
-from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.seams import EDGES, sides_of
 from bodymeasure.geodesic.box_newton import BoxMinimum, minimize_in_box
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.route import Route
@@ -94,11 +94,10 @@ def refine(
 
 def _pole_side(atlas: Atlas, place: Place) -> int | None:
     """The collapsed side on which a path ends: it leaves the point there in any direction."""
-    for side, edge in enumerate(EDGES):
-        if place[1 + edge.fixed_axis] == edge.fixed_value:
-            row = np.take(atlas.index[place.patch], int(3 * edge.fixed_value), axis=edge.fixed_axis)
-            if (row == row[0]).all():
-                return side
+    sides = sides_of(atlas.index[[place.patch]])[0]
+    for side, (edge, row) in enumerate(zip(EDGES, sides, strict=True)):
+        if place[1 + edge.fixed_axis] == edge.fixed_value and (row == row[0]).all():
+            return side
     return None
 
 

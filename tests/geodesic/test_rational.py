@@ -61,6 +61,16 @@ def test_great_circles_over_the_seams_of_a_whole_sphere(
             )
 
 
+@pytest.mark.parametrize("degree", [3, 4, 5])
+def test_a_meridian_from_the_pole_is_left_in_any_direction(degree: int) -> None:
+    pytest.importorskip("pygeodesic")
+    sphere = joined(sphere_nets(), degree)
+    # The pole, named at another longitude than that of the way from it.
+    pole, end = bm.AtlasPoint(0, 0.2, 1.0), bm.AtlasPoint(0, 0.7, 0.3)
+    exact = float(angle_between(sphere.position(pole), sphere.position(end)))
+    assert bm.geodesic_between(sphere, pole, end).length == pytest.approx(exact, rel=1e-10)
+
+
 @pytest.mark.slow
 def test_great_circles_past_the_poles(rng: np.random.Generator) -> None:
     pytest.importorskip("pygeodesic")
