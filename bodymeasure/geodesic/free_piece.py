@@ -21,17 +21,14 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure.geodesic.damped_newton import damped_newton
 from bodymeasure.geodesic.equations import residual_and_jacobian
 from bodymeasure.geodesic.legs import End, Pole
-from bodymeasure.geodesic.newton import LAST_STEP, LONGEST_STEP, SMALLEST_STEP
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
 
 _Array = NDArray[np.float64]
 
-# Of the system, whole and halved steps together. From polygons, legs that have a solution take 3 to
-# 12, a few up to 25; those that have none took 100.
-MOST_EVALUATIONS = 40
 # Where S_u, S_uu, S_uv, S_uuv and S_uvv are in a jet, and the same with u and v exchanged.
 _AT_POLE = ((1, 3, 4, 7, 8), (2, 5, 4, 8, 7))
 
@@ -62,28 +59,8 @@ def solve_free_piece(
         if end is not None:
             values[end.axis, node] = end.value
     span = np.ptp(values, axis=1).max()
-    residual, jacobian = problem.system(values)
-    evaluations = 1
-    while evaluations < MOST_EVALUATIONS:
-        direction = problem.direction(residual, jacobian)
-        size = np.abs(direction).max()
-        if not np.isfinite(size):
-            return None
-        if size < LAST_STEP * span:
-            return np.asarray(values + direction)
-        step = min(1.0, LONGEST_STEP / size)
-        norm = np.linalg.norm(residual)
-        while True:
-            trial = values + step * direction
-            residual, jacobian = problem.system(trial)
-            evaluations += 1
-            if np.linalg.norm(residual) < norm:
-                break
-            step /= 2.0
-            if step < SMALLEST_STEP or evaluations == MOST_EVALUATIONS:
-                return None
-        values = trial
-    return None
+    solved = damped_newton(problem.system, problem.direction, values, span=span)
+    return None if solved is None else solved.unknowns
 
 
 @dataclass(frozen=True)

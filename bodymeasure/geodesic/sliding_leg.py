@@ -14,14 +14,11 @@ from numpy.typing import NDArray
 
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.box_newton import BoxMinimum
-from bodymeasure.geodesic.newton import LAST_STEP, LONGEST_STEP, SMALLEST_STEP
+from bodymeasure.geodesic.damped_newton import damped_newton
 from bodymeasure.geodesic.route_length import RouteProblem
 from bodymeasure.geodesic.route_refine import Refined, measured
 
 _Array = NDArray[np.float64]
-
-# Of the system, whole and halved steps together, as in `free_piece`.
-MOST_EVALUATIONS = 40
 
 
 def solve_leg(problem: RouteProblem, guess: _Array) -> Refined | None:
@@ -38,27 +35,8 @@ def solve_leg(problem: RouteProblem, guess: _Array) -> Refined | None:
         Its ends then in place. It may leave its patches. None if Newton's method failed.
     """
     system = _System(problem)
-    unknowns, (residual, matrix) = guess, system.at(guess)
-    evaluations = 1
-    while evaluations < MOST_EVALUATIONS:
-        direction = system.direction(residual, matrix)
-        size = np.abs(direction).max(initial=0.0)
-        if not np.isfinite(size):
-            return None
-        if size < LAST_STEP:
-            return _in_place(problem, unknowns + direction, evaluations)
-        step, norm = min(1.0, LONGEST_STEP / size), np.linalg.norm(residual)
-        while True:
-            trial = unknowns + step * direction
-            residual, matrix = system.at(trial)
-            evaluations += 1
-            if np.linalg.norm(residual) < norm:
-                break
-            step /= 2.0
-            if step < SMALLEST_STEP or evaluations == MOST_EVALUATIONS:
-                return None
-        unknowns = trial
-    return None
+    solved = damped_newton(system.at, system.direction, guess)
+    return None if solved is None else _in_place(problem, *solved)
 
 
 @dataclass(frozen=True)

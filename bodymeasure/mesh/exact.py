@@ -6,6 +6,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from bodymeasure.atlas.components import connected_components
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.mesh.arrays import TriangleMesh, part_of
 
@@ -77,10 +78,9 @@ def _along_edges(mesh: TriangleMesh, source: int, target: int) -> float:
 
 def joined_to(mesh: TriangleMesh, vertex: int) -> NDArray[np.bool_]:
     """Which vertices edges join to one, shape (n,)."""
-    first, last = mesh.faces.ravel(), np.roll(mesh.faces, -1, axis=1).ravel()
-    count = len(mesh.vertices)
-    graph = scipy.sparse.coo_array((np.ones(len(first)), (first, last)), shape=(count, count))
-    _, label = scipy.sparse.csgraph.connected_components(graph, directed=False)
+    label = connected_components(
+        mesh.faces.ravel(), np.roll(mesh.faces, -1, axis=1).ravel(), len(mesh.vertices)
+    )
     return np.asarray(label == label[vertex])
 
 
