@@ -1,7 +1,5 @@
 """Errors that a user can mend: each message names the culprit, what was expected and the remedy."""
 
-from __future__ import annotations
-
 
 class BodymeasureError(Exception):
     """Base of all errors that bodymeasure raises on purpose."""

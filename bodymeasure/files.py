@@ -1,7 +1,5 @@
 """Reading and writing whole files, with errors that a user can act on."""
 
-from __future__ import annotations
-
 import errno
 import os
 import tempfile

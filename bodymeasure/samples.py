@@ -1,14 +1,12 @@
 """The sample atlases that come with bodymeasure."""
 
-from __future__ import annotations
-
-import difflib
 from dataclasses import dataclass
 from pathlib import Path
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError
 from bodymeasure.formats import read_atlas
+from bodymeasure.wording import nearest
 
 
 @dataclass(frozen=True)
@@ -61,8 +59,8 @@ def sample_path(name: str) -> Path:
     """
     names = sample_names()
     if name not in names:
-        nearest = difflib.get_close_matches(name, names, n=1)
-        hint = f"did you mean {nearest[0]!r}? " if nearest else ""
+        near = nearest(name, names)
+        hint = f"did you mean {near!r}? " if near else ""
         raise InputError(f"no sample is named {name!r}; {hint}There are: {', '.join(names)}")
     return _folder() / f"{name}.atlas"
 

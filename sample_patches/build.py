@@ -6,8 +6,6 @@ one layout), ``mesh_<body>.obj`` (each body's Catmull-Clark control mesh) and ``
 and the file of the quad meshes.
 """
 
-from __future__ import annotations
-
 import argparse
 from dataclasses import replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The quadrilateral control mesh of a Catmull-Clark surface, and points of that surface."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass

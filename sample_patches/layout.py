@@ -1,7 +1,5 @@
 """The layout of a mannequin's patches: strips of patches, and the limbs that rings of them form."""
 
-from __future__ import annotations
-
 from collections.abc import Container
 from dataclasses import dataclass
 

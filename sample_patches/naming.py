@@ -6,8 +6,6 @@ into the trunk. Strips and landmarks delimit the regions; README.md describes th
 wearer's left half is named by the rule; the right half mirrors it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np

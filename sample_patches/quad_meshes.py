@@ -4,8 +4,6 @@ All bodies have the same quads. Of each mesh, the part that the atlas covers is 
 so that the limit surface is that of the whole mesh up to the atlas's boundary and beyond.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Single patches on which the length of a geodesic is known in closed form."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass

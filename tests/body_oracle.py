@@ -1,7 +1,5 @@
 """Libigl's exact distance between points of a whole atlas, extrapolated from tessellations."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from bodymeasure.atlas import Atlas, AtlasPoint, tessellate

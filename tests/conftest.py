@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 import os
 
 # Before numpy loads its linear algebra: the tests run in as many processes as there are cores, and

@@ -1,21 +1,17 @@
 """Surfaces on which lengths are known, cut into atlases of several patches."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np
 from grids import grid_index
-from numpy.typing import NDArray
 from surfaces import PH_CYLINDER
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 from bodymeasure.bezier import bernstein, evaluate, restrict
 
-_Array = NDArray[np.float64]
 
-
-def cut(net: _Array, us: Sequence[float], vs: Sequence[float], *, turn: bool = True) -> Atlas:
+def cut(net: Array, us: Sequence[float], vs: Sequence[float], *, turn: bool = True) -> Atlas:
     """One patch cut along parameter lines; every other part is turned round.
 
     Patches are numbered row by row, u along the rows.
@@ -45,7 +41,7 @@ def on_cut(cuts: Sequence[Sequence[float]], uv: Sequence[float]) -> AtlasPoint:
     return AtlasPoint(number[0] * (len(cuts[1]) + 1) + number[1], place[0], place[1])
 
 
-def slant_cut(net: _Array, rng: np.random.Generator) -> tuple[Atlas, _Array]:
+def slant_cut(net: Array, rng: np.random.Generator) -> tuple[Atlas, Array]:
     """One patch of total degree 3 in u and v cut into nine along lines that are slanted in (u, v).
 
     The seams are curves that meet at kinks. Such a surface over a quadrilateral, bilinearly
@@ -68,7 +64,7 @@ def slant_cut(net: _Array, rng: np.random.Generator) -> tuple[Atlas, _Array]:
     return Atlas(lattice.reshape(-1, 3), grid_index(3, 3), Unit.CM), corners
 
 
-def on_part(corners: _Array, u: _Array | float, v: _Array | float) -> _Array:
+def on_part(corners: Array, u: Array | float, v: Array | float) -> Array:
     """(u, v) on the whole patch of points of a part with these corners, shape (2, 2, 2)."""
     us, vs = (np.stack([1.0 - np.asarray(w), np.asarray(w)]) for w in (u, v))
     return np.asarray(np.einsum("i...,j...,ijc->...c", us, vs, corners))

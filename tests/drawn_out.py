@@ -4,8 +4,6 @@ The skin drawn taut over such a surface is developable, too: lines and arcs of t
 out. A tape is as long as the hypotenuse of its profile's length and its way along y.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

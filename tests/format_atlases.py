@@ -1,17 +1,14 @@
 """Atlases to write and read, and reading as `read_atlas` does without a file."""
 
-from __future__ import annotations
-
 import numpy as np
 from grids import grid_atlas
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
 from bodymeasure import Atlas, Unit
+from bodymeasure._typing import Array
 from bodymeasure.formats.options import ReadOptions
 from bodymeasure.formats.registry import FORMATS, decode
 
-_Array = NDArray[np.float64]
 UNIT = Unit.CM
 # Formats of loose patches as text.
 TEXT = ("bpt", "bez", "obj", "geomdl")
@@ -54,7 +51,7 @@ def atlases(draw: st.DrawFn, *, rational: bool = False) -> Atlas:
 def body_like(rows: int, columns: int) -> Atlas:
     """Patches of a wavy surface."""
 
-    def place(x: _Array, y: _Array) -> _Array:
+    def place(x: Array, y: Array) -> Array:
         return np.stack([x, y, 0.2 * np.sin(x + 2.0 * y)], axis=-1)
 
     return grid_atlas(rows, columns, place)

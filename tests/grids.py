@@ -1,7 +1,5 @@
 """Atlases of bicubic patches on a rectangular grid, joined by index."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

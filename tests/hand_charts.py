@@ -1,7 +1,5 @@
 """Charts whose tapes are made by hand: sections, their hulls, paths, straight lines."""
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Sequence
 

@@ -1,7 +1,5 @@
 """A small chart with made-up numbers: what is tested is how they are shown and written."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any

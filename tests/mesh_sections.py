@@ -3,16 +3,13 @@
 Nothing of `bodymeasure.section` is used but the plane.
 """
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas
 from bodymeasure.bezier import bernstein, evaluate
 from bodymeasure.section import Plane
 
-Array = NDArray[np.float64]
 LEVELS = (64, 128, 256)
 
 

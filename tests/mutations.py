@@ -1,7 +1,5 @@
 """Valid files with something wrong in them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 

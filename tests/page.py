@@ -1,7 +1,5 @@
 """A page, parsed strictly."""
 
-from __future__ import annotations
-
 import re
 from html.parser import HTMLParser
 

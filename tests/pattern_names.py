@@ -4,8 +4,6 @@ Of Seamly2D and Valentina, those measurements that a body without head, hands an
 the names of their known measurements, groups A, B, G to O. Of FreeSewing, all.
 """
 
-from __future__ import annotations
-
 SEAMLY = frozenset(
     """
     height_neck_back height_scapula height_armpit height_waist_side height_hip height_gluteal_fold

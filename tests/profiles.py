@@ -1,14 +1,10 @@
 """Taut tapes in a plane of symmetry, from the exact section of the body by that plane."""
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.section import Plane, SectionLoop, plane_section
-
-_Array = NDArray[np.float64]
 
 # Samples of the profile: what they leave of the arcs is measured exactly, and takeoffs are known to
 # a step, whose cube counts.
@@ -27,7 +23,7 @@ def profile_hull(atlas: Atlas, start: AtlasPoint, end: AtlasPoint) -> float:
     return _taut(loop, arcs[int(np.argmin(lengths))])
 
 
-def _place(loop: SectionLoop, position: _Array) -> float:
+def _place(loop: SectionLoop, position: Array) -> float:
     """Where a loop passes closest to a position."""
     count = float(len(loop.pieces))
     place, width = 0.5 * count, 0.5 * count
@@ -39,14 +35,14 @@ def _place(loop: SectionLoop, position: _Array) -> float:
     return place
 
 
-def _arc(begin: float, finish: float) -> _Array:
+def _arc(begin: float, finish: float) -> Array:
     """Places from one to another, onwards."""
     # The kinks between pieces are corners of the hull, or of hollows.
     kinks = np.arange(np.floor(begin) + 1.0, np.ceil(finish))
     return np.unique(np.concatenate([np.linspace(begin, finish, SAMPLES + 1), kinks]))
 
 
-def _travelled(loop: SectionLoop, places: _Array) -> _Array:
+def _travelled(loop: SectionLoop, places: Array) -> Array:
     count = float(len(loop.pieces))
     turns = np.floor(places / count) * loop.closed
     rest = places - turns * count
@@ -54,7 +50,7 @@ def _travelled(loop: SectionLoop, places: _Array) -> _Array:
     return np.asarray(way - way[0])
 
 
-def _taut(loop: SectionLoop, places: _Array) -> float:
+def _taut(loop: SectionLoop, places: Array) -> float:
     """The chain that turns towards the body only: arcs of the profile, and bridges."""
     whole = loop.positions[:, 1:]
     area = (whole[:, 0] * np.roll(whole[:, 1], -1) - whole[:, 1] * np.roll(whole[:, 0], -1)).sum()

@@ -1,19 +1,15 @@
 """Quad meshes on a grid, and atlases of the bicubic B-spline surfaces that they stand for."""
 
-from __future__ import annotations
-
 import numpy as np
 from grids import grid_atlas
-from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas
 from bodymeasure.subdivision import QuadMesh
 
-_Array = NDArray[np.float64]
 
-
-def grid_mesh(points: _Array) -> QuadMesh:
+def grid_mesh(points: Array) -> QuadMesh:
     """The quads of a grid of vertices (rows, columns, 3)."""
     rows, columns = points.shape[:2]
     number = np.arange(rows * columns).reshape(rows, columns)
@@ -21,13 +17,13 @@ def grid_mesh(points: _Array) -> QuadMesh:
     return QuadMesh(points.reshape(-1, 3), np.stack(corners, axis=-1).reshape(-1, 4))
 
 
-def spline_matrix(count: int, places: _Array, order: int = 0) -> _Array:
+def spline_matrix(count: int, places: Array, order: int = 0) -> Array:
     """Values of the cubic B-splines of `count` control points, with i at the place i."""
     splines = BSpline(np.arange(count + 4) - 2.0, np.eye(count), 3)
     return np.asarray(splines(places, nu=order))
 
 
-def spline_atlas(points: _Array, margin: int) -> Atlas:
+def spline_atlas(points: Array, margin: int) -> Atlas:
     """The B-spline surface of a grid as Bezier patches, without so many rows and columns round it.
 
     One patch for each quad that is left; u runs with the rows.
@@ -38,7 +34,7 @@ def spline_atlas(points: _Array, margin: int) -> Atlas:
     return grid_atlas(rows, columns, lambda _x, _y: net)
 
 
-def _to_bezier(count: int, margin: int) -> _Array:
+def _to_bezier(count: int, margin: int) -> Array:
     """The Bezier points of the spline's pieces, those that neighbors share once."""
     joints = np.arange(margin, count - margin, dtype=np.float64)
     values = spline_matrix(count, joints)
@@ -47,7 +43,7 @@ def _to_bezier(count: int, margin: int) -> _Array:
     return rows[1:-1]
 
 
-def cylinder_net(rows: int, columns: int) -> _Array:
+def cylinder_net(rows: int, columns: int) -> Array:
     """Control points of a cylinder on a spline curve in the xz plane: developable."""
     angle = np.linspace(0.2, 2.4, rows)
     curve = np.stack([-3.0 * np.cos(angle), 0.0 * angle, 2.0 * np.sin(angle)], axis=-1)
@@ -55,7 +51,7 @@ def cylinder_net(rows: int, columns: int) -> _Array:
     return np.asarray(curve[:, None] + along)
 
 
-def arc_net(rows: int, columns: int) -> _Array:
+def arc_net(rows: int, columns: int) -> Array:
     """Control points of a cylinder on an arc: of radius 1 to five digits, 15 degrees for each."""
     step = 2.0 * np.pi / 24.0
     angle = step * np.arange(rows)
@@ -66,7 +62,7 @@ def arc_net(rows: int, columns: int) -> _Array:
     return np.asarray(curve[:, None] + along)
 
 
-def hilly_net(rows: int, columns: int) -> _Array:
+def hilly_net(rows: int, columns: int) -> Array:
     """Control points of a surface with hills and hollows."""
     i, j = np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij")
     heights = 0.4 * np.sin(0.9 * i + 0.3) * np.cos(0.7 * j)

@@ -1,14 +1,10 @@
 """Quadrics and tori as rational patches, whole ones as atlases."""
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Unit
 from bodymeasure.bezier import elevate, project
-
-Array = NDArray[np.float64]
 
 HALF = np.sqrt(0.5)
 # A quarter of the unit circle, from (1, 0) to (0, 1): homogeneous (w x, w y, w).

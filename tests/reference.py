@@ -4,15 +4,12 @@ The energy of a polynomial path is made stationary: no geodesic equation, no col
 function and no correction of the length. Of the library only `bezier.derivatives` is used.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier import derivatives
-
-Array = NDArray[np.float64]
 
 # Two degrees of path: a length is given only if both agree on it to this.
 DEGREES = (28, 40)

@@ -4,20 +4,16 @@ Nothing here is shared with `bodymeasure.paper.roots`: the equations are taken f
 derivatives and from the kernel, not from polynomials.
 """
 
-from __future__ import annotations
-
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 from numpy.polynomial import Polynomial
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic import WU_C2
 from bodymeasure.geodesic.equations import linearization
 from bodymeasure.geodesic.surface import BezierSurfaces
-
-Array = NDArray[np.float64]
 
 STEPS = 30
 LAST_STEP = 1e-10

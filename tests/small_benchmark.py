@@ -1,7 +1,5 @@
 """A benchmark of a few problems, run once for all tests of a process."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 from bodymeasure.bench import BenchDocument, Size, run_benchmark

@@ -1,7 +1,5 @@
 """What a method finds from the straight line in (u, v), with no search for a shorter path."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from bodymeasure.geodesic import GeodesicSolution, solve_geodesic

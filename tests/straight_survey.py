@@ -1,7 +1,5 @@
 """A survey of straight (u, v) diagonals with made-up differences: what is tested is its drawing."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 from typing import Any
 

@@ -4,8 +4,6 @@ Each shortest path stays inside its patch. `tests/test_samples.py` checks every 
 along the geodesic equation.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass

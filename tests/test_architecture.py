@@ -1,7 +1,5 @@
 """The layers of the package, read off its syntax trees."""
 
-from __future__ import annotations
-
 import ast
 import inspect
 import subprocess
@@ -24,7 +22,7 @@ FOLDERS = {
 
 # Each layer imports from those above it in this list, not from others of its own line.
 LAYERS = (
-    ("errors",),
+    ("_typing", "errors", "wording"),
     ("files",),
     ("bezier", "subdivision"),
     ("atlas",),

@@ -1,7 +1,5 @@
 """README's examples are run as they stand there."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

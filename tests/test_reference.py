@@ -1,7 +1,5 @@
 """The reference that lengths are held against, itself held against closed forms and solve_bvp."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from reference import chebyshev_times, reference_lengths

@@ -1,7 +1,5 @@
 """The samples that ship with bodymeasure, and the known lengths that tests lean on."""
 
-from __future__ import annotations
-
 import importlib
 import re
 from pathlib import Path

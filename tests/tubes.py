@@ -1,7 +1,5 @@
 """Tubes of four patches round, whose horizontal sections are all alike but for their size."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,18 +1,14 @@
 """Surfaces with two valleys, upside down two legs, whose saddle between them is known."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from grids import grid_index
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Unit
-
-_Array = NDArray[np.float64]
 
 
 class Knot(NamedTuple):
@@ -28,7 +24,7 @@ def smooth(at: float, height: float, slope: float = 0.0) -> Knot:
     return Knot(at, height, slope, slope)
 
 
-def cubics(knots: Sequence[Knot]) -> _Array:
+def cubics(knots: Sequence[Knot]) -> Array:
     """Bernstein coefficients of the cubics between knots, shape (knots - 1, 4)."""
     rows = []
     for start, stop in pairwise(knots):

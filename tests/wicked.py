@@ -1,13 +1,10 @@
 """Patches that are folded, collapsed, stretched or crumpled, and pairs of points on them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from bodymeasure._typing import Array
 
 GRID = np.linspace(0.0, 1.0, 4)
 FLAT = np.stack(np.meshgrid(GRID, GRID, [0.0], indexing="ij"), axis=-1)[:, :, 0]

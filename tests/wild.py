@@ -1,11 +1,8 @@
 """Patches as wild as the paper's, made without the generator that is tested."""
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from bodymeasure._typing import Array
 
 
 def wild_patches(

@@ -1,7 +1,5 @@
 """Keys, clicks and words that the windows have in common."""
 
-from __future__ import annotations
-
 import textwrap
 from collections.abc import Callable, Mapping
 from typing import Any

@@ -1,7 +1,5 @@
 """What the viewer says about a patch or a tape that was picked."""
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,7 +14,7 @@ if TYPE_CHECKING:
 DIAGONALS = ("(0, 0) - (1, 1)", "(1, 0) - (0, 1)")
 
 
-def describe(survey: Survey, patch: int, diagonal: int | None = None) -> str:
+def describe(survey: "Survey", patch: int, diagonal: int | None = None) -> str:
     """A patch's name and region, and the lengths of its diagonals in centimetres.
 
     Parameters
@@ -39,7 +37,7 @@ def describe(survey: Survey, patch: int, diagonal: int | None = None) -> str:
     return "\n".join([title, *(_diagonal(survey, patch, number) for number in wanted)])
 
 
-def _diagonal(survey: Survey, patch: int, diagonal: int) -> str:
+def _diagonal(survey: "Survey", patch: int, diagonal: int) -> str:
     solution, check, unit = survey.diagonals, survey.cross_check, survey.atlas.unit
     length = float(solution.length[patch, diagonal])
     if not np.isfinite(length):
@@ -51,7 +49,7 @@ def _diagonal(survey: Survey, patch: int, diagonal: int) -> str:
     return text
 
 
-def describe_measured(item: Measured, unit: Unit) -> str:
+def describe_measured(item: "Measured", unit: Unit) -> str:
     """A measurement's name and value in centimetres, and how the tape lies.
 
     Parameters

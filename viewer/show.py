@@ -1,7 +1,5 @@
 """Opening the window, or saving what it would show."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -20,7 +18,7 @@ if TYPE_CHECKING:
     from bodymeasure.measure import Survey
 
 
-def view(survey: Survey, screenshot: Path | None = None) -> str:
+def view(survey: "Survey", screenshot: Path | None = None) -> str:
     """Open a window on a measured body, or save what it would show.
 
     Parameters
@@ -48,7 +46,7 @@ def view(survey: Survey, screenshot: Path | None = None) -> str:
     )
 
 
-def view_chart(chart: Chart, screenshot: Path | None = None, *, key: str | None = None) -> str:
+def view_chart(chart: "Chart", screenshot: Path | None = None, *, key: str | None = None) -> str:
     """Open a window on a body with the tapes of its measurements, or save what it would show.
 
     Parameters

@@ -1,7 +1,5 @@
 """The window of a chart: a body with its tapes as tubes, to turn and to pick."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -54,7 +52,7 @@ class TapeWindow:
         The only measurement to show.
     """
 
-    def __init__(self, chart: Chart, plotter: Any, key: str | None = None) -> None:
+    def __init__(self, chart: "Chart", plotter: Any, key: str | None = None) -> None:
         self.chart = chart
         self.plotter = plotter
         scene = tapes_scene(chart)
@@ -242,7 +240,7 @@ def _draw_before_all(actor: Any) -> None:
     mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(0.0, BEFORE_ALL)
 
 
-def build_tapes(chart: Chart, key: str | None = None, *, off_screen: bool = False) -> TapeWindow:
+def build_tapes(chart: "Chart", key: str | None = None, *, off_screen: bool = False) -> TapeWindow:
     """The filled window, not yet shown."""
     import pyvista
 

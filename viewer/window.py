@@ -1,7 +1,5 @@
 """The window: a body's surface, its patches' edges and all diagonals, to turn and to pick."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -67,7 +65,7 @@ class Window:
         Empty; it is filled.
     """
 
-    def __init__(self, survey: Survey, plotter: Any) -> None:
+    def __init__(self, survey: "Survey", plotter: Any) -> None:
         self.survey = survey
         self.plotter = plotter
         self.scene = body_scene(survey)
@@ -212,7 +210,7 @@ class Window:
         return replace(framed, center=center, height=height)
 
 
-def build(survey: Survey, *, off_screen: bool = False) -> Window:
+def build(survey: "Survey", *, off_screen: bool = False) -> Window:
     """The filled window, not yet shown."""
     import pyvista
 

@@ -1,7 +1,5 @@
 """The atlas: a body's surface as Bezier patches that share control points."""
 
-from __future__ import annotations
-
 import hashlib
 import unicodedata
 from collections.abc import Mapping

@@ -1,7 +1,5 @@
 """Which way a body faces in its coordinates."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What is wrong with an atlas."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """The point of an atlas that is closest to a given position."""
 
-from __future__ import annotations
-
 import numpy as np
 import scipy
 from numpy.typing import ArrayLike, NDArray

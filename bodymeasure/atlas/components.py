@@ -1,7 +1,5 @@
 """Connected components of a graph."""
 
-from __future__ import annotations
-
 import numpy as np
 import scipy
 from numpy.typing import NDArray

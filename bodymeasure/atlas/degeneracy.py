@@ -1,7 +1,5 @@
 """Patches, edges and corners that collapse."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

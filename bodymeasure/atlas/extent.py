@@ -1,7 +1,5 @@
 """How far patches extend in a direction."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

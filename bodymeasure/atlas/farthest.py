@@ -1,7 +1,5 @@
 """The points of patches that lie farthest in a direction."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Patches that fold over: whose normal turns round abruptly inside."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

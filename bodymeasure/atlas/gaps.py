@@ -1,7 +1,5 @@
 """Edges that nearly meet: seams with a gap, seams not joined by index, T-junctions."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

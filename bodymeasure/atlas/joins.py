@@ -1,7 +1,5 @@
 """How joined patches meet: how many on an edge, facing which way, at what angle."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

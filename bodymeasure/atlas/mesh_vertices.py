@@ -1,7 +1,5 @@
 """Vertices of mesh files, in the order in which the file numbers them."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

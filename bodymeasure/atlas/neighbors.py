@@ -1,7 +1,5 @@
 """Which places of an atlas are one: steps over seams, and the ways round a corner."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import NamedTuple
 

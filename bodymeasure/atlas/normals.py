@@ -1,7 +1,5 @@
 """The normal field S_u x S_v of patches as a polynomial."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

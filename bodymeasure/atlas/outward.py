@@ -1,7 +1,5 @@
 """Which side of patches is the body's outside."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas

@@ -1,7 +1,5 @@
 """A place on an atlas."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 

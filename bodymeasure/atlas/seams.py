@@ -1,7 +1,5 @@
 """Edges of patches, and which patches share them."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 

@@ -1,7 +1,5 @@
 """How large and how small an atlas may be."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """Triangle meshes of an atlas, welded along its seams."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

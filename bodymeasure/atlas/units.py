@@ -1,7 +1,5 @@
 """Units of length."""
 
-from __future__ import annotations
-
 from enum import StrEnum
 from typing import TypeVar
 
@@ -27,7 +25,7 @@ class Unit(StrEnum):
         return _METRES[self]
 
     @classmethod
-    def parse(cls, text: str) -> Unit:
+    def parse(cls, text: str) -> "Unit":
         """The unit of that name.
 
         Raises

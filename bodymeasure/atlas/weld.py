@@ -1,23 +1,19 @@
 """Welding: patches that are given without topology are joined where their edges coincide."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.degeneracy import collapsed_sides
 from bodymeasure.atlas.gaps import free_edges, near_seams, welded_index
 from bodymeasure.atlas.seams import EdgeTable, edge_table, sides_of, weights_differ
 from bodymeasure.atlas.size import require_size
 
-_Points = NDArray[np.float64]
-_Index = NDArray[np.int64]
-
 
 def weld(
-    control_points: _Points, tolerance: float | None = None, *, weights: _Points | None = None
-) -> tuple[_Points, _Index]:
+    control_points: Array, tolerance: float | None = None, *, weights: Array | None = None
+) -> tuple[Array, Ints]:
     """Join patches by their edges, in either direction.
 
     Parameters
@@ -72,7 +68,7 @@ def weld(
     return control_points.reshape(-1, 3)[np.sort(first)], rank[index].reshape(own.shape)
 
 
-def same_places(points: _Points) -> _Index:
+def same_places(points: Array) -> Ints:
     """A number for each point, the same for those whose coordinates are; shape (n,)."""
     number = np.zeros(len(points), dtype=np.int64)
     for axis in range(points.shape[1]):
@@ -81,9 +77,7 @@ def same_places(points: _Points) -> _Index:
     return number
 
 
-def _join_same(
-    own: _Index, table: EdgeTable, collapsed: NDArray[np.bool_], weights: _Points
-) -> _Index:
+def _join_same(own: Ints, table: EdgeTable, collapsed: NDArray[np.bool_], weights: Array) -> Ints:
     """The index with sides joined that lie on one edge, and collapsed sides made one point."""
     rows = edge_table(own).control_index.reshape(-1, own.shape[-1])
     backwards = table.reversed.reshape(-1, 1)

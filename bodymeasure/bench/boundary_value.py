@@ -1,14 +1,10 @@
 """Geodesics by `scipy.integrate.solve_bvp`, a general solver of boundary value problems."""
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import NDArray
 from scipy.integrate import solve_bvp
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.surface import BezierSurfaces
-
-_Array = NDArray[np.float64]
 
 # The first mesh; the solver refines it.
 FIRST_NODES = 17
@@ -32,7 +28,7 @@ class BoundaryValueProblem:
         The solver's ``tol``.
     """
 
-    def __init__(self, net: _Array, start: _Array, end: _Array, tolerance: float) -> None:
+    def __init__(self, net: Array, start: Array, end: Array, tolerance: float) -> None:
         self._surface = BezierSurfaces(net[None])
         self._start, self._end = start, end
         self._tolerance = tolerance
@@ -55,7 +51,7 @@ class BoundaryValueProblem:
         speed = np.sqrt(((jet[1] * y[2] + jet[2] * y[3]) ** 2).sum(axis=0))
         return float(speed @ (half * WEIGHTS).ravel())
 
-    def _slope(self, _: _Array, y: _Array) -> _Array:
+    def _slope(self, _: Array, y: Array) -> Array:
         _, s_u, s_v, s_uu, s_uv, s_vv = self._surface.jet(y[None, :2].swapaxes(1, 2), 2)[:, :, 0]
         du, dv = y[2:]
         bend = s_uu * (du * du) + s_uv * (2.0 * du * dv) + s_vv * (dv * dv)
@@ -64,5 +60,5 @@ class BoundaryValueProblem:
         determinant = e * g - f * f
         return np.stack([du, dv, (f * q - g * p) / determinant, (f * p - e * q) / determinant])
 
-    def _ends(self, first: _Array, last: _Array) -> _Array:
+    def _ends(self, first: Array, last: Array) -> Array:
         return np.concatenate([first[:2] - self._start, last[:2] - self._end])

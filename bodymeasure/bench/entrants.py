@@ -1,7 +1,5 @@
 """Who takes part: bodymeasure's methods, a general solver, and mesh libraries."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -9,8 +7,8 @@ from importlib.util import find_spec
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.bench.boundary_value import BoundaryValueProblem
 from bodymeasure.bench.mesh_paths import (
     MeshedPatch,
@@ -31,8 +29,7 @@ from bodymeasure.geodesic import (
     solve_geodesic,
 )
 
-_Array = NDArray[np.float64]
-Solve = Callable[[], _Array]
+Solve = Callable[[], Array]
 Prepare = Callable[[Problems], Solve]
 Family = Literal["bodymeasure", "scipy", "mesh"]
 # How many problems a method is given, and how often; see `bodymeasure.bench.size`.
@@ -126,7 +123,7 @@ def _solver(method: Method) -> Prepare:
     """One of bodymeasure's own methods, on all problems in one batch."""
 
     def prepare(problems: Problems) -> Solve:
-        def solve() -> _Array:
+        def solve() -> Array:
             solution = solve_geodesic(
                 problems.nets,
                 problems.start,
@@ -142,7 +139,7 @@ def _solver(method: Method) -> Prepare:
     return prepare
 
 
-def _one_by_one(make: Callable[[_Array, _Array, _Array], Callable[[], float]]) -> Prepare:
+def _one_by_one(make: Callable[[Array, Array, Array], Callable[[], float]]) -> Prepare:
     """A method that takes one problem at a time."""
 
     def prepare(problems: Problems) -> Solve:
@@ -161,8 +158,8 @@ def _length_or_nan(call: Callable[[], float]) -> float:
 
 def _on_mesh(
     length: Callable[[MeshedPatch], float], points: int
-) -> Callable[[_Array, _Array, _Array], Callable[[], float]]:
-    def make(net: _Array, start: _Array, end: _Array) -> Callable[[], float]:
+) -> Callable[[Array, Array, Array], Callable[[], float]]:
+    def make(net: Array, start: Array, end: Array) -> Callable[[], float]:
         return partial(length, MeshedPatch.of(net, start, end, points))
 
     return make

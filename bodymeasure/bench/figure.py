@@ -1,7 +1,5 @@
 """Error against time of all methods, as an SVG file."""
 
-from __future__ import annotations
-
 import io
 from dataclasses import dataclass
 from typing import Any

@@ -1,7 +1,5 @@
 """How processor time and memory grow with the number of patches."""
 
-from __future__ import annotations
-
 import tracemalloc
 from dataclasses import dataclass
 

@@ -3,17 +3,14 @@
 The mesh is made beforehand; what a library builds from it for one pair of points is in its time.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.oracle.grid import PatchGrid
 from bodymeasure.oracle.libigl import exact_distance, heat_distances
-
-_Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,13 +24,13 @@ class MeshedPatch:
     source, target : int
     """
 
-    vertices: _Array
+    vertices: Array
     faces: NDArray[np.int64]
     source: int
     target: int
 
     @classmethod
-    def of(cls, net: _Array, start: _Array, end: _Array, points: int) -> MeshedPatch:
+    def of(cls, net: Array, start: Array, end: Array, points: int) -> "MeshedPatch":
         """A patch on `points` points a side; the ends are at the nearest of them."""
         side = np.linspace(0.0, 1.0, points)
         grid = PatchGrid(side, side)

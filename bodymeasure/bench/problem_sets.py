@@ -1,12 +1,11 @@
 """The three sets of problems on which methods are compared, and the true lengths."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.bench.problems import (
     Problems,
     both_diagonals,
@@ -16,8 +15,6 @@ from bodymeasure.bench.problems import (
 )
 from bodymeasure.bench.reference import DEGREES, FINEST, GUESS_TIMES, geodesics
 from bodymeasure.samples import load_sample
-
-_Array = NDArray[np.float64]
 
 SEED = 2007
 BODY = "female_average"
@@ -51,7 +48,7 @@ class ProblemSet:
     name: str
     title: str
     problems: Problems
-    truth: _Array
+    truth: Array
     drawn: int
     leaving: int
     unresolved: int
@@ -86,12 +83,12 @@ def body_set(count: int) -> ProblemSet:
     return _known("body", f"patches of a body ({BODY})", problems, _straight_only(problems), rng)
 
 
-def _straight_only(problems: Problems) -> tuple[_Array, NDArray[np.bool_]]:
+def _straight_only(problems: Problems) -> tuple[Array, NDArray[np.bool_]]:
     known = geodesics(problems, pairs=FINEST)
     return known.length, known.leaves
 
 
-def _shortest(problems: Problems) -> tuple[_Array, NDArray[np.bool_]]:
+def _shortest(problems: Problems) -> tuple[Array, NDArray[np.bool_]]:
     """Lengths of the shortest geodesic from the straight start and from bent ones."""
     length, leaves = _straight_only(problems)
     straight = (
@@ -109,7 +106,7 @@ def _known(
     name: str,
     title: str,
     problems: Problems,
-    reference: tuple[_Array, NDArray[np.bool_]],
+    reference: tuple[Array, NDArray[np.bool_]],
     rng: np.random.Generator,
 ) -> ProblemSet:
     length, leaves = reference

@@ -3,8 +3,6 @@
 Null stands where there is no such value; every number is finite.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 from typing import Final

@@ -4,8 +4,6 @@ Of bodymeasure's solver it uses nothing: nodes, equations, Newton's method, quad
 judgement of the result are its own. A length counts only where two resolutions agree on it.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -13,10 +11,10 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.bench.problems import Problems
 from bodymeasure.bezier import derivatives
 
-Array = NDArray[np.float64]
 Long = NDArray[np.longdouble]
 
 PI = 4.0 * np.arctan(np.longdouble(1.0))

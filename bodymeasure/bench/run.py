@@ -1,7 +1,5 @@
 """The whole benchmark in one run."""
 
-from __future__ import annotations
-
 import os
 import platform
 from collections.abc import Callable

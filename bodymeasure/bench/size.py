@@ -1,7 +1,5 @@
 """How much is measured: in full, or quickly."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Where the time of the default method goes."""
 
-from __future__ import annotations
-
 import cProfile
 import pstats
 from collections.abc import Mapping

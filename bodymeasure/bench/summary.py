@@ -1,7 +1,5 @@
 """From times and lengths to the numbers that are told."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

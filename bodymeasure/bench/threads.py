@@ -1,7 +1,5 @@
 """One thread, and whether it was one."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager

@@ -1,19 +1,13 @@
 """Processor times of calls that take turns."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
-import numpy as np
-from numpy.typing import NDArray
-
+from bodymeasure._typing import Array
 from bodymeasure.bench.entrants import Entrant
 from bodymeasure.bench.problem_sets import ProblemSet
 from bodymeasure.bench.size import Size
-
-_Array = NDArray[np.float64]
 
 
 @dataclass
@@ -33,7 +27,7 @@ class Trial:
 
     entrant: Entrant
     count: int
-    length: _Array
+    length: Array
     seconds: list[float] = field(default_factory=list)
 
 

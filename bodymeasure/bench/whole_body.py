@@ -1,7 +1,5 @@
 """What a user waits for: all diagonals of a body."""
 
-from __future__ import annotations
-
 from functools import partial
 from statistics import median
 

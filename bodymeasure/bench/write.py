@@ -1,7 +1,5 @@
 """Writing a benchmark's files."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from bodymeasure.bench.figure import error_against_time

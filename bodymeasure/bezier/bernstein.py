@@ -1,7 +1,5 @@
 """The Bernstein basis and its derivatives."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

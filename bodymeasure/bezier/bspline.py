@@ -1,16 +1,13 @@
 """B-splines cut into Bezier pieces, exactly."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
-
-_Array = NDArray[np.float64]
 
 
 class BezierPieces(NamedTuple):
@@ -24,8 +21,8 @@ class BezierPieces(NamedTuple):
         The parameters at which each piece begins and ends.
     """
 
-    control_points: _Array
-    breaks: _Array
+    control_points: Array
+    breaks: Array
 
 
 def bezier_pieces(control_points: ArrayLike, degree: int, knots: ArrayLike) -> BezierPieces:
@@ -67,7 +64,7 @@ def bezier_pieces(control_points: ArrayLike, degree: int, knots: ArrayLike) -> B
     return BezierPieces(pieces, np.stack([vector[span], vector[span + 1]], axis=-1))
 
 
-def _check_knots(knots: _Array, count: int, degree: int) -> None:
+def _check_knots(knots: Array, count: int, degree: int) -> None:
     if degree < 1 or count <= degree:
         raise InputError(
             f"a B-spline of degree {degree} has {count} control points; expected a degree of at "
@@ -95,7 +92,7 @@ def _check_knots(knots: _Array, count: int, degree: int) -> None:
 
 
 @lru_cache(maxsize=64)
-def _piece_matrices(degree: int, knot_bytes: bytes) -> tuple[NDArray[np.int64], _Array]:
+def _piece_matrices(degree: int, knot_bytes: bytes) -> tuple[NDArray[np.int64], Array]:
     """The knot spans that are not empty, and what takes their control points to Bezier points.
 
     Rows have the shape (pieces, degree + 1, degree + 1), and act on the control points from

@@ -1,7 +1,5 @@
 """Degree elevation."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

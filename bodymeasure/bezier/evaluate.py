@@ -1,7 +1,5 @@
 """Points and derivatives of Bezier patches."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

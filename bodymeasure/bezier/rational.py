@@ -1,16 +1,14 @@
 """Rational Bezier patches: control points in homogeneous coordinates."""
 
-from __future__ import annotations
-
 from math import comb
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-_Array = NDArray[np.float64]
+from bodymeasure._typing import Array
 
 
-def homogeneous(control_points: ArrayLike, weights: ArrayLike) -> _Array:
+def homogeneous(control_points: ArrayLike, weights: ArrayLike) -> Array:
     """Control points of rational patches.
 
     Parameters
@@ -30,7 +28,7 @@ def homogeneous(control_points: ArrayLike, weights: ArrayLike) -> _Array:
     return np.concatenate([points * weight, weight], axis=-1)
 
 
-def project(control_points: ArrayLike) -> _Array:
+def project(control_points: ArrayLike) -> Array:
     """Control points in space: those of three coordinates as they are, of four over their weights.
 
     Parameters
@@ -45,14 +43,14 @@ def project(control_points: ArrayLike) -> _Array:
     return points if points.shape[-1] == 3 else points[..., :3] / points[..., 3:]
 
 
-def scaled(control_points: _Array, factor: float) -> _Array:
+def scaled(control_points: Array, factor: float) -> Array:
     """Patches (..., 3 or 4) scaled about the origin; weights stay."""
     result = control_points * factor
     result[..., 3:] = control_points[..., 3:]
     return result
 
 
-def divide(jet: _Array) -> _Array:
+def divide(jet: Array) -> Array:
     """Derivatives of a rational patch from those of its homogeneous coordinates.
 
     Parameters

@@ -1,7 +1,5 @@
 """Splitting a patch and restricting it to a sub-rectangle, exactly."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Accuracy classes of body measurements, as ISO 20685-1 has them."""
 
-from __future__ import annotations
-
 import re
 from enum import StrEnum
 

@@ -1,7 +1,5 @@
 """Measurements that follow from others by a formula."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from bodymeasure.chart.definitions import FormulaMeasure

@@ -1,7 +1,5 @@
 """A body while it is measured: its landmarks, and what several measurements share."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -10,19 +8,18 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.normals import normal_vectors
 from bodymeasure.atlas.outward import outward_sign
 from bodymeasure.chart.joined import joined
 from bodymeasure.chart.legs import leg
 from bodymeasure.chart.measured import Tape, TapeKind
-from bodymeasure.chart.nearest import hint
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import AtlasPath
 from bodymeasure.measure import Girth, plane_girth
 from bodymeasure.section import DrawnTape, Plane
-
-_Array = NDArray[np.float64]
+from bodymeasure.wording import hint
 
 
 class MissingLandmarkError(InputError):
@@ -69,7 +66,7 @@ class Body:
         near = f"; {hint(name, known)}" if known else ", nor any other"
         raise MissingLandmarkError(f"the atlas has no landmark {name!r}{near}")
 
-    def position(self, name: str) -> _Array:
+    def position(self, name: str) -> Array:
         """Where a landmark is, shape (3,), in the atlas's unit."""
         return self.atlas.position(self.point(name))
 
@@ -96,7 +93,7 @@ class Body:
         normals[on_skin] = self.normals(drawn.patch[on_skin], drawn.parameters[on_skin])
         return Tape(kind, drawn.positions, normals)
 
-    def normals(self, patch: NDArray[np.int64], parameters: _Array) -> _Array:
+    def normals(self, patch: NDArray[np.int64], parameters: Array) -> Array:
         """Unit vectors out of the body at points of it; 0 where a patch has no normal.
 
         Parameters

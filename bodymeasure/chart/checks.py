@@ -1,7 +1,5 @@
 """What has to hold for a set of definitions beyond the types of its members."""
 
-from __future__ import annotations
-
 import re
 import unicodedata
 from collections.abc import Iterator, Sequence

@@ -1,7 +1,5 @@
 """A body's landmarks completed by rules, whatever it lacks."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from bodymeasure.atlas import Atlas
@@ -9,9 +7,9 @@ from bodymeasure.chart.body import Body
 from bodymeasure.chart.derive import derive_landmarks
 from bodymeasure.chart.landmark_names import KNOWN_NAMES
 from bodymeasure.chart.landmark_rules import LandmarkRule
-from bodymeasure.chart.nearest import hint
 from bodymeasure.chart.rule_order import references
 from bodymeasure.chart.sides import both_sides
+from bodymeasure.wording import hint
 
 
 def completed(atlas: Atlas, rules: Sequence[LandmarkRule]) -> Body:

@@ -1,7 +1,5 @@
 """Definitions of body measurements, as they stand in a file that users read, copy and change."""
 
-from __future__ import annotations
-
 from typing import Any, Literal
 
 import msgspec

@@ -1,7 +1,5 @@
 """Landmarks that follow from others by rule."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 

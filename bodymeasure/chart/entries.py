@@ -1,7 +1,5 @@
 """One entry of a file of definitions: from what TOML gives to a definition, or what is wrong."""
 
-from __future__ import annotations
-
 import re
 from typing import Any, NamedTuple, TypeVar, get_args
 
@@ -9,7 +7,7 @@ import msgspec
 
 from bodymeasure.chart.definitions import Measurement
 from bodymeasure.chart.landmark_rules import LandmarkRule
-from bodymeasure.chart.nearest import hint
+from bodymeasure.wording import hint
 
 Entry = TypeVar("Entry", bound=msgspec.Struct)
 

@@ -1,7 +1,5 @@
 """All measurements of a body, each with its outcome."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 

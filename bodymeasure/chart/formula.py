@@ -1,7 +1,5 @@
 """Formulas of measurements: arithmetic that is parsed, checked and evaluated, never executed."""
 
-from __future__ import annotations
-
 import ast
 import re
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """What has to hold for the formulas of a set of definitions."""
 
-from __future__ import annotations
-
 import graphlib
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
@@ -11,9 +9,9 @@ import msgspec
 from bodymeasure.chart.definitions import FormulaMeasure, Measurement
 from bodymeasure.chart.formula import Formula, parse_formula
 from bodymeasure.chart.formula_quantity import Quantity, quantity_of
-from bodymeasure.chart.nearest import hint
 from bodymeasure.chart.sides import both_sides
 from bodymeasure.errors import InputError
+from bodymeasure.wording import hint
 
 
 class Fault(NamedTuple):

@@ -1,7 +1,5 @@
 """What a formula gives: a length, an angle or a pure number."""
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Mapping
 from enum import StrEnum

@@ -1,7 +1,5 @@
 """The value of a formula, and its error."""
 
-from __future__ import annotations
-
 import ast
 import math
 from collections.abc import Callable, Mapping

@@ -1,7 +1,5 @@
 """Paths laid end to end."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

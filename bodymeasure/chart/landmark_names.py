@@ -1,10 +1,9 @@
 """Names of landmarks, as data: those of ISO 8559-1, and others that charts of measurements use."""
 
-from __future__ import annotations
-
-import difflib
 import re
 from collections.abc import Collection
+
+from bodymeasure.wording import nearest
 
 SIDES = ("left", "right")
 # Landmarks of ISO 8559-1, as secondary sources name them (the standard itself was not at hand, and
@@ -137,5 +136,4 @@ def suggested_name(name: str, others: Collection[str] = ()) -> str | None:
     plain = f"{place} {sides[0]}" if sides else place
     if plain in known:
         return plain
-    near = difflib.get_close_matches(plain, sorted(known), n=1, cutoff=NEAR)
-    return near[0] if near else None
+    return nearest(plain, sorted(known), similarity=NEAR)

@@ -1,7 +1,5 @@
 """Rules by which landmarks follow from others, so that a new body needs few picks."""
 
-from __future__ import annotations
-
 from typing import Literal
 
 import msgspec

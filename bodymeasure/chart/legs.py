@@ -1,7 +1,5 @@
 """Geodesics between landmarks, each found once: rules and measurements share them."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 from bodymeasure.atlas import Atlas, AtlasPoint

@@ -1,7 +1,5 @@
 """Measurements along the surface: through landmarks, and down vertical planes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 

@@ -1,18 +1,14 @@
 """A chart of measurements, measured. Reports and pictures show it and compute no geometry again."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.chart.definitions import Definitions, Measurement
-
-_Array = NDArray[np.float64]
 
 
 class TapeKind(StrEnum):
@@ -47,8 +43,8 @@ class Tape:
     """
 
     kind: TapeKind
-    points: _Array
-    normals: _Array
+    points: Array
+    normals: Array
 
 
 @dataclass(frozen=True, eq=False)

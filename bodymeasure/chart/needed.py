@@ -1,7 +1,5 @@
 """Which landmarks measurements need."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Sequence
 from typing import NamedTuple
 

@@ -1,20 +1,16 @@
 """A tape down the middle of the body, over another tape that spans a hollow."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.definitions import OverMeasure
 from bodymeasure.chart.measured import Measured, Outcome, Tape, TapeKind
 from bodymeasure.measure import drop
 from bodymeasure.section import SectionLoop
-
-_Array = NDArray[np.float64]
 
 # Points on each piece of the profile.
 SAMPLES = 256
@@ -39,8 +35,8 @@ class _Profile(NamedTuple):
     """
 
     arc: SectionLoop
-    over: _Array
-    outwards: _Array
+    over: Array
+    outwards: Array
 
 
 def measure_over(body: Body, definition: OverMeasure) -> Measured:
@@ -63,14 +59,14 @@ def measure_over(body: Body, definition: OverMeasure) -> Measured:
     )
 
 
-def _middle(body: Body, start: str, over: tuple[str, str]) -> _Array:
+def _middle(body: Body, start: str, over: tuple[str, str]) -> Array:
     """The middle between two landmarks, moved sideways into the tape's plane."""
     left = body.atlas.axes.left_vector
     middle = 0.5 * (body.position(over[0]) + body.position(over[1]))
     return np.asarray(middle + ((body.position(start) - middle) @ left) * left)
 
 
-def _outwards(body: Body, start: str, arc: SectionLoop) -> _Array:
+def _outwards(body: Body, start: str, arc: SectionLoop) -> Array:
     """Across the chord of the tape, to the side on which the skin at its start faces."""
     first, last = arc.positions_at(np.array([0.0, float(arc.count)]))
     across = np.cross(body.atlas.axes.left_vector, last - first)
@@ -80,7 +76,7 @@ def _outwards(body: Body, start: str, arc: SectionLoop) -> _Array:
     return np.asarray(across if normal @ across >= 0.0 else -across)
 
 
-def _hull(profile: _Profile, count: int) -> tuple[_Array, _Array]:
+def _hull(profile: _Profile, count: int) -> tuple[Array, Array]:
     """The tape over points of the profile, and their places on it; NaN where it stands free.
 
     What stands out beyond the line from start to end is gone round, as a convex hull.
@@ -107,11 +103,11 @@ def _hull(profile: _Profile, count: int) -> tuple[_Array, _Array]:
     return points[kept[corners]], place[kept[corners]]
 
 
-def _length(points: _Array) -> float:
+def _length(points: Array) -> float:
     return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
 
 
-def _tape(body: Body, arc: SectionLoop, points: _Array, places: _Array) -> Tape:
+def _tape(body: Body, arc: SectionLoop, points: Array, places: Array) -> Tape:
     on_skin = np.isfinite(places)
     normals = np.zeros_like(points)
     normals[on_skin] = body.normals(*arc.surface_points_at(places[on_skin]))

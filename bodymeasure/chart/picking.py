@@ -1,7 +1,5 @@
 """Putting landmarks on an atlas, and taking them off."""
 
-from __future__ import annotations
-
 import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -11,8 +9,8 @@ from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 from bodymeasure.atlas.closest import closest_points
-from bodymeasure.chart.nearest import hint
 from bodymeasure.errors import InputError
+from bodymeasure.wording import hint
 
 # In metres: positions farther from the body are refused. A picked position lies on a mesh of the
 # body, whose atlas is some millimeters off at the worst; one in a wrong unit is much farther.

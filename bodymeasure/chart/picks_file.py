@@ -1,7 +1,5 @@
 """Files of picked positions: CSV with name, x, y and z."""
 
-from __future__ import annotations
-
 import codecs
 import csv
 import io

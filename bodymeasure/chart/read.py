@@ -1,7 +1,5 @@
 """Reading files of definitions, with errors that whoever wrote them can act on."""
 
-from __future__ import annotations
-
 import codecs
 import re
 import tomllib
@@ -22,11 +20,11 @@ from bodymeasure.chart.entries import (
     converted,
     entry_of,
 )
-from bodymeasure.chart.nearest import hint
 from bodymeasure.chart.sides import SIDE
 from bodymeasure.chart.source_lines import SourceLines
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes
+from bodymeasure.wording import hint
 
 FORMAT = "bodymeasure measurements"
 VERSION = 1

@@ -1,7 +1,5 @@
 """Girths of trunk and limbs, and parts of them."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from bodymeasure.chart.body import Body

@@ -1,10 +1,9 @@
 """Landmarks that lie farthest in a direction of the atlas's open boundary."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import EDGES, Atlas, AtlasPoint, edge_table
 from bodymeasure.atlas.seams import sides_of
 from bodymeasure.bezier import bernstein, evaluate, project
@@ -18,8 +17,6 @@ from bodymeasure.chart.rule_choice import (
 )
 from bodymeasure.errors import InputError
 from bodymeasure.section.roots import roots_of_polynomials
-
-_Array = NDArray[np.float64]
 
 
 def boundary_point(atlas: Atlas, rule: Boundary) -> AtlasPoint:
@@ -68,7 +65,7 @@ def _open_sides(
     return patches[row], side
 
 
-def _stations(nets: _Array, direction: _Array) -> tuple[NDArray[np.int64], _Array]:
+def _stations(nets: Array, direction: Array) -> tuple[NDArray[np.int64], Array]:
     """Ends of curves (k, m + 1, 3 or 4), and where they turn back: number of the curve, and t."""
     roots = roots_of_polynomials(_slopes(nets, direction))
     along = np.concatenate([np.broadcast_to([0.0, 1.0], (len(nets), 2)), roots], axis=1)
@@ -76,7 +73,7 @@ def _stations(nets: _Array, direction: _Array) -> tuple[NDArray[np.int64], _Arra
     return curve, along[curve, number]
 
 
-def _slopes(nets: _Array, direction: _Array) -> _Array:
+def _slopes(nets: Array, direction: Array) -> Array:
     """Bernstein coefficients of what has the sign of a coordinate's slope, a row for each curve.
 
     Of a rational curve f / w that is f' w - f w', of degree 2 m - 1, by interpolation.

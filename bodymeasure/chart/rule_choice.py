@@ -1,15 +1,13 @@
 """Choosing patches by region, and one point of several that are equally good."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas, AtlasPoint
-from bodymeasure.chart.nearest import hint
 from bodymeasure.errors import InputError
+from bodymeasure.wording import hint
 
 # Of the atlas's size: coordinates that differ by less are equal. Mirror images differ by their
 # rounding, and by the 1e-11 by which a section's plane may be moved.

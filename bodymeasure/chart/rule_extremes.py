@@ -1,10 +1,9 @@
 """Landmarks that lie farthest in a direction of some regions."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.farthest import farthest_on_patches
 from bodymeasure.chart.landmark_rules import Prominent
@@ -19,10 +18,8 @@ from bodymeasure.errors import InputError
 from bodymeasure.section import Plane, SectionLoop, plane_section
 from bodymeasure.section.farthest import LoopPlaces, atlas_point, local_maxima, places_on
 
-_Array = NDArray[np.float64]
 
-
-def prominent_point(atlas: Atlas, rule: Prominent, positions: dict[str, _Array]) -> AtlasPoint:
+def prominent_point(atlas: Atlas, rule: Prominent, positions: dict[str, Array]) -> AtlasPoint:
     """The point that a `Prominent` rule gives; of mirror images, the one on the wearer's left.
 
     Raises
@@ -52,7 +49,7 @@ def prominent_point(atlas: Atlas, rule: Prominent, positions: dict[str, _Array])
 
 
 def _on_section(
-    atlas: Atlas, patches: NDArray[np.int64], direction: _Array, plane: Plane
+    atlas: Atlas, patches: NDArray[np.int64], direction: Array, plane: Plane
 ) -> list[AtlasPoint]:
     """Local maxima of the section's curves inside some patches."""
     points = []

@@ -1,7 +1,5 @@
 """Landmarks where a geodesic passes a height."""
 
-from __future__ import annotations
-
 import numpy as np
 import scipy
 

@@ -1,14 +1,12 @@
 """Rules with sides put in, in an order in which each follows those that it needs."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterable, Mapping
 
 from bodymeasure.chart.landmark_names import KNOWN_NAMES
 from bodymeasure.chart.landmark_rules import LandmarkRule
-from bodymeasure.chart.nearest import hint
 from bodymeasure.chart.sides import both_sides
 from bodymeasure.errors import InputError
+from bodymeasure.wording import hint
 
 # Fields of rules that name landmarks.
 REFERENCES = ("start", "end", "of", "through", "above", "below")

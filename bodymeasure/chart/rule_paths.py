@@ -1,11 +1,9 @@
 """Landmarks on the geodesic between two others: at a fraction of it, or where it is deepest."""
 
-from __future__ import annotations
-
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.closest import closest_points
 from bodymeasure.atlas.outward import outward_sign
@@ -15,8 +13,6 @@ from bodymeasure.chart.legs import leg
 from bodymeasure.chart.rule_choice import TIE, atlas_size
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import AtlasPath
-
-_Array = NDArray[np.float64]
 
 # Steps a piece of the path in which its distance from the chord has one extreme at most.
 STEPS = 24
@@ -107,7 +103,7 @@ def path_between(atlas: Atlas, start: str, end: str, landmarks: dict[str, AtlasP
     return path
 
 
-def _turns(path: AtlasPath, start: _Array, axis: _Array) -> list[tuple[int, float]]:
+def _turns(path: AtlasPath, start: Array, axis: Array) -> list[tuple[int, float]]:
     """Places (number of a piece, fraction of it) where the distance from the chord is extreme."""
     result = []
     for number, piece in enumerate(path.pieces):
@@ -128,8 +124,8 @@ def _turns(path: AtlasPath, start: _Array, axis: _Array) -> list[tuple[int, floa
 
 
 def _state(
-    path: AtlasPath, number: int, fraction: float, start: _Array, axis: _Array
-) -> tuple[AtlasPoint, _Array, float, _Array]:
+    path: AtlasPath, number: int, fraction: float, start: Array, axis: Array
+) -> tuple[AtlasPoint, Array, float, Array]:
     """Point, offset from the chord, half the slope of the offset's square, and the normal."""
     piece = path.pieces[number]
     matrices = piece.space.matrices(fraction)[:2, 0]

@@ -1,13 +1,11 @@
 """Landmarks on horizontal sections: outermost points, and points of the median plane."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.chart.landmark_rules import GirthLevel, Level, Median
 from bodymeasure.chart.rule_choice import TIE, atlas_size, direction_vector, preferred
@@ -18,8 +16,6 @@ from bodymeasure.measure.merging import refuse_merged
 from bodymeasure.section import Plane, SectionLoop, convex_hull, plane_section
 from bodymeasure.section.farthest import LoopPlaces, atlas_point, local_maxima, places_on
 
-_Array = NDArray[np.float64]
-
 # Of the atlas's size: so close to the median plane, a place is on it. Rounding is far below.
 ON_PLANE = 1e-13
 # Steps a piece between which a section crosses the median plane at most once.
@@ -27,7 +23,7 @@ STEPS = 12
 ROOT_TOLERANCE = 1e-15
 
 
-def level_point(atlas: Atlas, rule: Level, positions: dict[str, _Array]) -> AtlasPoint:
+def level_point(atlas: Atlas, rule: Level, positions: dict[str, Array]) -> AtlasPoint:
     """The point that a `Level` rule gives.
 
     Raises
@@ -39,7 +35,7 @@ def level_point(atlas: Atlas, rule: Level, positions: dict[str, _Array]) -> Atla
     return _outermost(atlas, positions[rule.of], positions[rule.of], rule.facing)
 
 
-def _outermost(atlas: Atlas, at: _Array, near: _Array, facing: str) -> AtlasPoint:
+def _outermost(atlas: Atlas, at: Array, near: Array, facing: str) -> AtlasPoint:
     """The outermost point at one place's height of the loop that is nearest to another."""
     section = plane_section(atlas, Plane(at, atlas.axes.up_vector))
     loop = section.nearest(near)
@@ -67,7 +63,7 @@ def _is_end(loop: SectionLoop, places: LoopPlaces, number: int) -> bool:
     return bool(place == 0.0 or place == len(loop.pieces))
 
 
-def median_point(atlas: Atlas, rule: Median, positions: dict[str, _Array]) -> AtlasPoint:
+def median_point(atlas: Atlas, rule: Median, positions: dict[str, Array]) -> AtlasPoint:
     """The point that a `Median` rule gives.
 
     Raises
@@ -114,7 +110,7 @@ def _crossings(loop: SectionLoop, plane: Plane, near: float) -> LoopPlaces:
     )
 
 
-def girth_level_point(atlas: Atlas, rule: GirthLevel, positions: dict[str, _Array]) -> AtlasPoint:
+def girth_level_point(atlas: Atlas, rule: GirthLevel, positions: dict[str, Array]) -> AtlasPoint:
     """The point that a `GirthLevel` rule gives; the tape is drawn taut.
 
     Raises
@@ -136,10 +132,10 @@ def girth_level_point(atlas: Atlas, rule: GirthLevel, positions: dict[str, _Arra
 
 class _Stretch(NamedTuple):
     atlas: Atlas
-    start: _Array
-    end: _Array
+    start: Array
+    end: Array
 
-    def point(self, fraction: float) -> _Array:
+    def point(self, fraction: float) -> Array:
         return self.start + fraction * (self.end - self.start)
 
     def girth(self, fraction: float) -> float:

@@ -1,7 +1,5 @@
 """Rules for landmarks in words."""
 
-from __future__ import annotations
-
 from bodymeasure.chart.landmark_rules import (
     AtHeight,
     Between,

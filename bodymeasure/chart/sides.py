@@ -1,7 +1,5 @@
 """Definitions that stand for a left and a right one."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from typing import Any, TypeVar
 

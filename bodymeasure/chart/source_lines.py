@@ -1,7 +1,5 @@
 """On which line of a TOML text something stands, which its parser does not tell."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 
@@ -18,7 +16,7 @@ class SourceLines:
     lines: tuple[str, ...]
 
     @classmethod
-    def of(cls, text: str) -> SourceLines:
+    def of(cls, text: str) -> "SourceLines":
         """The lines of a text."""
         blank = _HIDDEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
         return cls(tuple(blank.split("\n")))

@@ -1,10 +1,8 @@
 """Measurements along straight lines."""
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.definitions import (
     BreadthMeasure,
@@ -16,8 +14,6 @@ from bodymeasure.chart.definitions import (
 from bodymeasure.chart.measured import Measured, Outcome, Tape, TapeKind
 from bodymeasure.errors import InputError
 from bodymeasure.measure import breadth, depth
-
-_Array = NDArray[np.float64]
 
 # Of the body's size: rounding of a difference of two of its coordinates, and of an extent, whose
 # search stops where it is as good (`bodymeasure.section.extent`).
@@ -84,7 +80,7 @@ def measure_depth(body: Body, definition: DepthMeasure) -> Measured:
     return _straight(body, definition, width, (definition.at,), line, EXTENT)
 
 
-def _through_middle(points: _Array, direction: _Array) -> tuple[_Array, _Array]:
+def _through_middle(points: Array, direction: Array) -> tuple[Array, Array]:
     """The line through the middle of a loop that spans it in a direction."""
     along = points @ direction
     low, high = float(along.min()), float(along.max())
@@ -98,7 +94,7 @@ def _straight(
     definition: Measurement,
     value: float,
     landmarks: tuple[str, ...],
-    line: tuple[_Array, _Array],
+    line: tuple[Array, Array],
     relative: float = ROUNDING,
 ) -> Measured:
     size = float(np.abs(body.atlas.points).max())

@@ -1,20 +1,16 @@
 """Whether landmarks are mirror images of one another."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas
 from bodymeasure.bezier import evaluate
 from bodymeasure.chart.landmark_names import other_side, side_of
 from bodymeasure.section import Plane
-
-_Array = NDArray[np.float64]
 
 # Samples a side of each patch that are mirrored, and looked for among themselves.
 SAMPLES = 8
@@ -109,7 +105,7 @@ def check_symmetry(atlas: Atlas, kind: Literal["fitted", "axes"] = "fitted") -> 
     )
 
 
-def _axes_plane(atlas: Atlas, positions: dict[str, _Array]) -> Plane:
+def _axes_plane(atlas: Atlas, positions: dict[str, Array]) -> Plane:
     left = atlas.axes.left_vector
     median = [at for name, at in positions.items() if not side_of(name)]
     if median:
@@ -117,18 +113,18 @@ def _axes_plane(atlas: Atlas, positions: dict[str, _Array]) -> Plane:
     return Plane(0.5 * (atlas.points.min(axis=0) + atlas.points.max(axis=0)), left)
 
 
-def _samples(atlas: Atlas) -> _Array:
+def _samples(atlas: Atlas) -> Array:
     side = (np.arange(SAMPLES) + 0.5) / SAMPLES
     grid = np.stack(np.meshgrid(side, side, indexing="ij"), axis=-1)
     shape = (len(atlas), SAMPLES, SAMPLES, 2)
     return evaluate(atlas.control_points, np.broadcast_to(grid, shape)).reshape(-1, 3)
 
 
-def _mirrored(positions: _Array, plane: Plane) -> _Array:
+def _mirrored(positions: Array, plane: Plane) -> Array:
     return positions - 2.0 * plane.distances(positions)[..., None] * plane.normal
 
 
-def _fitted(samples: _Array, start: Plane) -> Plane:
+def _fitted(samples: Array, start: Plane) -> Plane:
     """The plane in which the samples are most nearly symmetric, searched from another.
 
     Notes
@@ -154,7 +150,7 @@ def _fitted(samples: _Array, start: Plane) -> Plane:
     return plane
 
 
-def _deviation(samples: _Array, plane: Plane) -> float:
+def _deviation(samples: Array, plane: Plane) -> float:
     apart, _ = scipy.spatial.KDTree(samples).query(_mirrored(samples, plane))
     trusted = apart[apart <= np.quantile(apart, TRUSTED)]
     return float(np.sqrt(np.mean(trusted**2)))

@@ -1,7 +1,5 @@
 """`bodymeasure bench`."""
 
-from __future__ import annotations
-
 from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -53,7 +51,7 @@ def bench(output: Path | None, quick: bool) -> None:
         RESULTS.print(Text(str(path), style), soft_wrap=True)
 
 
-def _print(document: BenchDocument) -> None:
+def _print(document: "BenchDocument") -> None:
     for record in document.sets:
         print_table(_comparison(document, record))
     print_table(_growth(document))
@@ -88,7 +86,7 @@ def _new_table(title: str, *columns: str) -> Table:
     return table
 
 
-def _comparison(document: BenchDocument, record: SetRecord) -> Table:
+def _comparison(document: "BenchDocument", record: "SetRecord") -> Table:
     left_out = [
         f"{count} {why}"
         for count, why in (
@@ -130,7 +128,7 @@ def _comparison(document: BenchDocument, record: SetRecord) -> Table:
     return table
 
 
-def _growth(document: BenchDocument) -> Table:
+def _growth(document: "BenchDocument") -> Table:
     table = _new_table(
         "growth with the number of patches",
         "patches",
@@ -152,14 +150,14 @@ def _growth(document: BenchDocument) -> Table:
     return table
 
 
-def _stages(document: BenchDocument) -> Table:
+def _stages(document: "BenchDocument") -> Table:
     table = _new_table("where the time goes", "stage", *document.stages)
     for stage in next(iter(document.stages.values())):
         table.add_row(stage, *(f"{shares[stage]:.0%}" for shares in document.stages.values()))
     return table
 
 
-def _figures(document: BenchDocument) -> Table:
+def _figures(document: "BenchDocument") -> Table:
     table = _new_table("in short", "figure", "value", "")
     table.columns[2].justify = "left"
     for figure in document.figures:

@@ -1,7 +1,5 @@
 """`bodymeasure chart`."""
 
-from __future__ import annotations
-
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -133,7 +131,7 @@ def chart(
     return code
 
 
-def measured_chart(atlas: Atlas, definitions: Definitions) -> Chart:
+def measured_chart(atlas: "Atlas", definitions: "Definitions") -> "Chart":
     """Measure a body, with a progress bar.
 
     Raises
@@ -150,7 +148,7 @@ def measured_chart(atlas: Atlas, definitions: Definitions) -> Chart:
         return measure_chart(atlas, definitions, progress=lambda done, _total: progress(done))
 
 
-def _pictures(chart: Chart) -> TapePictures:
+def _pictures(chart: "Chart") -> "TapePictures":
     from bodymeasure.scene import tape_pictures
 
     drawn = [item for item in chart.measured if item.tapes]
@@ -167,7 +165,7 @@ def _pictures(chart: Chart) -> TapePictures:
         return tape_pictures(chart, advance=advance)
 
 
-def _exit_code(document: ChartDocument, definitions: Path | None) -> int:
+def _exit_code(document: "ChartDocument", definitions: Path | None) -> int:
     """1 if a measurement could not be taken though its landmarks are there, or none was taken.
 
     Whoever gives a set of their own asked for all of it.
@@ -178,7 +176,7 @@ def _exit_code(document: ChartDocument, definitions: Path | None) -> int:
     return EXIT_NOT_MEASURED if wanting else 0
 
 
-def _print(document: ChartDocument, form: str) -> None:
+def _print(document: "ChartDocument", form: str) -> None:
     from bodymeasure.report.measurements import chart_to_csv, chart_to_json
 
     # As bytes: these are UTF-8 whatever the terminal speaks.
@@ -195,7 +193,7 @@ def _print(document: ChartDocument, form: str) -> None:
             RESULTS.print(Text("\n".join(["", *reasons])), soft_wrap=True)
 
 
-def _table(document: ChartDocument) -> Table:
+def _table(document: "ChartDocument") -> Table:
     from bodymeasure.report.measurements import tailor_inches, tape_text
 
     inches = document.unit == "inch"
@@ -233,7 +231,7 @@ def _table(document: ChartDocument) -> Table:
     return table
 
 
-def _summary(document: ChartDocument, seconds: float) -> Table:
+def _summary(document: "ChartDocument", seconds: float) -> Table:
     """What a reader wants to know first."""
     from bodymeasure.report.measurements import FREESEWING_KEYS, missing_freesewing
 
@@ -263,7 +261,7 @@ def _summary(document: ChartDocument, seconds: float) -> Table:
     return table
 
 
-def _named(document: ChartDocument, outcome: str) -> str:
+def _named(document: "ChartDocument", outcome: str) -> str:
     return _first([record.name for record in document.measurements if record.outcome == outcome])
 
 

@@ -1,13 +1,12 @@
 """`bodymeasure check`."""
 
-from __future__ import annotations
-
 import click
 from rich.text import Text
 
 from bodymeasure.atlas import Severity, check_atlas
-from bodymeasure.cli.console import RESULTS, counted
+from bodymeasure.cli.console import RESULTS
 from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, same_unit_option
+from bodymeasure.wording import counted
 
 EXIT_FOUND_ERRORS = 1
 COLORS = {Severity.ERROR: "bold red", Severity.WARNING: "yellow"}

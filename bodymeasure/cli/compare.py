@@ -1,7 +1,5 @@
 """`bodymeasure compare`."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -114,7 +112,7 @@ def compare(
     return EXIT_EXCEEDS if exceeding else 0
 
 
-def _writer(output: Path | None) -> Callable[[Comparison], bytes]:
+def _writer(output: Path | None) -> "Callable[[Comparison], bytes]":
     """What makes the file's content; refuses what could not be written, before the work."""
     if output is not None:
         suffix = output.suffix.lower()
@@ -124,7 +122,7 @@ def _writer(output: Path | None) -> Callable[[Comparison], bytes]:
             require(CHART_PAGE)
         require_writable(output)
 
-    def write(comparison: Comparison) -> bytes:
+    def write(comparison: "Comparison") -> bytes:
         from bodymeasure import compare
 
         assert output is not None
@@ -142,7 +140,7 @@ def _is_file_of_values(name: str) -> bool:
     return Path(name).suffix.lower() in READ_SUFFIXES
 
 
-def _readings(name: str, definitions: Definitions, *, despite_errors: bool) -> Readings:
+def _readings(name: str, definitions: "Definitions", *, despite_errors: bool) -> "Readings":
     from bodymeasure.compare import read_readings, readings_of
     from bodymeasure.report.measurements import chart_document
 
@@ -153,7 +151,7 @@ def _readings(name: str, definitions: Definitions, *, despite_errors: bool) -> R
     return readings_of(document)
 
 
-def _print(comparison: Comparison) -> None:
+def _print(comparison: "Comparison") -> None:
     several = len(comparison.subjects) > 1
     title = f"A {comparison.a}, B {comparison.b}, in {comparison.unit}"
     RESULTS.print(Text(title), soft_wrap=True)
@@ -179,7 +177,7 @@ def _new_table(*columns: str) -> Table:
     return table
 
 
-def _differences(comparison: Comparison) -> Table:
+def _differences(comparison: "Comparison") -> Table:
     from bodymeasure.compare.shown import error_text, signed
     from bodymeasure.report.measurements import tape_text
     from bodymeasure.report.numbers import percent
@@ -200,7 +198,7 @@ def _differences(comparison: Comparison) -> Table:
     return table
 
 
-def _agreements(comparison: Comparison) -> Table:
+def _agreements(comparison: "Comparison") -> Table:
     from bodymeasure.compare.shown import interval, signed
 
     table = _new_table(
@@ -219,7 +217,7 @@ def _agreements(comparison: Comparison) -> Table:
     return table
 
 
-def _classes(comparison: Comparison) -> Table:
+def _classes(comparison: "Comparison") -> Table:
     from bodymeasure.compare.shown import signed
 
     table = _new_table("class", f"allowed, {comparison.unit}", "measurements", "within", "verdict")

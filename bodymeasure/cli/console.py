@@ -1,7 +1,5 @@
 """Where words go: results to stdout, progress and errors to stderr."""
 
-from __future__ import annotations
-
 import errno
 import io
 import os
@@ -31,7 +29,7 @@ RESULTS = _Console(highlight=False, emoji=False)
 ERRORS = _Console(stderr=True, highlight=False, emoji=False)
 
 
-def print_table(table: Table) -> None:
+def print_table(table: "Table") -> None:
     """Print a table to fit the terminal; into a pipe or a file, each row as one plain line."""
     if RESULTS.is_terminal:
         RESULTS.print(table)
@@ -50,11 +48,6 @@ def print_note(text: str, *, style: str = "yellow") -> None:
 def print_error(text: str) -> None:
     """Print what was wrong to stderr, as the command line library prints wrong usage."""
     ERRORS.print(Text.assemble(("Error:", "bold red"), " ", text), soft_wrap=True)
-
-
-def counted(number: int, singular: str, plural: str | None = None) -> str:
-    """A number with its noun."""
-    return f"{number:,} {singular if number == 1 else plural or singular + 's'}"
 
 
 @contextmanager

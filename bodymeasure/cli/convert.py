@@ -1,7 +1,5 @@
 """`bodymeasure convert`."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click
@@ -9,10 +7,11 @@ from rich.text import Text
 
 from bodymeasure.atlas import Atlas, summarize
 from bodymeasure.atlas.axes import DIRECTIONS
-from bodymeasure.cli.console import RESULTS, counted, print_note
+from bodymeasure.cli.console import RESULTS, print_note
 from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, same_unit_option
 from bodymeasure.files import require_writable
 from bodymeasure.formats import FORMATS, format_of, write_atlas
+from bodymeasure.wording import counted
 
 _direction = click.Choice(DIRECTIONS)
 

@@ -1,7 +1,5 @@
 """`bodymeasure diagonals`."""
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING
 
 import click
@@ -58,7 +56,7 @@ def diagonals(atlas: str, form: str, unit: str, despite_errors: bool) -> None:
         _explain(document)
 
 
-def _table(document: Document) -> Table:
+def _table(document: "Document") -> Table:
     table = Table(box=None, pad_edge=False)
     table.add_column("diagonal", overflow="fold")
     table.add_column(document.unit, justify="right", no_wrap=True)
@@ -77,7 +75,7 @@ def _table(document: Document) -> Table:
     return table
 
 
-def _explain(document: Document) -> None:
+def _explain(document: "Document") -> None:
     """Say in a sentence what each status but the usual one means."""
     for status, sentence in document.statuses.items():
         if status != "converged":

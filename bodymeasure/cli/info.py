@@ -1,7 +1,5 @@
 """`bodymeasure info`."""
 
-from __future__ import annotations
-
 from collections import Counter
 
 import click
@@ -9,8 +7,9 @@ from rich.table import Table
 from rich.text import Text
 
 from bodymeasure.atlas import Atlas, Finding, Severity, check_atlas, summarize
-from bodymeasure.cli.console import counted, print_table
+from bodymeasure.cli.console import print_table
 from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, same_unit_option
+from bodymeasure.wording import counted
 
 # Names that are listed; the rest is counted.
 LISTED = 8

@@ -1,7 +1,5 @@
 """`bodymeasure landmarks`."""
 
-from __future__ import annotations
-
 import click
 
 from bodymeasure.cli.landmarks_check import check_landmarks

@@ -1,7 +1,5 @@
 """`bodymeasure landmarks check`."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -9,7 +7,7 @@ import click
 from rich.table import Table
 from rich.text import Text
 
-from bodymeasure.cli.console import RESULTS, counted, print_table
+from bodymeasure.cli.console import RESULTS, print_table
 from bodymeasure.cli.landmarks_list import DECIMALS, fixed, format_option
 from bodymeasure.cli.options import (
     EXIT_CODES,
@@ -18,6 +16,7 @@ from bodymeasure.cli.options import (
     load_atlas,
     unit_option,
 )
+from bodymeasure.wording import counted
 
 if TYPE_CHECKING:
     from bodymeasure.report.landmarks import SymmetryDocument
@@ -83,7 +82,7 @@ def check_landmarks(
     return EXIT_FOUND if document.to_look_at else 0
 
 
-def _table(document: SymmetryDocument) -> Table:
+def _table(document: "SymmetryDocument") -> Table:
     table = Table(box=None, pad_edge=False)
     table.add_column("landmark", overflow="fold")
     table.add_column("checked", no_wrap=True)
@@ -100,7 +99,7 @@ def _table(document: SymmetryDocument) -> Table:
     return table
 
 
-def _summary(document: SymmetryDocument) -> str:
+def _summary(document: "SymmetryDocument") -> str:
     unit, decimals = document.unit, DECIMALS[document.unit]
     place = ", ".join(fixed(x, decimals) for x in document.mirror_point)
     normal = ", ".join(fixed(x, 4) for x in document.mirror_normal)

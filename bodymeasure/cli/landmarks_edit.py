@@ -1,7 +1,5 @@
 """`bodymeasure landmarks add` and `remove`."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,12 +8,13 @@ import click
 from rich.text import Text
 
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
-from bodymeasure.cli.console import RESULTS, counted, print_note
+from bodymeasure.cli.console import RESULTS, print_note
 from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas
 from bodymeasure.errors import InputError
 from bodymeasure.formats import write_atlas
 from bodymeasure.formats.registry import EXTENSIONS
 from bodymeasure.samples import sample_names
+from bodymeasure.wording import counted
 
 if TYPE_CHECKING:
     from bodymeasure.chart.picking import Pick
@@ -151,7 +150,7 @@ def _picks(
     source: Path | None,
     unit: str | None,
     far: bool,
-) -> tuple[Pick, ...]:
+) -> "tuple[Pick, ...]":
     import numpy as np
 
     from bodymeasure.chart.picking import Pick, nearest_picks
@@ -220,7 +219,7 @@ def _vertex(path: Path, number: int, *, from_one: bool) -> list[float]:
     return position
 
 
-def _tell(atlas: Atlas, pick: Pick, unit: str | None) -> None:
+def _tell(atlas: Atlas, pick: "Pick", unit: str | None) -> None:
     from bodymeasure.chart import load_definitions
     from bodymeasure.chart.landmark_names import suggested_name
     from bodymeasure.chart.needed import names_in

@@ -1,7 +1,5 @@
 """`bodymeasure landmarks list`."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -69,7 +67,7 @@ def list_landmarks(
         _print(document)
 
 
-def _print(document: LandmarksDocument) -> None:
+def _print(document: "LandmarksDocument") -> None:
     if document.landmarks:
         print_table(_table(document.landmarks, document.unit))
     else:
@@ -87,7 +85,7 @@ def _print(document: LandmarksDocument) -> None:
             RESULTS.print(line, soft_wrap=True)
 
 
-def _table(records: list[LandmarkRecord], unit: str) -> Table:
+def _table(records: "list[LandmarkRecord]", unit: str) -> Table:
     table = Table(box=None, pad_edge=False)
     table.add_column("landmark", overflow="fold")
     table.add_column("patch", overflow="fold")

@@ -1,7 +1,5 @@
 """The command `bodymeasure`, and how it ends."""
 
-from __future__ import annotations
-
 import errno
 import importlib.metadata
 import io

@@ -1,8 +1,5 @@
 """Arguments and options that several commands share."""
 
-from __future__ import annotations
-
-import difflib
 import os
 import warnings
 from collections.abc import Callable, Iterator
@@ -19,6 +16,7 @@ from bodymeasure.cli.console import print_note
 from bodymeasure.errors import InputError, MissingExtraError, ReadWarning
 from bodymeasure.formats import read_atlas
 from bodymeasure.samples import sample_names, sample_path
+from bodymeasure.wording import nearest
 
 DEFAULT_SAMPLE = "female_average"
 # How many faults an error message tells in full.
@@ -135,11 +133,11 @@ def load_atlas(name: str, **options: Any) -> Atlas:
         path = sample_path(name)
     elif len(path.parts) == 1 and not _exists(path):
         # Whoever gives an extension means a file, unless it is nearly the name of a sample.
-        nearest = difflib.get_close_matches(path.stem, sample_names(), n=1, cutoff=NEAR)
+        near = nearest(path.stem, sample_names(), similarity=NEAR)
         hint = "`bodymeasure samples` lists the samples"
-        if nearest:
-            hint = f"did you mean the sample {nearest[0]!r}?"
-        if nearest or not path.suffix:
+        if near:
+            hint = f"did you mean the sample {near!r}?"
+        if near or not path.suffix:
             raise InputError(f"{name}: no such file, and no sample of that name; {hint}")
     context = click.get_current_context(silent=True)
     unit = None if context is None else context.meta.get(_FILE_UNIT)

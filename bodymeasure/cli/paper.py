@@ -1,7 +1,5 @@
 """`bodymeasure paper`."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import click

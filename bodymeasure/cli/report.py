@@ -1,7 +1,5 @@
 """`bodymeasure report`."""
 
-from __future__ import annotations
-
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,7 +8,7 @@ import click
 from rich.table import Table
 from rich.text import Text
 
-from bodymeasure.cli.console import RESULTS, counted, print_note, print_table, progress_bar
+from bodymeasure.cli.console import RESULTS, print_note, print_table, progress_bar
 from bodymeasure.cli.options import (
     COMPARISON,
     EXIT_CODES,
@@ -26,6 +24,7 @@ from bodymeasure.cli.options import (
 )
 from bodymeasure.files import output_folder
 from bodymeasure.measure import Survey, measure_atlas
+from bodymeasure.wording import counted
 
 if TYPE_CHECKING:
     from bodymeasure.report import Pictures
@@ -102,7 +101,7 @@ def report(
     return EXIT_DISAGREES if wrong else 0
 
 
-def _pictures(survey: Survey) -> Pictures:
+def _pictures(survey: Survey) -> "Pictures":
     from bodymeasure.report import closeup_patches
     from bodymeasure.scene import pictures as draw
 
@@ -118,7 +117,7 @@ def _pictures(survey: Survey) -> Pictures:
         return draw(survey, closeups, advance=advance)
 
 
-def _table(document: Document, seconds: float) -> Table:
+def _table(document: "Document", seconds: float) -> Table:
     """What a reader wants to know first."""
     summary, unit = document.summary, document.unit
     table = Table(

@@ -1,7 +1,5 @@
 """`bodymeasure samples`."""
 
-from __future__ import annotations
-
 import click
 from rich.table import Table
 from rich.text import Text

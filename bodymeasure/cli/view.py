@@ -1,8 +1,5 @@
 """`bodymeasure view`."""
 
-from __future__ import annotations
-
-import difflib
 import math
 from collections.abc import Callable
 from pathlib import Path
@@ -30,6 +27,7 @@ from bodymeasure.cli.options import (
 from bodymeasure.errors import InputError
 from bodymeasure.files import require_writable
 from bodymeasure.measure import Survey, measure_atlas
+from bodymeasure.wording import nearest
 
 if TYPE_CHECKING:
     from bodymeasure.atlas import Atlas
@@ -98,14 +96,14 @@ def view(
         click.echo(screenshot)
 
 
-def _survey(loaded: Atlas, no_cross_check: bool, processes: int) -> Survey:
+def _survey(loaded: "Atlas", no_cross_check: bool, processes: int) -> Survey:
     with progress_bar("comparing with libigl", 2 * len(loaded)) as progress:
         return measure_atlas(
             loaded, compare=not no_cross_check, processes=processes, progress=progress
         )
 
 
-def _chart(loaded: Atlas, definitions: Path | None, key: str | None) -> Chart:
+def _chart(loaded: "Atlas", definitions: Path | None, key: str | None) -> "Chart":
     """The chart of a body, in which a measurement that is to be shown has a tape.
 
     Raises
@@ -118,8 +116,8 @@ def _chart(loaded: Atlas, definitions: Path | None, key: str | None) -> Chart:
     wanted = load_definitions(definitions)
     keys = [item.key for item in both_sides(wanted.measurement)]
     if key is not None and key not in keys:
-        nearest = difflib.get_close_matches(key, keys, n=1)
-        hint = f"did you mean {nearest[0]!r}?" if nearest else f"such as {', '.join(keys[:3])}"
+        near = nearest(key, keys)
+        hint = f"did you mean {near!r}?" if near else f"such as {', '.join(keys[:3])}"
         raise InputError(f"there is no measurement {key!r} in {wanted.name!r}; {hint}")
     chart = measured_chart(loaded, wanted)
     if key is not None and not (chart[key].tapes and math.isfinite(chart[key].value)):

@@ -1,7 +1,5 @@
 """Two sources of body measurements, compared."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from datetime import UTC, datetime
 

@@ -1,7 +1,5 @@
 """The verdict of ISO 20685-1 on a mean difference."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from statistics import fmean, stdev

@@ -1,13 +1,11 @@
 """Which measurement a name means."""
 
-from __future__ import annotations
-
-import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass
 
 from bodymeasure.chart import Measurement, accuracy_class
 from bodymeasure.errors import InputError
+from bodymeasure.wording import nearest
 
 # Likeness of names from which one is taken for a misspelling of the other.
 NEAR = 0.6
@@ -80,10 +78,10 @@ class Vocabulary:
             raise InputError(
                 f"{place}: several measurements are named {text!r}; give the key of one: {keys}"
             )
-        nearest = difflib.get_close_matches(_plain(text), self._by_text, n=1, cutoff=NEAR)
-        if nearest:
-            near = self._by_text[nearest[0]][0]
-            hint = f"did you mean {near.key!r} ({near.name})?"
+        near = nearest(_plain(text), self._by_text, similarity=NEAR)
+        if near:
+            meant = self._by_text[near][0]
+            hint = f"did you mean {meant.key!r} ({meant.name})?"
         else:
             hint = "give a key or a name of the chart, or the file of definitions with --set"
         raise InputError(f"{place}: no measurement is named {text!r}; {hint}")

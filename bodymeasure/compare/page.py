@@ -1,7 +1,5 @@
 """A comparison as one self-contained page."""
 
-from __future__ import annotations
-
 from bodymeasure.compare import shown
 from bodymeasure.compare.records import VERDICTS, Comparison
 from bodymeasure.report.measurements.tape import tape_text

@@ -1,7 +1,5 @@
 """Values to compare from files: a chart's JSON, or CSV typed by hand."""
 
-from __future__ import annotations
-
 import csv
 import io
 import math

@@ -1,7 +1,5 @@
 """Measured values to compare, of one body or of many, wherever they come from."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 from bodymeasure.atlas import Unit, convert_length

@@ -1,7 +1,5 @@
 """What a comparison holds, as JSON and CSV, and its schema."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Final, Literal
 
 from msgspec import Meta, Struct

@@ -1,7 +1,5 @@
 """Differences as people read them, on the page and in the terminal."""
 
-from __future__ import annotations
-
 from bodymeasure.compare.records import Agreement, Difference
 from bodymeasure.report.measurements.tape import TAPE_DECIMALS, small_text
 from bodymeasure.report.numbers import MINUS, NONE, SPACE

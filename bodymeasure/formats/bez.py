@@ -7,8 +7,6 @@ What follows ``#`` on a line is a remark. No unit, no names. Geomview's manual, 
 Surfaces*, has the format.
 """
 
-from __future__ import annotations
-
 import re
 
 import numpy as np

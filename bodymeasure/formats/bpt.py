@@ -4,8 +4,6 @@ The first line has the number of patches. Each patch is a line with its two degr
 ``x y z`` for each control point, u fastest. No unit, no names. Lines after ``#`` are remarks.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from bodymeasure.atlas import Atlas

@@ -4,8 +4,6 @@ Read by Open CASCADE (extra ``cad``) in a process of its own, which a broken fil
 harm. Coordinates are in millimeters, whatever the file is in: Open CASCADE converts them.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import partial
 from importlib.util import find_spec

@@ -1,7 +1,5 @@
 """The process in which Open CASCADE reads a file: ``python cad_worker.py FILE RESULT``."""
 
-from __future__ import annotations
-
 import json
 import sys
 from typing import Any

@@ -1,7 +1,5 @@
 """Files that a library of others reads, in a process of its own, which a broken file may end."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys
@@ -13,12 +11,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.formats.patches import ReadPatches
 from bodymeasure.formats.spline_patches import spline_patches
-
-_Array = NDArray[np.float64]
-
 
 # A broken file may keep its reader busy for ever; a sound one of so many bytes, for some seconds.
 CHUNK = 2_000_000
@@ -86,8 +82,8 @@ def surfaces_of_file(content: bytes, source: str, reader: Reader) -> tuple[str, 
 
 def _patches(arrays: Mapping[str, NDArray[Any]], source: str) -> tuple[str, ReadPatches]:
     document = json.loads(str(arrays["document"]))
-    nets: list[_Array] = []
-    weights: list[_Array] = []
+    nets: list[Array] = []
+    weights: list[Array] = []
     names: list[str] = []
     groups: list[str] = []
     places: list[str] = []

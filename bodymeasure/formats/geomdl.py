@@ -5,21 +5,17 @@ surface is cut into Bezier patches; its name is theirs. No unit. Surfaces with w
 `ReadPatches` does; trimmed ones are refused. Only what the shape depends on is looked at.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError
 from bodymeasure.formats.json_faults import place_of_fault
 from bodymeasure.formats.patches import ReadPatches
 from bodymeasure.formats.spline_patches import spline_patches
-
-_Array = NDArray[np.float64]
 
 
 class _ControlPoints(msgspec.Struct):
@@ -86,8 +82,8 @@ def read(content: bytes, source: str) -> ReadPatches:
             f"{source}: says {shape.count} surfaces, but holds {len(shape.data)}; it may have been "
             "edited by hand"
         )
-    nets: list[_Array] = []
-    weights: list[_Array] = []
+    nets: list[Array] = []
+    weights: list[Array] = []
     names: list[str] = []
     places: list[str] = []
     for number, surface in enumerate(shape.data):
@@ -103,7 +99,7 @@ def read(content: bytes, source: str) -> ReadPatches:
     return ReadPatches(nets, weights, names, places=places)
 
 
-def _patches(surface: _Surface) -> tuple[list[_Array], list[_Array]]:
+def _patches(surface: _Surface) -> tuple[list[Array], list[Array]]:
     """Control points and weights of a surface's patches."""
     if surface.type != "spline" or surface.dimension != 3:
         raise InputError(

@@ -1,7 +1,5 @@
 """Parts of an atlas, by the groups that its file names."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

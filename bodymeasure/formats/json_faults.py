@@ -1,7 +1,5 @@
 """Where a file that should be JSON is not."""
 
-from __future__ import annotations
-
 import json
 import re
 

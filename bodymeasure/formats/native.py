@@ -1,7 +1,5 @@
 """The native format: JSON, extension ``.atlas``, read and written without loss."""
 
-from __future__ import annotations
-
 import codecs
 import json
 from collections.abc import Sequence

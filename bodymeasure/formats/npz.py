@@ -5,8 +5,6 @@ like it, of rational patches; and `header`, a text with everything else in JSON.
 unpickled.
 """
 
-from __future__ import annotations
-
 import ast
 import io
 import zipfile

@@ -1,7 +1,5 @@
 """Wavefront OBJ, ``.obj``: free-form surfaces or a mesh, whichever a file holds."""
 
-from __future__ import annotations
-
 from bodymeasure.errors import InputError
 from bodymeasure.formats import obj_mesh, obj_surfaces
 from bodymeasure.formats.obj_mesh import Faces

@@ -5,14 +5,12 @@ are refined to quads first. Groups are the patches' regions. Edges with ``t crea
 OpenSubdiv writes them, stay sharp. The surface is smooth where the mesh has hard edges without one.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Ints
 from bodymeasure.atlas import Atlas, Axes, Unit
 from bodymeasure.atlas.size import require_size
 from bodymeasure.errors import InputError
@@ -29,8 +27,6 @@ from bodymeasure.subdivision import PolygonMesh, loop_schaefer, quads_of
 
 # From here on OpenSubdiv takes an edge for infinitely sharp.
 SHARP = 10.0
-
-_Index = NDArray[np.int64]
 
 
 class Faces(NamedTuple):
@@ -74,7 +70,7 @@ def from_statements(file: ObjFile, source: str) -> Faces:
     return Faces(mesh, names, groups)
 
 
-def _corners(faces: list[Statement], count: int, source: str) -> _Index:
+def _corners(faces: list[Statement], count: int, source: str) -> Ints:
     """The vertices of all faces, one after the other."""
     try:
         # Nearly always all numbers are positive, and may be read at once.
@@ -127,5 +123,5 @@ def assemble(faces: Faces, *, unit: Unit, axes: Axes) -> Atlas:
     )
 
 
-def _each(texts: list[str], numbers: _Index) -> list[str]:
+def _each(texts: list[str], numbers: Ints) -> list[str]:
     return [texts[number] for number in numbers.tolist()]

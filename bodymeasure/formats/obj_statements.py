@@ -1,7 +1,5 @@
 """Wavefront OBJ files as vertices and statements, whatever these mean."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple

@@ -6,16 +6,14 @@ points, texture coordinates, normals and materials are left out; what would chan
 as trimming curves, is refused.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError
 from bodymeasure.formats.obj_statements import (
@@ -37,8 +35,6 @@ TRIMMING = frozenset({"trim", "hole", "scrv"})
 # Statements for which the format has others by now, and those that refer to other files.
 REFUSED = frozenset({"bmat", "step", "bzp", "bsp", "cdc", "cdp", "res", "call", "csh"})
 
-_Array = NDArray[np.float64]
-
 
 class _Surface(NamedTuple):
     """A `surf` statement, what held when it came, and its parameters in u and v."""
@@ -58,8 +54,8 @@ def read(content: bytes, source: str) -> ReadPatches:
 
 def from_statements(file: ObjFile, source: str) -> ReadPatches:
     """The patches of a file that is parsed already."""
-    nets: list[_Array] = []
-    weights: list[_Array] = []
+    nets: list[Array] = []
+    weights: list[Array] = []
     names: list[str] = []
     groups: list[str] = []
     places: list[str] = []
@@ -150,7 +146,7 @@ def _degrees(words: list[bytes], place: str) -> tuple[int, int]:
     return numbers[0], numbers[-1]
 
 
-def _patches(surface: _Surface, file: ObjFile, source: str) -> tuple[list[_Array], list[_Array]]:
+def _patches(surface: _Surface, file: ObjFile, source: str) -> tuple[list[Array], list[Array]]:
     """Control points and weights of a surface's patches."""
     statement, degrees = surface.statement, surface.degrees
     if not surface.kind or not degrees[0]:
@@ -174,13 +170,13 @@ def _patches(surface: _Surface, file: ObjFile, source: str) -> tuple[list[_Array
 
 
 @lru_cache(maxsize=64)
-def _ones(shape: tuple[int, ...]) -> _Array:
+def _ones(shape: tuple[int, ...]) -> Array:
     weights = np.ones(shape)
     weights.flags.writeable = False
     return weights
 
 
-def _knots(surface: _Surface, count: int) -> tuple[_Array, _Array]:
+def _knots(surface: _Surface, count: int) -> tuple[Array, Array]:
     """Knots in u and v; those of Bezier pieces are repeated as a B-spline has them."""
     result = []
     for direction, degree in zip("uv", surface.degrees, strict=True):

@@ -1,7 +1,5 @@
 """What a user says of a file that the file does not say itself."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,20 +1,16 @@
 """Patches as a file holds them, and how they become an atlas."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import count
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import LARGEST_DEGREE, LEAST_DEGREE, Atlas, Axes, Unit, weld
 from bodymeasure.bezier import elevate, homogeneous, project
 from bodymeasure.errors import InputError
-
-_Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,8 +33,8 @@ class ReadPatches:
         What a user should know of the reading, such as what was left out.
     """
 
-    nets: Sequence[_Array]
-    weights: Sequence[_Array] = ()
+    nets: Sequence[Array]
+    weights: Sequence[Array] = ()
     names: Sequence[str] = ()
     groups: Sequence[str] = ()
     places: Sequence[str] = ()
@@ -106,7 +102,7 @@ def _check_weights(patches: ReadPatches, source: str) -> None:
             )
 
 
-def _elevated(patches: ReadPatches, source: str) -> tuple[_Array, _Array | None]:
+def _elevated(patches: ReadPatches, source: str) -> tuple[Array, Array | None]:
     """All nets with one degree, shape (patches, d + 1, d + 1, 3), and weights if some differ."""
     by_shape: dict[tuple[int, ...], list[int]] = {}
     for number, net in enumerate(patches.nets):

@@ -1,7 +1,5 @@
 """Which format reads and writes which extension."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Callable, Sequence
 from os import PathLike

@@ -5,8 +5,6 @@ ask for gigabytes. The unit is the file's; names of objects and layers become th
 regions.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from importlib.util import find_spec
 

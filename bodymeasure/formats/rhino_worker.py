@@ -1,15 +1,11 @@
 """The process in which rhino3dm reads a file: ``python rhino_worker.py FILE RESULT``."""
 
-from __future__ import annotations
-
 import json
 import sys
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-
-_Array = NDArray[np.float64]
 
 # Bytes. A file of some kilobytes with one wrong byte may ask for many times what there is.
 MEMORY = 4 * 2**30
@@ -131,11 +127,11 @@ def _is_trimmed(brep: Any, face: Any, surface: Any) -> bool:
     return False
 
 
-def _spacing(sides: _Array) -> float:
+def _spacing(sides: NDArray[np.float64]) -> float:
     return 0.5 * float(np.median(np.linalg.norm(np.diff(sides, axis=0), axis=1)))
 
 
-def _sides(surface: Any) -> list[_Array]:
+def _sides(surface: Any) -> list[NDArray[np.float64]]:
     u, v = surface.Domain(0), surface.Domain(1)
     along_u = np.linspace(u.T0, u.T1, SEGMENTS + 1)
     along_v = np.linspace(v.T0, v.T1, SEGMENTS + 1)
@@ -145,7 +141,7 @@ def _sides(surface: Any) -> list[_Array]:
     return [np.array([[p.X, p.Y, p.Z] for p in side]) for side in points]
 
 
-def _arrays(found: _Found) -> dict[str, _Array]:
+def _arrays(found: _Found) -> dict[str, NDArray[np.float64]]:
     surface = found.surface
     shape = surface.Points.CountU, surface.Points.CountV
     points = [

@@ -1,27 +1,23 @@
 """A tensor product B-spline surface cut into its Bezier patches."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import LARGEST_DEGREE
 from bodymeasure.bezier import BezierPieces, bezier_pieces, restrict
 from bodymeasure.errors import InputError
 
-_Array = NDArray[np.float64]
-
 
 def spline_patches(
-    points: _Array,
-    weights: _Array,
+    points: Array,
+    weights: Array,
     degrees: tuple[int, int],
-    knots: tuple[_Array, _Array],
+    knots: tuple[Array, Array],
     ranges: Sequence[tuple[float, float]] | None = None,
-) -> tuple[list[_Array], list[_Array]]:
+) -> tuple[list[Array], list[Array]]:
     """The Bezier patches of a B-spline surface, rational or not.
 
     Parameters
@@ -81,7 +77,7 @@ def _range_of_one_piece(degree: int, knot_bytes: bytes) -> tuple[float, float] |
     return None
 
 
-def _pieces(net: _Array, degree: int, knots: _Array, direction: str) -> BezierPieces:
+def _pieces(net: Array, degree: int, knots: Array, direction: str) -> BezierPieces:
     try:
         return bezier_pieces(net, degree, knots)
     except InputError as error:
@@ -89,7 +85,7 @@ def _pieces(net: _Array, degree: int, knots: _Array, direction: str) -> BezierPi
 
 
 @lru_cache(maxsize=64)
-def clamped_knots(degree: int, breaks: tuple[float, ...]) -> _Array:
+def clamped_knots(degree: int, breaks: tuple[float, ...]) -> Array:
     """The knots of Bezier pieces one after the other: inner ones `degree` times, ends once more.
 
     Read-only.
@@ -102,8 +98,8 @@ def clamped_knots(degree: int, breaks: tuple[float, ...]) -> _Array:
 
 
 def _clipped(
-    nets: _Array, breaks: tuple[_Array, _Array], ranges: Sequence[tuple[float, float]]
-) -> _Array:
+    nets: Array, breaks: tuple[Array, Array], ranges: Sequence[tuple[float, float]]
+) -> Array:
     """The part of patches (pieces_u, pieces_v, m + 1, n + 1, k) inside a parameter rectangle."""
     kept, lower, upper = [], [], []
     for direction, pieces, (start, end) in zip("uv", breaks, ranges, strict=True):

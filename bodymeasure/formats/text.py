@@ -1,7 +1,5 @@
 """Text files of numbers: their lines, and the numbers on them."""
 
-from __future__ import annotations
-
 import bisect
 import codecs
 import math

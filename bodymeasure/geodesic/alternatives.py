@@ -1,12 +1,10 @@
 """The shortest of really different ways between two points of an atlas."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Neighbors, Place
 from bodymeasure.atlas.point import AtlasPoint
@@ -19,8 +17,6 @@ from bodymeasure.geodesic.route_reading import route_along
 from bodymeasure.geodesic.route_search import SHORTER
 from bodymeasure.geodesic.via_pairs import via_pairs
 from bodymeasure.geodesic.way_pull import along_way, pulled_way
-
-_Array = NDArray[np.float64]
 
 # Two paths are one if they are nowhere further apart, at equal parts of their lengths, than this
 # part of the shorter one. Ways a few micrometers to the left and right of a seam are no choice for
@@ -171,5 +167,5 @@ def _are_one(path: AtlasPath, other: AtlasPath) -> bool:
     return apart <= SAME * min(path.length, other.length)
 
 
-def _apart(points: _Array, others: _Array) -> float:
+def _apart(points: Array, others: Array) -> float:
     return float(np.linalg.norm(points - others, axis=1).max())

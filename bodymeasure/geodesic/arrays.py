@@ -1,7 +1,5 @@
 """Arrays of other libraries than numpy, by the Python array API standard."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import array_api_compat

@@ -1,7 +1,5 @@
 """The ends of paths over an atlas: what is checked of them, and which parts of it hang together."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import lru_cache
 from itertools import pairwise

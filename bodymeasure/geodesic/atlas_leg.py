@@ -1,7 +1,5 @@
 """Paths over an atlas put together from legs, each the geodesic between two places."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,20 +1,17 @@
 """A geodesic over an atlas: what is known of it, and where it runs."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.status import Status
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-_Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +30,7 @@ class PathPiece:
 
     patch: int
     space: TrialSpace
-    values: _Array
+    values: Array
     length: float
 
 
@@ -101,7 +98,7 @@ class AtlasPath:
         """The patch of each piece."""
         return tuple(piece.patch for piece in self.pieces)
 
-    def path(self, t: ArrayLike) -> tuple[NDArray[np.int64], _Array]:
+    def path(self, t: ArrayLike) -> tuple[NDArray[np.int64], Array]:
         """Points of the path.
 
         Parameters
@@ -141,13 +138,13 @@ class AtlasPath:
         parameters = np.clip(parameters, 0.0, 1.0)
         return patch.reshape(times.shape), parameters.reshape(*times.shape, 2)
 
-    def position(self, t: ArrayLike) -> _Array:
+    def position(self, t: ArrayLike) -> Array:
         """Positions of the path in the atlas's unit, shape (*t.shape, 3); t as for `path`."""
         patch, parameters = self.path(t)
         return evaluate(self.atlas.control_points[patch], parameters)
 
 
-def _checked_times(t: ArrayLike) -> _Array:
+def _checked_times(t: ArrayLike) -> Array:
     try:
         times = np.asarray(t, dtype=np.float64)
     except (TypeError, ValueError):

@@ -1,7 +1,5 @@
 """The geodesic between any two points of an atlas."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import Literal

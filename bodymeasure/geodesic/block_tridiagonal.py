@@ -6,15 +6,13 @@ of k rows takes log2(k) sweeps, each over all rows and all systems at once. Each
 congruence, so the pivots have the signs of the eigenvalues (Sylvester's law of inertia).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-_Array = NDArray[np.float64]
+from bodymeasure._typing import Array
 
 
 class _Sweep(NamedTuple):
@@ -23,9 +21,9 @@ class _Sweep(NamedTuple):
     Their inverse pivots, and these times the couplings to the kept rows before and after them.
     """
 
-    inverse: _Array
-    before: _Array
-    after: _Array
+    inverse: Array
+    before: Array
+    after: Array
 
 
 @dataclass(frozen=True)
@@ -45,7 +43,7 @@ class Factors:
 
 # A pivot of zero leaves what is not finite, and counts as negative.
 @np.errstate(over="ignore", divide="ignore", invalid="ignore")
-def factorize(diagonal: _Array, lower: _Array) -> Factors:
+def factorize(diagonal: Array, lower: Array) -> Factors:
     """Eliminate all rows of a batch of matrices.
 
     Parameters
@@ -73,7 +71,7 @@ def factorize(diagonal: _Array, lower: _Array) -> Factors:
 
 
 @np.errstate(over="ignore", invalid="ignore")
-def solve(factors: Factors, right: _Array) -> _Array:
+def solve(factors: Factors, right: Array) -> Array:
     """The solutions for right-hand sides of shape (2, k, systems)."""
     rights = [right]
     for _, before, after in factors.sweeps:
@@ -93,26 +91,26 @@ def solve(factors: Factors, right: _Array) -> _Array:
     return solution
 
 
-def _inverses(blocks: _Array) -> tuple[_Array, NDArray[np.int64]]:
+def _inverses(blocks: Array) -> tuple[Array, NDArray[np.int64]]:
     """Inverses of symmetric blocks, and how many of their eigenvalues are not positive."""
     (a, b), (_, c) = blocks
     determinant = a * c - b * b
-    inverse: _Array = np.stack([c, -b, -b, a]).reshape(blocks.shape) / determinant
+    inverse: Array = np.stack([c, -b, -b, a]).reshape(blocks.shape) / determinant
     return inverse, np.where(determinant > 0.0, np.where(a > 0.0, 0, 2), 1)
 
 
-def _transposed(blocks: _Array) -> _Array:
+def _transposed(blocks: Array) -> Array:
     return blocks.swapaxes(0, 1)
 
 
-def _product(a: _Array, b: _Array) -> _Array:
-    result: _Array = a[:, :1] * b[0]
+def _product(a: Array, b: Array) -> Array:
+    result: Array = a[:, :1] * b[0]
     result += a[:, 1:] * b[1]
     return result
 
 
-def apply(blocks: _Array, vectors: _Array) -> _Array:
+def apply(blocks: Array, vectors: Array) -> Array:
     """Products of blocks, shape (2, 2, k, systems), with vectors of shape (2, k, systems)."""
-    result: _Array = blocks[:, 0] * vectors[0]
+    result: Array = blocks[:, 0] * vectors[0]
     result += blocks[:, 1] * vectors[1]
     return result

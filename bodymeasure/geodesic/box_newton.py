@@ -1,7 +1,5 @@
 """Newton's method in the box [0, 1] for one function with a banded Hessian."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
@@ -10,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg.lapack import dpbsv
 
-_Array = NDArray[np.float64]
+from bodymeasure._typing import Array
 
 # Steps at most. From straight lines, three to fifteen are usual; the rest is for bad routes.
 MAX_STEPS = 80
@@ -37,11 +35,11 @@ class Expansion(Protocol):
         """The value."""
 
     @property
-    def gradient(self) -> _Array:
+    def gradient(self) -> Array:
         """The gradient, shape (unknowns,)."""
 
     @property
-    def bands(self) -> _Array:
+    def bands(self) -> Array:
         """The Hessian's lower bands, shape (bandwidth + 1, unknowns)."""
 
 
@@ -62,17 +60,17 @@ class BoxMinimum:
         The Hessian's lower bands there.
     """
 
-    unknowns: _Array
+    unknowns: Array
     value: float
     held: NDArray[np.bool_]
     converged: bool
     iterations: int
-    bands: _Array
+    bands: Array
 
 
 def minimize_in_box(
-    expand: Callable[[_Array], Expansion],
-    start: _Array,
+    expand: Callable[[Array], Expansion],
+    start: Array,
     idle: NDArray[np.bool_],
     most_steps: int = MAX_STEPS,
 ) -> BoxMinimum:
@@ -111,8 +109,8 @@ def minimize_in_box(
 
 
 def _step(
-    here: Expansion, place: _Array, damping: float, idle: NDArray[np.bool_]
-) -> tuple[_Array, float]:
+    here: Expansion, place: Array, damping: float, idle: NDArray[np.bool_]
+) -> tuple[Array, float]:
     """A step to the minimum of the damped model in the box, and the decrease it foretells.
 
     By a primal-dual active set, as in `box_steps`. The decrease is infinite where the model has no
@@ -145,7 +143,7 @@ def _step(
     return step, -float((here.gradient + 0.5 * banded_product(bands, step)) @ step)
 
 
-def solve_free(bands: _Array, right: _Array, free: NDArray[np.bool_]) -> _Array | None:
+def solve_free(bands: Array, right: Array, free: NDArray[np.bool_]) -> Array | None:
     """The solution of a banded system in what is free; the rest of the right side stays.
 
     None if the matrix is not positive definite there.
@@ -158,9 +156,9 @@ def solve_free(bands: _Array, right: _Array, free: NDArray[np.bool_]) -> _Array 
     return solution if failed == 0 and np.isfinite(solution).all() else None
 
 
-def banded_product(bands: _Array, vector: _Array) -> _Array:
+def banded_product(bands: Array, vector: Array) -> Array:
     """A symmetric matrix, given by its lower bands, times a vector."""
-    result: _Array = bands[0] * vector
+    result: Array = bands[0] * vector
     for row in range(1, len(bands)):
         part = bands[row, :-row]
         result[row:] += part * vector[:-row]

@@ -1,16 +1,13 @@
 """Newton steps in the box: minima of the quadratic models of many polygons' energies."""
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg.lapack import dpbsv
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.polygon_energy import PolygonEnergy
-
-_Array = NDArray[np.float64]
 
 # Sets of held coordinates that are tried: nearly always a few are enough, and any step that lowers
 # the energy is a good one.
@@ -24,11 +21,11 @@ class BoxSteps(NamedTuple):
     infinite: more damping is called for.
     """
 
-    step: _Array
-    foretold: _Array
+    step: Array
+    foretold: Array
 
 
-def box_steps(here: PolygonEnergy, inner: _Array, damping: _Array) -> BoxSteps:
+def box_steps(here: PolygonEnergy, inner: Array, damping: Array) -> BoxSteps:
     """The steps to the minima of damped quadratic models in [0, 1]^2.
 
     By a primal-dual active set: what would leave the box is put on its bound, and what is on a
@@ -79,12 +76,12 @@ class _Model(NamedTuple):
     gradient, place : ndarray, shape (polygons, 2 k)
     """
 
-    bands: _Array
-    gradient: _Array
-    place: _Array
+    bands: Array
+    gradient: Array
+    place: Array
 
     @classmethod
-    def of(cls, here: PolygonEnergy, inner: _Array, damping: _Array) -> _Model:
+    def of(cls, here: PolygonEnergy, inner: Array, damping: Array) -> "_Model":
         """With a multiple of the metric added to the Hessian."""
         diagonal, lower = here.bending + (1.0 + damping) * here.metric, here.lower
         bands = np.zeros((diagonal.shape[-1], 4, 2 * diagonal.shape[2]))
@@ -94,11 +91,11 @@ class _Model(NamedTuple):
         bands[:, 3, 0:-3:2] = lower[1, 0].T
         return cls(bands, _flat(here.gradient), _flat(inner))
 
-    def take(self, rows: NDArray[np.int64]) -> _Model:
+    def take(self, rows: NDArray[np.int64]) -> "_Model":
         """The models of some of the polygons."""
         return self if len(rows) == len(self.place) else _Model(*(each[rows] for each in self))
 
-    def minimum(self, bound: _Array) -> tuple[_Array, NDArray[np.bool_]]:
+    def minimum(self, bound: Array) -> tuple[Array, NDArray[np.bool_]]:
         """Steps that put what is held on its bound, and whether the rest has a minimum."""
         free = np.isnan(bound)
         fixed = np.where(free, 0.0, bound - self.place)
@@ -114,7 +111,7 @@ class _Model(NamedTuple):
         definite &= np.isfinite(step).all(axis=1)
         return step, definite
 
-    def next_bounds(self, bound: _Array, step: _Array) -> _Array:
+    def next_bounds(self, bound: Array, step: Array) -> Array:
         """Of what is pressed to its bound there, or would leave the box."""
         slope, there = self.gradient + self.product(step), self.place + step
         # A product with NaN compares as false.
@@ -123,9 +120,9 @@ class _Model(NamedTuple):
         nearest = np.where(there < 0.5, 0.0, 1.0)
         return np.where(pressed, bound, np.where(outside, nearest, np.nan))
 
-    def product(self, vectors: _Array) -> _Array:
+    def product(self, vectors: Array) -> Array:
         """The Hessians times vectors."""
-        result: _Array = self.bands[:, 0] * vectors
+        result: Array = self.bands[:, 0] * vectors
         for row in range(1, 4):
             part = self.bands[:, row, :-row]
             result[:, row:] += part * vectors[:, :-row]

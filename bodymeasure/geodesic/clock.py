@@ -1,14 +1,10 @@
 """When a path that does not run at constant speed has gone a given part of its length."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.polynomial import legendre
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.quadrature import Quadrature
-
-_Array = NDArray[np.float64]
 
 # Newton steps within a bracket that each step narrows; four are enough where speeds vary little.
 STEPS = 50
@@ -17,7 +13,7 @@ STEPS = 50
 CLOSE = 1e-9
 
 
-def times_at(quadrature: Quadrature, speed: _Array, parts: _Array) -> _Array:
+def times_at(quadrature: Quadrature, speed: Array, parts: Array) -> Array:
     """Parameters at which paths have gone given parts of their lengths.
 
     Parameters
@@ -58,5 +54,5 @@ def times_at(quadrature: Quadrature, speed: _Array, parts: _Array) -> _Array:
         if close:
             break
     edges = np.concatenate([[0.0], np.cumsum(quadrature.widths)])
-    times: _Array = edges[piece] + quadrature.widths[piece] * (x + 1.0) / 2.0
+    times: Array = edges[piece] + quadrature.widths[piece] * (x + 1.0) / 2.0
     return np.clip(times, 0.0, 1.0)

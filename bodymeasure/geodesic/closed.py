@@ -1,7 +1,5 @@
 """Closed geodesics: what a loop round a body contracts to."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal

@@ -9,8 +9,6 @@ as finely as the crossings stand: positive ones prove that all loops close to it
 zero belongs to a family of loops of one length, as about a cylinder.
 """
 
-from __future__ import annotations
-
 from enum import Enum
 from typing import NamedTuple
 
@@ -18,12 +16,11 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.closed_refine import RefinedLoop
 from bodymeasure.geodesic.length_error import TRUSTED_CORRECTION, TRUSTED_RESIDUAL, measure_length
 from bodymeasure.geodesic.route_error import JOINT_SAFETY, STRAIGHT, rounding_of
-
-_Array = NDArray[np.float64]
 
 # Of the square of 2 pi over the length: eigenvalues that small are zero, but for rounding.
 FLAT = 1e-8
@@ -128,7 +125,7 @@ def _joints(loop: RefinedLoop, short: NDArray[np.bool_]) -> tuple[float, float, 
     return jump, excess, LoopKind.SADDLE if value[0] < -flat else kind
 
 
-def _at_crossings(loop: RefinedLoop) -> tuple[_Array, _Array]:
+def _at_crossings(loop: RefinedLoop) -> tuple[Array, Array]:
     """Where pieces start: the seam's tangent by its parameter (pieces, 3), and the unit tangents.
 
     The latter of shape (2, pieces, 3), of the piece before and of the one after.
@@ -149,7 +146,7 @@ def _at_crossings(loop: RefinedLoop) -> tuple[_Array, _Array]:
     return seam, np.stack([tangent[:, before, 1].T, tangent[:, :, 0].T])
 
 
-def _stiffness(loop: RefinedLoop) -> tuple[_Array, bool]:
+def _stiffness(loop: RefinedLoop) -> tuple[Array, bool]:
     """The Hessian of the length by the crossings, and whether all pieces are the shortest."""
     problem = loop.problem
     _, _, bend = problem.bends(loop.minimum.unknowns)

@@ -6,11 +6,10 @@ block; the blocks of neighboring pieces are coupled, and the last with the first
 banded though the loop is closed.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.bezier import scaled
@@ -19,8 +18,6 @@ from bodymeasure.geodesic.energy import expand
 from bodymeasure.geodesic.route_length import ALL_NODES, ENERGY, EPSILON, RouteExpansion
 from bodymeasure.geodesic.surfaces_of import surfaces_of
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-_Array = NDArray[np.float64]
 
 
 class ClosedProblem:
@@ -50,7 +47,7 @@ class ClosedProblem:
         self.rows = np.concatenate([self.joints[:, None], inner, leaving[:, None]], axis=1)
         self.local, self.sign = self._dependence()
 
-    def _dependence(self) -> tuple[NDArray[np.int64], _Array]:
+    def _dependence(self) -> tuple[NDArray[np.int64], Array]:
         """For each piece's unknowns, the nodal value that each moves, and which way.
 
         Two arrays of shape (pieces, inner + 2); values are numbered all u, then all v.
@@ -69,7 +66,7 @@ class ClosedProblem:
             local[piece - 1, -1] = (1 - fixed) * nodes + nodes - 1
         return local, sign
 
-    def straight(self) -> _Array:
+    def straight(self) -> Array:
         """The unknowns of the loop that is straight in (u, v) on each patch."""
         ends = np.array(
             [[self.route.entry(i)[1:], self.route.exit(i)[1:]] for i in range(self.pieces)]
@@ -78,16 +75,16 @@ class ClosedProblem:
         lines = start + (stop - start) * self.space.nodes[1:-1]
         return self.unknowns(np.array(self.route.along), lines)
 
-    def unknowns(self, along: _Array, inner: _Array) -> _Array:
+    def unknowns(self, along: Array, inner: Array) -> Array:
         """From crossings (pieces,) and values at the inner nodes (pieces, 2, n - 1)."""
-        result: _Array = np.empty(self.count)
+        result: Array = np.empty(self.count)
         result[self.joints] = along
         result[self.rows[:, 1:-1]] = inner.reshape(self.pieces, -1)
         return np.asarray(np.clip(result, 0.0, 1.0))
 
-    def values(self, unknowns: _Array) -> _Array:
+    def values(self, unknowns: Array) -> Array:
         """(u, v) at the nodes of all pieces, shape (pieces, 2, n + 1)."""
-        result: _Array = np.empty((self.pieces, 2, self.space.size + 1))
+        result: Array = np.empty((self.pieces, 2, self.space.size + 1))
         result[:, :, 1:-1] = unknowns[self.rows[:, 1:-1]].reshape(self.pieces, 2, -1)
         route = self.at(unknowns)
         for piece in range(self.pieces):
@@ -95,11 +92,11 @@ class ClosedProblem:
             result[piece, :, -1] = route.exit(piece)[1:]
         return result
 
-    def at(self, unknowns: _Array) -> ClosedRoute:
+    def at(self, unknowns: Array) -> ClosedRoute:
         """The route that crosses its seams where the unknowns say."""
         return ClosedRoute(self.route.crossings, tuple(unknowns[self.joints].tolist()))
 
-    def bends(self, unknowns: _Array) -> tuple[_Array, _Array, _Array]:
+    def bends(self, unknowns: Array) -> tuple[Array, Array, Array]:
         """Of each piece, the root, its gradient and its Hessian by the piece's unknowns."""
         energy = expand(ENERGY, self.surface, self.space, self.values(unknowns), ALL_NODES)
         root = np.sqrt(2.0 * energy.value + EPSILON)
@@ -110,7 +107,7 @@ class ClosedProblem:
         bend -= slope[:, :, None] * slope[:, None, :] / root[:, None, None]
         return root, slope, bend
 
-    def expand(self, unknowns: _Array) -> RouteExpansion:
+    def expand(self, unknowns: Array) -> RouteExpansion:
         """The sum over the pieces, to the second order."""
         root, slope, bend = self.bends(unknowns)
         gradient = np.zeros(self.count)

@@ -1,20 +1,17 @@
 """Refinement of loops: the shortest one along a closed route, as far as a trial space goes."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.geodesic.box_newton import BoxMinimum, minimize_in_box
 from bodymeasure.geodesic.closed_length import ClosedProblem
 from bodymeasure.geodesic.closed_route import ClosedRoute
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.route_refine import piece_lengths
-
-_Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,8 +30,8 @@ class RefinedLoop:
 
     problem: ClosedProblem
     minimum: BoxMinimum
-    values: _Array
-    lengths: _Array
+    values: Array
+    lengths: Array
 
     @property
     def length(self) -> float:

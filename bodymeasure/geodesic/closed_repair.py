@@ -1,21 +1,17 @@
 """Other routes that a refined loop asks for: what holds it tells where it would rather go."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.neighbors import Crossing, Neighbors
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.closed_refine import RefinedLoop
 from bodymeasure.geodesic.closed_route import ClosedRoute
 from bodymeasure.geodesic.length_error import measure_length
 from bodymeasure.geodesic.route_repair import OUTSIDE, SHORT, WORTHWHILE, corner_near
-
-_Array = NDArray[np.float64]
 
 
 class _Change(NamedTuple):
@@ -94,7 +90,7 @@ def _round_corners(neighbors: Neighbors, route: ClosedRoute) -> Iterator[_Change
         first = last + 1
 
 
-def _without_returns(route: ClosedRoute, lengths: _Array) -> Iterator[ClosedRoute]:
+def _without_returns(route: ClosedRoute, lengths: Array) -> Iterator[ClosedRoute]:
     """Without a piece that only goes over a seam and comes back."""
     count, patches = len(route.crossings), route.patches
     for piece in range(count):

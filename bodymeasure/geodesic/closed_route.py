@@ -1,7 +1,5 @@
 """A closed route over an atlas: the seams that a loop crosses, one after the other."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -39,7 +37,7 @@ class ClosedRoute:
         turns = (self.crossings[i:] + self.crossings[:i] for i in range(len(self.crossings)))
         return min(turns, default=())
 
-    def begun_at(self, first: int) -> ClosedRoute:
+    def begun_at(self, first: int) -> "ClosedRoute":
         """The same loop, begun with another crossing."""
         return ClosedRoute(
             self.crossings[first:] + self.crossings[:first],
@@ -48,7 +46,7 @@ class ClosedRoute:
 
     def replaced(
         self, first: int, last: int, steps: Sequence[tuple[Crossing, float]]
-    ) -> ClosedRoute:
+    ) -> "ClosedRoute":
         """The loop with its crossings from first to before last replaced."""
         crossings, along = zip(*steps, strict=True) if steps else ((), ())
         return ClosedRoute(

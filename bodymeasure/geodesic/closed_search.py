@@ -1,7 +1,5 @@
 """From a first loop to the shortest one that it contracts to."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from bodymeasure.atlas.atlas import Atlas

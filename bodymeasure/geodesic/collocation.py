@@ -1,21 +1,17 @@
 """Collocation on trial spaces in turn, with one unknown function where that serves, else two."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.ladder import solve_on_spaces
 from bodymeasure.geodesic.method import MethodResult
 from bodymeasure.geodesic.offset_form import solve_offsets
 from bodymeasure.geodesic.surface import BezierSurfaces, Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-_Array = NDArray[np.float64]
 
 Form = Literal["fast", "full"]
 FORMS: tuple[Form, ...] = get_args(Form)
@@ -30,7 +26,7 @@ def check_form(form: str) -> None:
 def collocate(
     spaces: Sequence[Callable[[], TrialSpace]],
     surface: Surface,
-    ends: tuple[_Array, _Array],
+    ends: tuple[Array, Array],
     *,
     tolerance: float,
     form: Form,

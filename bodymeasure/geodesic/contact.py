@@ -5,15 +5,13 @@ there, and an arc runs between the ends of its neighbors. Which legs there are i
 polygon at rest, and read again from the legs themselves where one of them leaves the patch.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.degrees import DEGREES, OVERSHOOT, degrees_wanted, leave_for_certain
 from bodymeasure.geodesic.edge_arc import edge_arc
 from bodymeasure.geodesic.free_piece import solve_free_piece
@@ -24,8 +22,6 @@ from bodymeasure.geodesic.method import EdgeContact
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.tangency import tangency_error
-
-_Array = NDArray[np.float64]
 
 # A polygon that touches edges more often than this has found no rest; five legs are the most that
 # any path had on wild patches.
@@ -42,7 +38,7 @@ class _FreeLeg(NamedTuple):
 
 
 def solve_contact_path(
-    surface: Surface, polygon: _Array, poles: tuple[End, End], tolerance: float
+    surface: Surface, polygon: Array, poles: tuple[End, End], tolerance: float
 ) -> ContactPath | None:
     """Each free leg by collocation, each contact arc by quadrature.
 
@@ -84,7 +80,7 @@ def solve_contact_path(
     return None
 
 
-def _solve_free(surface: Surface, points: _Array, leg: Leg, tolerance: float) -> _FreeLeg | None:
+def _solve_free(surface: Surface, points: Array, leg: Leg, tolerance: float) -> _FreeLeg | None:
     if leg.contact is not None:
         return None
     polygon = points[leg.first : leg.last + 1]
@@ -119,8 +115,8 @@ def _solve_free(surface: Surface, points: _Array, leg: Leg, tolerance: float) ->
 
 
 def _arc_ends(
-    points: _Array, legs: Sequence[Leg], free: Sequence[_FreeLeg | None], number: int
-) -> tuple[_Array, _Array]:
+    points: Array, legs: Sequence[Leg], free: Sequence[_FreeLeg | None], number: int
+) -> tuple[Array, Array]:
     """Where an arc begins and ends: where its neighbors tell, or at a fixed point."""
     leg = legs[number]
     before = free[number - 1] if number > 0 else None
@@ -131,7 +127,7 @@ def _arc_ends(
 
 
 def _runs_backwards(
-    points: _Array, legs: Sequence[Leg], free: Sequence[_FreeLeg | None], number: int
+    points: Array, legs: Sequence[Leg], free: Sequence[_FreeLeg | None], number: int
 ) -> bool:
     leg = legs[number]
     if leg.contact is None:
@@ -145,13 +141,13 @@ def _runs_backwards(
 
 
 def _read_anew(
-    points: _Array,
+    points: Array,
     legs: Sequence[Leg],
     free: Sequence[_FreeLeg | None],
     backwards: Sequence[bool],
-) -> _Array:
+) -> Array:
     """A polygon along the legs, put into the box; without the arcs that run backwards."""
-    parts: list[_Array] = []
+    parts: list[Array] = []
     for number, found in enumerate(free):
         if found is not None:
             # Also what is outside for the shortest while must be seen.
@@ -171,7 +167,7 @@ def _read_anew(
 
 
 def _put_together(
-    surface: Surface, points: _Array, legs: Sequence[Leg], free: Sequence[_FreeLeg | None]
+    surface: Surface, points: Array, legs: Sequence[Leg], free: Sequence[_FreeLeg | None]
 ) -> ContactPath | None:
     parts, contacts = [], []
     for number, (leg, found) in enumerate(zip(legs, free, strict=True)):

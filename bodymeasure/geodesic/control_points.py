@@ -1,7 +1,5 @@
 """Control points as users give them: checked once, and scaled to size 1."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 
@@ -9,11 +7,10 @@ import array_api_compat
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier import project
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.arrays import constant, to_numpy
-
-_Array = NDArray[np.float64]
 
 # Coordinates beyond this could overflow in a length.
 LARGEST = 1e300
@@ -62,7 +59,7 @@ def checked_control_points(value: Any) -> Any:
     return nets
 
 
-def _with_weights(nets: Any) -> _Array:
+def _with_weights(nets: Any) -> Array:
     """Rational patches whose weights are known to be positive, as numpy's."""
     array = to_numpy(nets)
     weights = array[..., 3].reshape(-1, array.shape[-3] * array.shape[-2])
@@ -105,11 +102,11 @@ def collapsed_patches(control_points: Any) -> NDArray[np.int64]:
     return _collapsed(*extremes(control_points))
 
 
-def _collapsed(low: _Array, high: _Array) -> NDArray[np.int64]:
+def _collapsed(low: Array, high: Array) -> NDArray[np.int64]:
     return np.flatnonzero((low == high).all(axis=1))
 
 
-def of_size_one(nets: Any) -> tuple[Any, _Array]:
+def of_size_one(nets: Any) -> tuple[Any, Array]:
     """Patches scaled to about size 1, so that tolerances mean the same to all, and their sizes.
 
     Powers of 2, so that nothing is rounded.
@@ -131,7 +128,7 @@ def of_size_one(nets: Any) -> tuple[Any, _Array]:
     return nets, np.ldexp(1.0, exponents)
 
 
-def extremes(control_points: Any) -> tuple[_Array, _Array]:
+def extremes(control_points: Any) -> tuple[Array, Array]:
     """Least and greatest coordinates of each patch, two arrays of shape (patches, 3)."""
     if control_points.shape[-1] == 4:
         control_points = project(control_points)

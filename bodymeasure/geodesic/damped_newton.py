@@ -1,16 +1,12 @@
 """Newton's method for one problem, its steps halved until the residual falls."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.newton import LAST_STEP, LONGEST_STEP, SMALLEST_STEP
-
-_Array = NDArray[np.float64]
 
 # Of the system, whole and halved steps together. From polygons, legs that have a solution take 3 to
 # 12, a few up to 25; those that have none took 100.
@@ -20,14 +16,14 @@ MOST_EVALUATIONS = 40
 class Solved(NamedTuple):
     """The unknowns at which the equations hold, and how often they were evaluated."""
 
-    unknowns: _Array
+    unknowns: Array
     evaluations: int
 
 
 def damped_newton(
-    system: Callable[[_Array], tuple[_Array, _Array]],
-    direction: Callable[[_Array, _Array], _Array],
-    guess: _Array,
+    system: Callable[[Array], tuple[Array, Array]],
+    direction: Callable[[Array, Array], Array],
+    guess: Array,
     *,
     span: float = 1.0,
 ) -> Solved | None:

@@ -1,7 +1,5 @@
 """Degrees of the polynomials that make a path exact, and which of them to try next."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,15 +1,11 @@
 """Shortest piecewise paths inside the patch, by energy descent within the box [0, 1]^2."""
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.box_steps import box_steps
 from bodymeasure.geodesic.polygon_energy import polygon_energy
 from bodymeasure.geodesic.surface import Surface
-
-_Array = NDArray[np.float64]
 
 # Newton steps at most. Nearly all paths take 6 to 15.
 MAX_STEPS = 60
@@ -20,7 +16,7 @@ REST = 1e-11
 FIRST_DAMPING, LESS, MORE, MOST = 1e-3, 0.2, 8.0, 1e8
 
 
-def descend(surface: Surface, start: _Array) -> _Array:
+def descend(surface: Surface, start: Array) -> Array:
     """Minimize the energy of polygons on patches, their ends fixed, every point in the patch.
 
     Newton steps with the exact Hessian, damped as by Levenberg and Marquardt, each to the minimum

@@ -6,21 +6,17 @@ patch: it is the multiplier of the constraint, which must have that sign all alo
 conditions of Karush, Kuhn and Tucker).
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.joined_legs import SolvedLeg
 from bodymeasure.geodesic.legs import Contact
 from bodymeasure.geodesic.length_error import MeasuredLength
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.quadrature import Quadrature
 from bodymeasure.geodesic.surface import Surface
-
-_Array = NDArray[np.float64]
 
 # Gauss points of an arc, and of its halves, whose difference is its error estimate.
 POINTS = 24
@@ -40,7 +36,7 @@ class EdgeArc(NamedTuple):
     is_pressed: bool
 
 
-def edge_arc(surface: Surface, contact: Contact, begin: _Array, end: _Array) -> EdgeArc:
+def edge_arc(surface: Surface, contact: Contact, begin: Array, end: Array) -> EdgeArc:
     """Along an edge, at constant speed in its parameter.
 
     Parameters
@@ -75,7 +71,7 @@ def edge_arc(surface: Surface, contact: Contact, begin: _Array, end: _Array) -> 
     return EdgeArc(SolvedLeg(space, values, measured), bool((turn <= UNPRESSED).all()))
 
 
-def edge_curvature(surface: Surface, contact: Contact, place: _Array) -> float:
+def edge_curvature(surface: Surface, contact: Contact, place: Array) -> float:
     """How much an edge of one patch bends within the surface at a place (u, v): its size."""
     way = np.array([0.0, 1.0] if contact.axis == 0 else [1.0, 0.0])
     jet = surface.jet(place[None, None], 2)[:, :, 0]
@@ -86,7 +82,7 @@ def edge_curvature(surface: Surface, contact: Contact, place: _Array) -> float:
     return float(np.nan_to_num(curvature))
 
 
-def _inward_turn(jet: _Array, contact: Contact, velocity: _Array, way: _Array) -> _Array:
+def _inward_turn(jet: Array, contact: Contact, velocity: Array, way: Array) -> Array:
     """The angle, a unit of its parameter t, by which the arc turns into the patch."""
     along, across = (2, 1) if contact.axis == 0 else (1, 2)
     acceleration = jet[5 if along == 2 else 3] * way[along - 1] ** 2

@@ -5,8 +5,6 @@ that arrays of any library serve (the Python array API standard); ``-=`` works i
 library does, and makes a new array elsewhere.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import lru_cache
 from typing import Any, NamedTuple

@@ -9,20 +9,15 @@ and, with :math:`\sigma = |x'|`, :math:`\nabla L = \nabla E / \sigma` and
 :math:`\nabla^2 L = (\nabla^2 E - \nabla L \nabla L^T) / \sigma`. All derivatives are exact.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.equations import dot
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-_Array = NDArray[np.float64]
-
 
 INNER_NODES = slice(1, -1)
 
@@ -47,9 +42,9 @@ class Expansion:
     all nodes of u come first.
     """
 
-    value: _Array
-    gradient: _Array
-    hessian: _Array
+    value: Array
+    gradient: Array
+    hessian: Array
 
 
 # Where a path stands still its length has no derivative: not finite, which `minimize` sees.
@@ -58,7 +53,7 @@ def expand(
     functional: Functional,
     surface: Surface,
     space: TrialSpace,
-    values: _Array,
+    values: Array,
     nodes: slice = INNER_NODES,
 ) -> Expansion:
     """Value, gradient and Hessian for paths with nodal values of shape (problems, 2, n + 1).
@@ -92,9 +87,9 @@ def expand(
 
     gradients = [dot(x, by[a]) * factor for a in range(4)]
 
-    def second(a: int, b: int) -> _Array:
+    def second(a: int, b: int) -> Array:
         a, b = min(a, b), max(a, b)
-        result: _Array = dot(by[a], by[b])
+        result: Array = dot(by[a], by[b])
         if (a, b) in bend:
             result = result + bend[a, b]
         if functional.name == "length":
@@ -111,7 +106,7 @@ def expand(
     hessian = np.empty((problems, len(unknowns), size, len(unknowns), size))
     for i, a in enumerate(unknowns):
         for j, b in enumerate(unknowns[: i + 1]):
-            block: _Array = np.zeros((problems, size, size))
+            block: Array = np.zeros((problems, size, size))
             for order in range(2):
                 right = second(a + 2 * order, b)[..., None] * inner[0]
                 right += second(a + 2 * order, b + 2)[..., None] * inner[1]

@@ -1,26 +1,23 @@
 """The geodesic equations at collocation points, and their Jacobian."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
 
-_Array = NDArray[np.float64]
-_Pair = tuple[_Array, _Array]
+_Pair = tuple[Array, Array]
 
 
-def dot(a: _Array, b: _Array) -> _Array:
+def dot(a: Array, b: Array) -> Array:
     """Scalar product of vectors whose components run along axis 0."""
-    product: _Array = a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    product: Array = a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
     return product
 
 
-def acceleration(jet: _Array, velocity: _Array, second: _Array) -> _Array:
+def acceleration(jet: Array, velocity: Array, second: Array) -> Array:
     """Second derivative of S(u(t), v(t)) by t.
 
     Parameters
@@ -36,7 +33,7 @@ def acceleration(jet: _Array, velocity: _Array, second: _Array) -> _Array:
     """
     du, dv = velocity
     _, s_u, s_v, s_uu, s_uv, s_vv = jet[:6]
-    result: _Array = (
+    result: Array = (
         s_uu * (du * du)
         + s_uv * (2.0 * du * dv)
         + s_vv * (dv * dv)
@@ -58,7 +55,7 @@ class Linearization(NamedTuple):
     by_second: tuple[_Pair, _Pair]
 
 
-def linearization(jet: _Array, velocity: _Array, second: _Array) -> Linearization:
+def linearization(jet: Array, velocity: Array, second: Array) -> Linearization:
     """``S_u . a`` and ``S_v . a``, with a the `acceleration`, and their derivatives.
 
     Parameters
@@ -91,8 +88,8 @@ def linearization(jet: _Array, velocity: _Array, second: _Array) -> Linearizatio
 
 
 def residual_and_jacobian(
-    surface: Surface, space: TrialSpace, values: _Array, *, ends: bool = False
-) -> tuple[_Array, _Array]:
+    surface: Surface, space: TrialSpace, values: Array, *, ends: bool = False
+) -> tuple[Array, Array]:
     """Tangential acceleration at the collocation points, and its derivative by the nodal values.
 
     With a the acceleration of S(u(t), v(t)), the equations are ``S_u . a = 0 = S_v . a``: the

@@ -1,12 +1,10 @@
 """The free legs of a path that edges hold for a part, each on the first space that serves."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.degrees import DEGREES, OVERSHOOT
@@ -18,8 +16,6 @@ from bodymeasure.geodesic.route_pattern import FreePart, free_route, nodes_of
 from bodymeasure.geodesic.route_refine import Refined
 from bodymeasure.geodesic.sliding_leg import solve_leg
 from bodymeasure.geodesic.tangency import tangency_error
-
-_Array = NDArray[np.float64]
 
 
 class FreeLeg(NamedTuple):
@@ -52,7 +48,7 @@ def free_leg(atlas: Atlas, polygon: Refined, part: FreePart, tolerance: float) -
     return None
 
 
-def _guess(polygon: Refined, part: FreePart, problem: RouteProblem) -> _Array:
+def _guess(polygon: Refined, part: FreePart, problem: RouteProblem) -> Array:
     """The unknowns of a leg, read off the polygon."""
     unknowns = problem.straight()
     for number, piece in enumerate(range(part.first[0], part.last[0] + 1)):

@@ -13,29 +13,26 @@ says nothing there. Divided by u it says :math:`S_{uv} \cdot a = 0` in the limit
 the geodesic curvature vanishes at the pole as well. That is the equation for where it leaves.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.damped_newton import damped_newton
 from bodymeasure.geodesic.equations import residual_and_jacobian
 from bodymeasure.geodesic.legs import End, Pole
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
 
-_Array = NDArray[np.float64]
-
 # Where S_u, S_uu, S_uv, S_uuv and S_uvv are in a jet, and the same with u and v exchanged.
 _AT_POLE = ((1, 3, 4, 7, 8), (2, 5, 4, 8, 7))
 
 
 def solve_free_piece(
-    surface: Surface, space: TrialSpace, guess: _Array, ends: tuple[End, End]
-) -> _Array | None:
+    surface: Surface, space: TrialSpace, guess: Array, ends: tuple[End, End]
+) -> Array | None:
     """A geodesic between two ends, each fixed or moving along an edge.
 
     Parameters
@@ -82,12 +79,12 @@ class _Moving:
         return np.flatnonzero(unknown)
 
     @cached_property
-    def slopes(self) -> _Array:
+    def slopes(self) -> Array:
         """From nodal values to derivatives at both ends, shape (2, n + 1)."""
-        slopes: _Array = self.space.matrices(np.array([0.0, 1.0]))[1]
+        slopes: Array = self.space.matrices(np.array([0.0, 1.0]))[1]
         return slopes
 
-    def system(self, values: _Array) -> tuple[_Array, _Array]:
+    def system(self, values: Array) -> tuple[Array, Array]:
         """The equations' left sides, and their derivatives by the unknowns."""
         residual, jacobian = residual_and_jacobian(
             self.surface, self.space, values[None], ends=True
@@ -101,13 +98,13 @@ class _Moving:
                 rows.append(row.reshape(1, -1))
         return np.concatenate(sides), np.concatenate(rows)[:, self.unknowns]
 
-    def _at_contact(self, values: _Array, number: int, axis: int) -> tuple[float, _Array]:
+    def _at_contact(self, values: Array, number: int, axis: int) -> tuple[float, Array]:
         """The derivative of the coordinate that the edge fixes."""
         row = np.zeros_like(values)
         row[axis] = self.slopes[number]
         return float(row[axis] @ values[axis]), row
 
-    def _at_pole(self, values: _Array, number: int, axis: int) -> tuple[float, _Array]:
+    def _at_pole(self, values: Array, number: int, axis: int) -> tuple[float, Array]:
         """The geodesic curvature at a collapsed edge, with u and v named as on u = 0."""
         node = (0, -1)[number]
         jet = self.surface.jet(values[None, :, node, None].swapaxes(1, 2), 3)[:, :, 0, 0]
@@ -117,7 +114,7 @@ class _Moving:
         b = s_uu * du**2 + 2.0 * s_uv * du * dv
         b_v = s_uuv * du**2 + 2.0 * s_uvv * du * dv
 
-        def by(change: _Array) -> float:
+        def by(change: Array) -> float:
             return float(square * (change @ s_uv) - mixed * (change @ s_u))
 
         row = np.zeros_like(values)
@@ -127,7 +124,7 @@ class _Moving:
         row[1 - axis, node] -= (s_uv @ s_uv + s_u @ s_uvv) * (b @ s_u) + mixed * (b @ s_uv)
         return by(b), row
 
-    def direction(self, residual: _Array, jacobian: _Array) -> _Array:
+    def direction(self, residual: Array, jacobian: Array) -> Array:
         """Newton's direction, of the shape of the values; NaN if the system is singular."""
         direction = np.zeros(2 * (self.space.size + 1))
         try:

@@ -1,20 +1,15 @@
 """Shortest ways over grids of patches, from both ends of each problem, by Dijkstra's algorithm."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from math import gcd
 from typing import NamedTuple
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.equations import dot
 from bodymeasure.geodesic.surface import Surface
-
-_Array = NDArray[np.float64]
-_Numbers = NDArray[np.int64]
 
 # Grid lines a side, and the longest step in them: steps in 16 directions, all coprime pairs up to
 # 3. Coarser grids missed paths round a bump that finer ones found.
@@ -38,11 +33,11 @@ class Trees(NamedTuple):
         The point before on the way; LINES^2 for the end itself.
     """
 
-    distance: _Array
-    before: _Numbers
+    distance: Array
+    before: Ints
 
 
-def shortest_trees(surface: Surface, ends: _Array) -> Trees:
+def shortest_trees(surface: Surface, ends: Array) -> Trees:
     """Dijkstra's algorithm for all problems in one call.
 
     Parameters
@@ -87,7 +82,7 @@ def shortest_trees(surface: Surface, ends: _Array) -> Trees:
     )
 
 
-def grid_points() -> _Array:
+def grid_points() -> Array:
     """(u, v) of the grid's points, shape (LINES^2, 2)."""
     return _grid().halfway[_grid().on_halfway]
 
@@ -109,12 +104,12 @@ class _Grid(NamedTuple):
         How many edges leave each point.
     """
 
-    halfway: _Array
-    on_halfway: _Numbers
-    steps: _Numbers
-    edges: _Numbers
-    heads: _Numbers
-    degrees: _Numbers
+    halfway: Array
+    on_halfway: Ints
+    steps: Ints
+    edges: Ints
+    heads: Ints
+    degrees: Ints
 
 
 @lru_cache(maxsize=1)
@@ -143,12 +138,12 @@ def _grid() -> _Grid:
     )
 
 
-def _lattice(lines: int) -> _Numbers:
+def _lattice(lines: int) -> Ints:
     line = np.arange(lines)
     return np.stack(np.meshgrid(line, line, indexing="ij"), axis=-1).reshape(-1, 2)
 
 
-def _window(places: _Array) -> _Numbers:
+def _window(places: Array) -> Ints:
     """Numbers of the grid points round places (u, v), shape (..., WINDOW^2)."""
     low = np.floor(places * (LINES - 1)).astype(np.int64) - (WINDOW // 2 - 1)
     low = np.clip(low, 0, LINES - WINDOW)[..., None] + np.arange(WINDOW)
@@ -156,7 +151,7 @@ def _window(places: _Array) -> _Numbers:
     return numbers.reshape(*places.shape[:-1], -1)
 
 
-def _joint_lengths(surface: Surface, places: _Array, joined: _Numbers, positions: _Array) -> _Array:
+def _joint_lengths(surface: Surface, places: Array, joined: Ints, positions: Array) -> Array:
     """Lengths of the steps from one end of each problem to grid points; infinite if too far."""
     grid = _grid()
     numbers = grid.on_halfway[joined]
@@ -167,8 +162,8 @@ def _joint_lengths(surface: Surface, places: _Array, joined: _Numbers, positions
     return np.where(too_far, np.inf, _lengths(own[:, :, :1], own[:, :, 1:], there))
 
 
-def _lengths(begin: _Array, middle: _Array, end: _Array) -> _Array:
+def _lengths(begin: Array, middle: Array, end: Array) -> Array:
     """Of polygons of two edges, their components along axis 0; infinite where not finite."""
     first, last = middle - begin, end - middle
-    result: _Array = np.sqrt(dot(first, first)) + np.sqrt(dot(last, last))
+    result: Array = np.sqrt(dot(first, first)) + np.sqrt(dot(last, last))
     return np.where(np.isfinite(result), result, np.inf)

@@ -1,7 +1,5 @@
 """Arcs of a path along an edge of the atlas, or along a seam that holds it from both sides."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas

@@ -1,7 +1,5 @@
 """The parts of a path that edges hold, and the path that they make."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -1,22 +1,18 @@
 """The Jacobi equation along computed paths: what `length_error` tells of a length, calculated."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.polynomial import legendre
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.arrays import constant
 from bodymeasure.geodesic.elimination import solve_symmetric
 from bodymeasure.geodesic.path_geometry import PathGeometry
 from bodymeasure.geodesic.quadrature import Quadrature
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-_Array = NDArray[np.float64]
 
 # See the text of `length_error`.
 SAFETY = 5.0
@@ -126,7 +122,7 @@ def _curvature_variation(quadrature: Quadrature, along: PathGeometry, xp: Any) -
     return xp.max(change / slower, axis=0) + most
 
 
-def _beyond(quadrature: Quadrature, along: PathGeometry, modes: _Modes, xp: Any) -> Any:
+def _beyond(quadrature: Quadrature, along: PathGeometry, modes: "_Modes", xp: Any) -> Any:
     """What is left out of the correction with the modes that are left out, all together.
 
     Without K, which says little to so quick modes, psi' is the integral of the curvature along the
@@ -167,15 +163,15 @@ class _Modes:
     values, slopes : ndarray, shape (points, count)
     """
 
-    values: _Array
-    slopes: _Array
+    values: Array
+    slopes: Array
 
     @property
     def count(self) -> int:
         return int(self.values.shape[1])
 
     @cached_property
-    def products(self) -> _Array:
+    def products(self) -> Array:
         """From the densities to the lower triangle of the Jacobi system, column by column.
 
         Shape (count * (count + 1) / 2, 2 * points).

@@ -1,27 +1,23 @@
 """The legs of a path put together to one."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.length_error import MeasuredLength
 from bodymeasure.geodesic.method import EdgeContact
 from bodymeasure.geodesic.piecewise import PiecewisePolynomials
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-_Array = NDArray[np.float64]
 
 
 class SolvedLeg(NamedTuple):
     """One leg: values, shape (2, n + 1), at the nodes of a space, and its length, of shape (1,)."""
 
     space: TrialSpace
-    values: _Array
+    values: Array
     measured: MeasuredLength
 
 
@@ -42,7 +38,7 @@ class ContactPath:
     """
 
     space: TrialSpace
-    values: _Array
+    values: Array
     measured: MeasuredLength
     contacts: tuple[EdgeContact, ...]
 

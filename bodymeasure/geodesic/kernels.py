@@ -1,7 +1,5 @@
 """Wu's compactly supported, positive definite radial functions."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 import numpy as np

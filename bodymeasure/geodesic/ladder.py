@@ -1,20 +1,17 @@
 """Trial spaces in turn, each with more functions than the last, until the length is known."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.length_error import is_good, measure_length
 from bodymeasure.geodesic.method import MethodResult, Piece
 from bodymeasure.geodesic.newton import MAX_ITERATIONS, NewtonResult, newton
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-_Array = NDArray[np.float64]
 
 # Relative error that is asked for. The correction about doubles the digits, so that
 # this takes far fewer functions than the paths themselves would.
@@ -33,7 +30,7 @@ class Solver(Protocol):
     """What finds the nodal values of many problems on one trial space; `newton` is one."""
 
     def __call__(
-        self, surface: Surface, space: TrialSpace, start: _Array, *, max_iterations: int
+        self, surface: Surface, space: TrialSpace, start: Array, *, max_iterations: int
     ) -> NewtonResult:
         """Nodal values from a first guess of shape (problems, 2, n + 1), whose ends stay."""
 
@@ -41,7 +38,7 @@ class Solver(Protocol):
 def solve_on_spaces(
     spaces: Sequence[Callable[[], TrialSpace]],
     surface: Surface,
-    ends: tuple[_Array, _Array],
+    ends: tuple[Array, Array],
     *,
     tolerance: float,
     solver: Solver = newton,
@@ -113,8 +110,8 @@ def is_far_outside(piece: Piece, solved: NDArray[np.bool_]) -> NDArray[np.bool_]
     return result
 
 
-def straight(start: _Array, end: _Array, nodes: _Array) -> _Array:
+def straight(start: Array, end: Array, nodes: Array) -> Array:
     """Nodal values of straight lines in (u, v), shape (problems, 2, n + 1)."""
-    line: _Array = start[:, :, None] + (end - start)[:, :, None] * nodes
+    line: Array = start[:, :, None] + (end - start)[:, :, None] * nodes
     line[:, :, -1] = end
     return line

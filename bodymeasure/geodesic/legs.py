@@ -1,13 +1,10 @@
 """Where a path is free, where an edge of its patch holds it, and how its free parts end."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-_Array = NDArray[np.float64]
+from bodymeasure._typing import Array
 
 
 @dataclass(frozen=True)
@@ -60,7 +57,7 @@ class Leg:
     last: int
 
 
-def read_legs(points: _Array, poles: tuple[End, End] = (None, None)) -> list[Leg]:
+def read_legs(points: Array, poles: tuple[End, End] = (None, None)) -> list[Leg]:
     """The pattern of free legs and contact arcs of a polygon in the box.
 
     Parameters
@@ -91,7 +88,7 @@ def read_legs(points: _Array, poles: tuple[End, End] = (None, None)) -> list[Leg
     return legs
 
 
-def _arcs(points: _Array, corners: set[int]) -> list[tuple[Contact, int, int]]:
+def _arcs(points: Array, corners: set[int]) -> list[tuple[Contact, int, int]]:
     """Edges that hold the polygon, from which point to which, in order."""
     last = len(points) - 1
     arcs: list[tuple[Contact, int, int]] = []

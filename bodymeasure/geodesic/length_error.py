@@ -30,8 +30,6 @@ leading order: callers trust it only where the correction is a small part of the
 (`TRUSTED_CORRECTION`) and the path turns but little between its nodes (`TRUSTED_RESIDUAL`).
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 
@@ -39,12 +37,11 @@ import array_api_compat.numpy
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.jacobi import UNKNOWN, judge
 from bodymeasure.geodesic.path_geometry import path_geometry
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-_Array = NDArray[np.float64]
 
 # The expansion is leading order: past this part of the length the correction is not to be trusted.
 TRUSTED_CORRECTION = 1e-4
@@ -81,10 +78,10 @@ class MeasuredLength:
         `jacobi.UNKNOWN` where that cannot be told.
     """
 
-    raw: _Array
-    correction: _Array
-    error: _Array
-    residual: _Array
+    raw: Array
+    correction: Array
+    error: Array
+    residual: Array
     index: NDArray[np.int64]
 
     @property
@@ -94,15 +91,15 @@ class MeasuredLength:
         return result
 
     @property
-    def corrected(self) -> _Array:
+    def corrected(self) -> Array:
         """The length of the geodesic: of the path, less its excess."""
         return self.raw - self.correction
 
-    def take(self, rows: NDArray[np.int64]) -> MeasuredLength:
+    def take(self, rows: NDArray[np.int64]) -> "MeasuredLength":
         """The lengths of some of the problems."""
         return MeasuredLength(*(getattr(self, field.name)[rows] for field in fields(self)))
 
-    def scaled(self, powers: NDArray[np.int64]) -> MeasuredLength:
+    def scaled(self, powers: NDArray[np.int64]) -> "MeasuredLength":
         """The same on surfaces that are larger by powers of two."""
         return replace(
             self,
@@ -112,7 +109,7 @@ class MeasuredLength:
         )
 
     @classmethod
-    def of_parts(cls, parts: Sequence[MeasuredLength]) -> MeasuredLength:
+    def of_parts(cls, parts: "Sequence[MeasuredLength]") -> "MeasuredLength":
         """Of paths that are made of parts, the joints of which stay in place.
 
         The index is then the sum of the parts' indices.
@@ -128,7 +125,7 @@ class MeasuredLength:
         )
 
 
-def measure_length(surface: Surface, space: TrialSpace, values: _Array) -> MeasuredLength:
+def measure_length(surface: Surface, space: TrialSpace, values: Array) -> MeasuredLength:
     """Length, leading-order correction and error estimate of paths.
 
     Parameters
@@ -150,7 +147,7 @@ def measure_length(surface: Surface, space: TrialSpace, values: _Array) -> Measu
     return measured
 
 
-def is_steep(length: _Array, values: _Array) -> NDArray[np.bool_]:
+def is_steep(length: Array, values: Array) -> NDArray[np.bool_]:
     """Which paths are so short, for their way in u and v, that rounding errors count.
 
     Parameters
@@ -163,13 +160,13 @@ def is_steep(length: _Array, values: _Array) -> NDArray[np.bool_]:
     return result
 
 
-def _cancellation(surface: Surface, space: TrialSpace, values: _Array) -> _Array:
+def _cancellation(surface: Surface, space: TrialSpace, values: Array) -> Array:
     """Rounding errors of lengths that are small beside what they are calculated from."""
     place, slopes, _ = space.at_quadrature
     velocity = np.abs((values - values[:, :, :1]) @ slopes.T)
     magnitude = surface.magnitude((values @ place.T).transpose(0, 2, 1))
     terms = magnitude[0] * velocity[:, 0] + magnitude[1] * velocity[:, 1]
-    result: _Array = CANCELLATION * (terms @ space.quadrature.weights)
+    result: Array = CANCELLATION * (terms @ space.quadrature.weights)
     return result
 
 

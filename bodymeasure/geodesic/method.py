@@ -1,7 +1,5 @@
 """What a method is: settings, and how a batch of problems is solved with them."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from typing import Protocol
 
@@ -60,7 +58,7 @@ class Piece:
     contacts: tuple[EdgeContact, ...] = ()
     speed: NDArray[np.float64] | None = None
 
-    def take(self, rows: NDArray[np.int64]) -> Piece:
+    def take(self, rows: NDArray[np.int64]) -> "Piece":
         """Some of the problems, by their place in this piece."""
         return Piece(
             self.problems[rows],
@@ -85,7 +83,7 @@ class Piece:
         points[:, parts == 1.0] = self.values[:, None, :, -1]
         return points
 
-    def renumbered(self, problems: NDArray[np.int64]) -> Piece:
+    def renumbered(self, problems: NDArray[np.int64]) -> "Piece":
         """The same paths under other problem numbers."""
         return replace(self, problems=problems)
 

@@ -1,16 +1,13 @@
 """Newton's method with Levenberg-Marquardt damping for the minima of many problems at once."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.energy import Expansion, Functional, expand
 from bodymeasure.geodesic.newton import LAST_STEP, LONGEST_STEP, NewtonResult
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-_Array = NDArray[np.float64]
 
 # Levenberg-Marquardt damping is relative to the metric's trace. It starts where a step that failed
 # is shortened to some half of itself, is multiplied and divided by these, and is zero below the
@@ -33,7 +30,7 @@ def minimize(
     functional: Functional,
     surface: Surface,
     space: TrialSpace,
-    start: _Array,
+    start: Array,
     *,
     max_iterations: int,
 ) -> NewtonResult:
@@ -98,17 +95,15 @@ def minimize(
     return result
 
 
-def _slope_products(functional: Functional, space: TrialSpace) -> _Array:
+def _slope_products(functional: Functional, space: TrialSpace) -> Array:
     """Scalar products of the slopes of the unknowns' cardinal functions: what damping adds."""
     slopes = space.at_quadrature[1][:, 1:-1]
     products = (slopes.T * space.quadrature.weights) @ slopes
-    result: _Array = np.kron(np.eye(len(functional.coordinates)), products)
+    result: Array = np.kron(np.eye(len(functional.coordinates)), products)
     return result
 
 
-def _damped_step(
-    here: Expansion, metric: _Array, damping: _Array
-) -> tuple[_Array, NDArray[np.bool_]]:
+def _damped_step(here: Expansion, metric: Array, damping: Array) -> tuple[Array, NDArray[np.bool_]]:
     """Steps, and which could be computed."""
     finite = np.asarray(
         np.isfinite(here.gradient).all(axis=1) & np.isfinite(here.hessian).all(axis=(1, 2))

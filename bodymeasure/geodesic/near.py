@@ -5,17 +5,14 @@ between points 1e-12 apart would be a ten-thousandth of the way; in the magnifie
 begin at the start, they are 1e-16 of the way.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.method import Method, MethodResult, Piece
 from bodymeasure.geodesic.surface import JET, JET_SIZE, Surface
-
-_Array = NDArray[np.float64]
 
 # Points closer than this in u and v are near: enough to lose no more than two digits beyond it.
 NEAR = 0.03
@@ -44,7 +41,7 @@ class MagnifiedSurface:
     def __init__(
         self,
         surface: Surface,
-        center: _Array,
+        center: Array,
         extent: NDArray[np.int64],
         unit: NDArray[np.int64],
     ) -> None:
@@ -53,12 +50,12 @@ class MagnifiedSurface:
         self._extent = extent
         self._unit = unit
 
-    def parameters(self, place: _Array) -> _Array:
+    def parameters(self, place: Array) -> Array:
         """(u, v) of magnified coordinates, both of shape (problems, k, 2)."""
-        moved: _Array = np.ldexp(place - MIDDLE, self._extent[:, None])
+        moved: Array = np.ldexp(place - MIDDLE, self._extent[:, None])
         return self._center[:, None] + moved
 
-    def jet(self, parameters: _Array, order: int) -> _Array:
+    def jet(self, parameters: Array, order: int) -> Array:
         """Derivatives in the order of `JET`; the positions, which nothing asks for, as they are."""
         jet = self._surface.jet(self.parameters(parameters), order)
         powers = _ORDERS[: JET_SIZE[order]] @ self._extent.T - self._unit
@@ -66,17 +63,17 @@ class MagnifiedSurface:
         jet *= np.ldexp(1.0, np.clip(powers, -MOST, MOST))[:, None, :, None]
         return jet
 
-    def positions(self, parameters: _Array) -> _Array:
+    def positions(self, parameters: Array) -> Array:
         """Points, shape (problems, k, 3), in the surface's own unit."""
         return self._surface.positions(self.parameters(parameters))
 
-    def magnitude(self, parameters: _Array) -> _Array:
+    def magnitude(self, parameters: Array) -> Array:
         """Size of what S_u and S_v are calculated from, shape (2, problems, k)."""
         magnitude = self._surface.magnitude(self.parameters(parameters))
         powers = np.clip(self._extent.T - self._unit, -MOST, MOST)
         return np.asarray(magnitude * np.ldexp(1.0, powers)[:, :, None])
 
-    def take(self, problems: NDArray[np.int64]) -> MagnifiedSurface:
+    def take(self, problems: NDArray[np.int64]) -> "MagnifiedSurface":
         """The surfaces of some of the problems."""
         return MagnifiedSurface(
             self._surface.take(problems),
@@ -86,9 +83,7 @@ class MagnifiedSurface:
         )
 
 
-def solve_near_and_far(
-    method: Method, surface: Surface, start: _Array, end: _Array
-) -> MethodResult:
+def solve_near_and_far(method: Method, surface: Surface, start: Array, end: Array) -> MethodResult:
     """What a method finds, near problems magnified; start and end of shape (problems, 2)."""
     if len(start) == 0:
         return MethodResult((), np.zeros(0, np.int64))
@@ -111,7 +106,7 @@ def solve_near_and_far(
     return MethodResult(tuple(pieces), iterations)
 
 
-def _magnified(method: Method, surface: Surface, start: _Array, end: _Array) -> MethodResult:
+def _magnified(method: Method, surface: Surface, start: Array, end: Array) -> MethodResult:
     move = end - start
     extent, unit = _sizes(surface, start, move)
     magnified = MagnifiedSurface(surface, start, extent, unit)
@@ -129,7 +124,7 @@ def _magnified(method: Method, surface: Surface, start: _Array, end: _Array) -> 
 
 
 def _sizes(
-    surface: Surface, start: _Array, move: _Array
+    surface: Surface, start: Array, move: Array
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """How large the part of the patch is that a way takes up, in u and v and in length.
 

@@ -1,7 +1,5 @@
 """Newton's method for many collocation systems at once."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -44,7 +42,7 @@ class NewtonResult:
     iterations: NDArray[np.int64]
 
     @classmethod
-    def unsolved(cls, start: NDArray[np.float64]) -> NewtonResult:
+    def unsolved(cls, start: NDArray[np.float64]) -> "NewtonResult":
         """Where it begins: at a first guess of shape (problems, 2, n + 1)."""
         none = np.zeros(len(start), bool)
         return cls(start.copy(), none, none.copy(), np.zeros(len(start), np.int64))

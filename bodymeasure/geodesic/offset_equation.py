@@ -14,8 +14,6 @@ algebra. On a Bezier patch T_q, T_t and T_tt are at a fixed t polynomials in q. 
 batch along their last axis.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 from bodymeasure.geodesic.path_geometry import PathGeometry

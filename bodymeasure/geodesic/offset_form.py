@@ -5,8 +5,6 @@ before. What comes out is measured and judged as everywhere, and only what passe
 is left to the form with two unknown functions.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import fields, replace
 from functools import lru_cache
@@ -16,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.arrays import constant, is_on_cpu, to_numpy
 from bodymeasure.geodesic.elimination import solve_batch
 from bodymeasure.geodesic.jacobi import judge
@@ -28,8 +27,6 @@ from bodymeasure.geodesic.offset_problems import OffsetProblems
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import BezierSurfaces
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-_Array = NDArray[np.float64]
 
 # The first guess: Newton steps from the straight line on polynomials of this degree.
 GUESS_DEGREE = 5
@@ -54,7 +51,7 @@ ASTRAY = 1.0
 def solve_offsets(
     spaces: Sequence[Callable[[], TrialSpace]],
     surface: BezierSurfaces,
-    ends: tuple[_Array, _Array],
+    ends: tuple[Array, Array],
     tolerance: float,
 ) -> MethodResult:
     """Geodesics that run across their straight line as a graph, those of the batch that do.
@@ -146,7 +143,7 @@ def _guess(space: TrialSpace, problems: OffsetProblems) -> Any:
 
 def _newton(
     space: TrialSpace, problems: OffsetProblems, offset: Any, steps: int
-) -> tuple[Any, _Array]:
+) -> tuple[Any, Array]:
     """Offsets at the inner nodes, shape (n - 1, problems), and how large the last step was."""
     xp = problems.xp
     coefficients = _coefficients(problems, space.nodes[1:-1])
@@ -195,7 +192,7 @@ def _measured(space: TrialSpace, problems: OffsetProblems, offset: Any, toleranc
     )
 
 
-def _coefficients(problems: OffsetProblems, times: _Array) -> Any:
+def _coefficients(problems: OffsetProblems, times: Array) -> Any:
     """Polynomials in the offset, as `offset_equation` takes them."""
     columns, xp = problems.columns, problems.xp
     matrix = constant(offset_map(problems.degrees, tuple(times.tolist())), columns, xp)
@@ -203,13 +200,13 @@ def _coefficients(problems: OffsetProblems, times: _Array) -> Any:
     return xp.reshape(product, (-1, len(FIELDS), len(times), 3, problems.count))
 
 
-def _inner(space: TrialSpace, times: _Array) -> _Array:
+def _inner(space: TrialSpace, times: Array) -> Array:
     """From values at the inner nodes of functions that vanish at the ends, as `matrices`."""
     return _inner_at(space, tuple(times.tolist()))
 
 
 @lru_cache(maxsize=64)
-def _inner_at(space: TrialSpace, times: tuple[float, ...]) -> _Array:
+def _inner_at(space: TrialSpace, times: tuple[float, ...]) -> Array:
     return np.ascontiguousarray(space.matrices(np.array(times))[:, :, 1:-1])
 
 

@@ -1,16 +1,12 @@
 """Constant matrices that turn a patch into polynomials across its straight line."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from math import factorial
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier import bernstein
-
-_Array = NDArray[np.float64]
 
 # Each field as a sum of derivatives of S by u and v: (times by u, times by v, factor).
 _ACROSS = ((1, 0, 1.0), (0, 1, -1.0))
@@ -20,7 +16,7 @@ FIELDS = (_ACROSS, _ALONG, _ALONG_TWICE)
 
 
 @lru_cache(maxsize=64)
-def offset_map(degrees: tuple[int, int], times: tuple[float, ...]) -> _Array:
+def offset_map(degrees: tuple[int, int], times: tuple[float, ...]) -> Array:
     """From control points to polynomials in the offset q, at each t.
 
     With ``T(t, q) = S(t + q, t - q)``, the derivatives T_q, T_t and T_tt are at each t polynomials

@@ -1,7 +1,5 @@
 """Problems turned so that each runs from corner (0, 0) to corner (1, 1) of its own patch."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,11 +7,10 @@ import array_api_compat
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier import restrict
 from bodymeasure.geodesic.arrays import constant, to_numpy
 from bodymeasure.geodesic.surface import BezierSurfaces
-
-_Array = NDArray[np.float64]
 
 # Rounding errors of the control points of a part of a patch of size 1.
 RESTRICTION = 2e-15
@@ -34,12 +31,12 @@ class OffsetProblems:
     """
 
     columns: Any
-    start: _Array
-    end: _Array
+    start: Array
+    end: Array
     degrees: tuple[int, int]
 
     @classmethod
-    def of(cls, surface: BezierSurfaces, start: _Array, end: _Array) -> OffsetProblems:
+    def of(cls, surface: BezierSurfaces, start: Array, end: Array) -> "OffsetProblems":
         """The problems of going from start to end, no coordinate of which may be equal."""
         nets = surface.control_points
         xp = array_api_compat.array_namespace(nets)
@@ -73,12 +70,12 @@ class OffsetProblems:
         """Error of any length by rounding of the control points."""
         return 0.0 if _are_corners(self.start, self.end) else RESTRICTION
 
-    def take(self, rows: NDArray[np.int64]) -> OffsetProblems:
+    def take(self, rows: NDArray[np.int64]) -> "OffsetProblems":
         """Some of the problems."""
         columns = self.xp.take(self.columns, constant(rows, self.columns, self.xp), axis=2)
         return OffsetProblems(columns, self.start[rows], self.end[rows], self.degrees)
 
-    def parameters(self, times: _Array, offset: Any) -> list[Any]:
+    def parameters(self, times: Array, offset: Any) -> list[Any]:
         """U and v of the whole patches at times, for offsets of shape (times, problems)."""
         t = constant(times[:, None], offset, self.xp)
         result = []
@@ -88,6 +85,6 @@ class OffsetProblems:
         return result
 
 
-def _are_corners(start: _Array, end: _Array) -> bool:
+def _are_corners(start: Array, end: Array) -> bool:
     """Whether all points are corners of their patches."""
     return bool(((start == 0.0) | (start == 1.0)).all() and (end == 1.0 - start).all())

@@ -1,14 +1,11 @@
 """Points that are one place: equal ones, and those on one collapsed edge."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.length_error import CANCELLATION
 from bodymeasure.geodesic.surface import Surface
-
-_Array = NDArray[np.float64]
 
 # Points of a line at which its speed is looked at: a polynomial of a lower degree cannot vanish at
 # all of them without being zero.
@@ -16,8 +13,8 @@ TIMES = np.linspace(0.0, 1.0, 17)
 
 
 def distances_in_one_place(
-    surfaces: Surface, surface_of: NDArray[np.int64], start: _Array, end: _Array
-) -> _Array:
+    surfaces: Surface, surface_of: NDArray[np.int64], start: Array, end: Array
+) -> Array:
     """Bounds of the distances between points that cannot be told apart, infinite for all others.
 
     Zero for equal points. Along a line of u or of v the surface may stand still, as on the edge of

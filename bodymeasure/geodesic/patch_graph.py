@@ -1,22 +1,17 @@
 """A graph over an atlas whose ways tell roughly how far points are apart."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import lru_cache
 from math import gcd
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Place
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.route_mesh import whole_mesh
-
-_Array = NDArray[np.float64]
-_Numbers = NDArray[np.int64]
 
 # Steps along each patch edge: the first that make for so many points, or else the last.
 SEGMENTS, ENOUGH = (4, 6, 8, 12, 16), 2000
@@ -44,12 +39,12 @@ class PatchGraph:
         The steps' lengths, both ways.
     """
 
-    number: _Numbers
-    vertices: _Array
+    number: Ints
+    vertices: Array
     places: tuple[Place, ...]
     steps: scipy.sparse.csr_array
 
-    def distances(self, atlas: Atlas, place: Place) -> _Array:
+    def distances(self, atlas: Atlas, place: Place) -> Array:
         """How far all vertices are from a place, roughly; infinite on other parts."""
         segments = self.number.shape[1] - 1
         grid = np.arange(segments + 1)
@@ -96,7 +91,7 @@ def patch_graph(atlas: Atlas) -> PatchGraph:
     return PatchGraph(number, mesh.vertices, tuple(places), (steps + steps.T).tocsr())
 
 
-def _steps(number: _Numbers) -> tuple[_Numbers, _Numbers]:
+def _steps(number: Ints) -> tuple[Ints, Ints]:
     """The first and last vertices of all steps within patches, each in one direction."""
     lines = number.shape[1]
     first, last = [], []

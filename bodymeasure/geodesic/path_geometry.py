@@ -1,16 +1,12 @@
 """Speed, geodesic curvature and Gaussian curvature along a path."""
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.equations import acceleration, dot
 from bodymeasure.geodesic.surface import Surface
-
-_Array = NDArray[np.float64]
 
 
 class PathGeometry(NamedTuple):
@@ -31,9 +27,7 @@ class PathGeometry(NamedTuple):
     gaussian_curvature: Any
 
 
-def path_geometry(
-    surface: Surface, values: _Array, velocity: _Array, second: _Array
-) -> PathGeometry:
+def path_geometry(surface: Surface, values: Array, velocity: Array, second: Array) -> PathGeometry:
     """The geometry of paths given by (u, v) and their two derivatives by t.
 
     Parameters
@@ -64,7 +58,7 @@ def path_geometry(
     return PathGeometry(speed.T, geodesic_curvature.T, gaussian_curvature.T)
 
 
-def _cross(a: _Array, b: _Array) -> _Array:
+def _cross(a: Array, b: Array) -> Array:
     return np.stack(
         [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
     )

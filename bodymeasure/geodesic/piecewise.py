@@ -1,7 +1,5 @@
 """Piecewise polynomials on [0, 1] in Chebyshev form."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -10,7 +8,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
-_Array = NDArray[np.float64]
+from bodymeasure._typing import Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,10 +27,10 @@ class PiecewisePolynomials:
         Chebyshev coefficients on each piece, of the functions and their two derivatives.
     """
 
-    edges: _Array
+    edges: Array
     coefficients: NDArray[np.longdouble]
 
-    def __call__(self, t: _Array) -> _Array:
+    def __call__(self, t: Array) -> Array:
         """Values, first and second derivatives at t of shape (k,); shape (3, k, functions)."""
         functions = self.coefficients.shape[2]
         result = np.empty((3, len(t), functions))
@@ -43,7 +41,7 @@ class PiecewisePolynomials:
                 result[order, here] = np.inner(vandermonde, np.ascontiguousarray(sums.T))
         return result
 
-    def values(self, t: _Array) -> _Array:
+    def values(self, t: Array) -> Array:
         """Values alone, in double precision throughout; shape (k, functions)."""
         result = np.empty((len(t), self.coefficients.shape[2]))
         for number, here, x in self._by_piece(t):
@@ -59,7 +57,7 @@ class PiecewisePolynomials:
             left, right = self.edges[number : number + 2]
             yield int(number), here, ((t[here] - left) - (right - t[here])) / (right - left)
 
-    def combined(self, values: _Array, t: _Array) -> _Array:
+    def combined(self, values: Array, t: Array) -> Array:
         """Sums of the functions, each at its own places.
 
         Parameters
@@ -87,7 +85,7 @@ class PiecewisePolynomials:
         return result
 
 
-def sample_points(edges: _Array, degree: int) -> _Array:
+def sample_points(edges: Array, degree: int) -> Array:
     """Where polynomials of a degree are sampled on each piece, shape (pieces, degree + 1)."""
     x = (chebyshev.chebpts1(degree + 1) + 1.0) / 2.0
     return np.asarray(edges[:-1, None] + np.diff(edges)[:, None] * x)

@@ -1,15 +1,13 @@
 """Polygons at rest made exact: the geodesic that each stands for, or the path along edges."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.contact import solve_contact_path
 from bodymeasure.geodesic.degrees import DEGREES, degrees_wanted, leave_for_certain
 from bodymeasure.geodesic.descent import descend
@@ -22,9 +20,6 @@ from bodymeasure.geodesic.one_place import TIMES
 from bodymeasure.geodesic.polygon_energy import polygon_lengths
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import Surface
-
-_Array = NDArray[np.float64]
-_Numbers = NDArray[np.int64]
 
 # Newton steps on each: polygons are near enough that those that converge do so in fewer.
 MOST_STEPS = 8
@@ -59,10 +54,10 @@ class Polished(NamedTuple):
     """
 
     pieces: tuple[Piece, ...]
-    doubt: _Array
+    doubt: Array
 
 
-def polish(surface: Surface, polygons: _Array, tolerance: float) -> Polished:
+def polish(surface: Surface, polygons: Array, tolerance: float) -> Polished:
     """Exact paths near polygons at rest.
 
     Those that touch no edge are solved by collocation, all at once; the others, and those for which
@@ -102,7 +97,7 @@ def polish(surface: Surface, polygons: _Array, tolerance: float) -> Polished:
     return Polished(tuple(pieces), doubt)
 
 
-def _poles(surface: Surface, points: _Array, tolerance: float) -> tuple[list[End], _Array]:
+def _poles(surface: Surface, points: Array, tolerance: float) -> tuple[list[End], Array]:
     """Of points, shape (polygons, 2), the collapsed edges that they lie on, and their lengths."""
     result: list[End] = [None] * len(points)
     length = np.zeros(len(points))
@@ -118,9 +113,7 @@ def _poles(surface: Surface, points: _Array, tolerance: float) -> tuple[list[End
     return result, length
 
 
-def _collocated(
-    surface: Surface, polygons: _Array, rows: _Numbers, tolerance: float
-) -> list[Piece]:
+def _collocated(surface: Surface, polygons: Array, rows: Ints, tolerance: float) -> list[Piece]:
     """Paths of some of the polygons that have no contact, each on the first space that serves."""
     times = np.linspace(0.0, 1.0, polygons.shape[1])
     pieces: list[Piece] = []
@@ -149,26 +142,26 @@ def _collocated(
 
 
 @lru_cache(maxsize=16)
-def _spline(degree: int, vertices: int) -> _Array:
+def _spline(degree: int, vertices: int) -> Array:
     """From a polygon's vertices to a smooth path at the nodes of a polynomial space."""
     times = np.linspace(0.0, 1.0, vertices)
     nodes = polynomial_space(degree).nodes
     return np.asarray(CubicSpline(times, np.eye(vertices))(nodes))
 
 
-def _without(rows: _Numbers, pieces: list[Piece]) -> _Numbers:
+def _without(rows: Ints, pieces: list[Piece]) -> Ints:
     """Those rows that have no piece yet."""
     return np.setdiff1d(rows, np.concatenate([rows[:0], *(piece.problems for piece in pieces)]))
 
 
-def _refined(polygons: _Array, edges: int) -> _Array:
+def _refined(polygons: Array, edges: int) -> Array:
     """Polygons with another number of edges."""
     old, new = np.linspace(0.0, 1.0, polygons.shape[1]), np.linspace(0.0, 1.0, edges + 1)
-    result: _Array = np.stack([np.interp(new, old, row) for row in np.eye(len(old))], 1) @ polygons
+    result: Array = np.stack([np.interp(new, old, row) for row in np.eye(len(old))], 1) @ polygons
     return result
 
 
-def _on_edges(polygons: _Array) -> _Array:
+def _on_edges(polygons: Array) -> Array:
     """Polygons whose points all but on an edge are on it; the ends stay."""
     result = polygons.copy()
     inner = result[:, 1:-1]

@@ -1,17 +1,14 @@
 """The energy of polygons on patches to the second order, for descent and for finding saddles."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, fields
 from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.equations import dot
 from bodymeasure.geodesic.surface import Surface
-
-_Array = NDArray[np.float64]
 
 # Part of its mean that is added to the metric, which vanishes on a collapsed edge.
 REGULARIZATION = 1e-10
@@ -38,11 +35,11 @@ class PolygonEnergy:
         Coordinates that their bound holds: they are on it, and pulled outwards.
     """
 
-    energy: _Array
-    gradient: _Array
-    metric: _Array
-    bending: _Array
-    lower: _Array
+    energy: Array
+    gradient: Array
+    metric: Array
+    bending: Array
+    lower: Array
     held: NDArray[np.bool_]
 
     def take(self, polygons: NDArray[np.int64]) -> Self:
@@ -60,7 +57,7 @@ class PolygonEnergy:
             )
         )
 
-    def restricted_hessian(self, damping: _Array | float) -> tuple[_Array, _Array]:
+    def restricted_hessian(self, damping: Array | float) -> tuple[Array, Array]:
         """Blocks on and below the diagonal of the Hessian of the coordinates that are free.
 
         With a multiple of the metric added. Coordinates that are held stand alone in it.
@@ -73,17 +70,17 @@ class PolygonEnergy:
         return diagonal, self.lower * (free[:, None, 1:] & free[:, :-1])
 
 
-def polygon_lengths(surface: Surface, points: _Array) -> _Array:
+def polygon_lengths(surface: Surface, points: Array) -> Array:
     """Sums of the straight distances between neighboring points: inscribed polygons' lengths.
 
     A little less than those of the paths on the surface that the polygons stand for.
     """
     steps = np.diff(surface.jet(points, 0)[0], axis=-1)
-    result: _Array = np.sqrt(dot(steps, steps)).sum(axis=-1)
+    result: Array = np.sqrt(dot(steps, steps)).sum(axis=-1)
     return result
 
 
-def polygon_energy(surface: Surface, points: _Array) -> PolygonEnergy:
+def polygon_energy(surface: Surface, points: Array) -> PolygonEnergy:
     """The energies of polygons with points (u, v) of shape (polygons, k + 2, 2)."""
     edges = points.shape[1] - 1
     # The polygons along the last axis, where most of them are.
@@ -113,5 +110,5 @@ def polygon_energy(surface: Surface, points: _Array) -> PolygonEnergy:
     )
 
 
-def _blocks(entries: _Array) -> _Array:
+def _blocks(entries: Array) -> Array:
     return entries.reshape(2, 2, *entries.shape[1:])

@@ -1,7 +1,5 @@
 """Polygons as a trial space: piecewise linear functions on equal pieces of [0, 1]."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 import numpy as np

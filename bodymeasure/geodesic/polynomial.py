@@ -1,7 +1,5 @@
 """Collocation with polynomials: the same equations on another trial space."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial

@@ -1,7 +1,5 @@
 """Polynomials on [0, 1], given by their values at Chebyshev-Lobatto points."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 import numpy as np

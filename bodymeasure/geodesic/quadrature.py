@@ -1,7 +1,5 @@
 """Composite Gauss-Legendre quadrature that judges itself."""
 
-from __future__ import annotations
-
 from functools import cached_property
 from typing import Any
 

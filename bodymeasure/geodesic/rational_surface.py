@@ -1,16 +1,13 @@
 """What the solver asks of rational Bezier patches."""
 
-from __future__ import annotations
-
 from math import comb
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.surface import JET, JET_SIZE, BezierSurfaces
-
-_Array = NDArray[np.float64]
 
 
 class RationalSurfaces:
@@ -22,11 +19,11 @@ class RationalSurfaces:
         In homogeneous coordinates; see `bodymeasure.bezier.homogeneous`.
     """
 
-    def __init__(self, control_points: _Array) -> None:
+    def __init__(self, control_points: Array) -> None:
         self.control_points = control_points
         self._homogeneous = _Homogeneous(_normalized(control_points))
 
-    def jet(self, parameters: _Array, order: int) -> _Array:
+    def jet(self, parameters: Array, order: int) -> Array:
         """Derivatives in the order of `JET`, shape (derivatives, 3, problems, k).
 
         Notes
@@ -46,17 +43,17 @@ class RationalSurfaces:
             result[number] = value / weight[0]
         return result
 
-    def positions(self, parameters: _Array) -> _Array:
+    def positions(self, parameters: Array) -> Array:
         """Points, shape (problems, k, 3)."""
         return evaluate(self.control_points, parameters)
 
-    def magnitude(self, parameters: _Array) -> _Array:
+    def magnitude(self, parameters: Array) -> Array:
         """Size of what S_u and S_v are calculated from, shape (2, problems, k)."""
         # Of the homogeneous coordinates: they are moved to the origin and divided by weights of 1
         # and more, so that these are the greatest of all terms but for a factor of a few.
         return self._homogeneous.magnitude(parameters)
 
-    def take(self, problems: NDArray[np.int64]) -> RationalSurfaces:
+    def take(self, problems: NDArray[np.int64]) -> "RationalSurfaces":
         """The patches of some of the problems."""
         return RationalSurfaces(self.control_points[problems])
 
@@ -64,11 +61,11 @@ class RationalSurfaces:
 class _Homogeneous(BezierSurfaces):
     """Patches of four coordinates, whose origin is no longer any once they are divided."""
 
-    def _positions(self, points: _Array) -> _Array:
+    def _positions(self, points: Array) -> Array:
         return points
 
 
-def _normalized(control_points: _Array) -> _Array:
+def _normalized(control_points: Array) -> Array:
     """The patches moved to the origin, their weights scaled to at least 1.
 
     Powers of 2, so that scaling rounds nothing.

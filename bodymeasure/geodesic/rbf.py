@@ -1,15 +1,13 @@
 """Radial basis function collocation, the paper's method."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.collocation import Form, check_form, collocate
 from bodymeasure.geodesic.kernels import WU_C10, Kernel
@@ -19,8 +17,6 @@ from bodymeasure.geodesic.rbf_space import rbf_space
 from bodymeasure.geodesic.settings import check_positive
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-_Array = NDArray[np.float64]
 
 # Numbers of functions that are tried in turn. Even, so that symmetric centers and collocation
 # points give a regular system. 8 functions serve 9 of 10 diagonals of a body, 12 nearly all of the
@@ -119,13 +115,13 @@ class RBFCollocation:
             self.support_radius,
         )
 
-    def solve(self, surface: Surface, start: _Array, end: _Array) -> MethodResult:
+    def solve(self, surface: Surface, start: Array, end: Array) -> MethodResult:
         """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
         makers = [partial(self._space, count) for count in self._counts]
         return collocate(makers, surface, (start, end), tolerance=self.tolerance, form=self.form)
 
 
-def default_centers(kernel: Kernel, count: int) -> _Array:
+def default_centers(kernel: Kernel, count: int) -> Array:
     """Centers for a number of functions; see `RBFCollocation`."""
     outer = count if count < kernel.degree else OUTER_CENTERS
     left = outer // 2
@@ -135,7 +131,7 @@ def default_centers(kernel: Kernel, count: int) -> _Array:
     return np.concatenate([below, chebyshev_points(count - outer), above])
 
 
-def chebyshev_points(count: int) -> _Array:
+def chebyshev_points(count: int) -> Array:
     """The inner Chebyshev-Lobatto points of [0, 1]."""
     return np.asarray(0.5 - 0.5 * np.cos(np.pi * np.arange(1, count + 1) / (count + 1)))
 
@@ -145,7 +141,7 @@ def _is_count(value: Any) -> bool:
     return whole and bool(value >= 1)
 
 
-def _sequence(name: str, values: Sequence[float]) -> _Array:
+def _sequence(name: str, values: Sequence[float]) -> Array:
     try:
         array = np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError):

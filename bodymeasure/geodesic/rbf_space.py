@@ -1,7 +1,5 @@
 """The trial space of the paper: a constant and radial functions, equations (5) and (6)."""
 
-from __future__ import annotations
-
 from decimal import Context, Decimal, localcontext
 from functools import lru_cache
 from typing import Any
@@ -9,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.kernels import Kernel
 from bodymeasure.geodesic.piecewise import PiecewisePolynomials, sample_points
@@ -34,7 +33,6 @@ SHIFTS = (0.0, 0.25, 0.4, -0.25, 0.1)
 # differ by rounding (-1.7 + 2 and 0.3), and no points can be told apart between them.
 CLOSEST_BREAKS = 1e-10
 
-_Array = NDArray[np.float64]
 _Matrix = NDArray[Any]  # of Decimal
 
 
@@ -109,7 +107,7 @@ def _refusal(functions: str, condition: float, growth: float) -> str:
     )
 
 
-def _piecewise(edges: _Array, samples: _Array, cardinal: _Matrix) -> PiecewisePolynomials:
+def _piecewise(edges: Array, samples: Array, cardinal: _Matrix) -> PiecewisePolynomials:
     """The polynomials through values and derivatives (3, all samples, functions)."""
     pieces, count = samples.shape
     by_piece = np.split(cardinal, pieces, axis=1)
@@ -136,9 +134,9 @@ def rbf_coefficients(
     kernel: Kernel,
     centers: tuple[float, ...],
     support_radius: float,
-    nodes: _Array,
-    nodal_values: _Array,
-) -> _Array:
+    nodes: Array,
+    nodal_values: Array,
+) -> Array:
     """The paper's a_0, a_1, ..., a_N (or b_i) of functions given by nodal values.
 
     Parameters
@@ -173,7 +171,7 @@ def _breaks(centers: tuple[float, ...], support_radius: float) -> list[float]:
     return breaks[1:]
 
 
-def _shifted_nodes(collocation_points: tuple[float, ...], shift: float) -> _Array:
+def _shifted_nodes(collocation_points: tuple[float, ...], shift: float) -> Array:
     nodes = np.array([0.0, *collocation_points, 1.0])
     gaps = np.diff(nodes)
     nodes[1:-1] += shift * (gaps[1:] if shift > 0.0 else gaps[:-1])
@@ -187,7 +185,7 @@ def _decimals(values: Any) -> _Matrix:
 
 
 def _basis(
-    kernel: Kernel, centers: tuple[float, ...], t: _Array, support_radius: float
+    kernel: Kernel, centers: tuple[float, ...], t: Array, support_radius: float
 ) -> list[_Matrix]:
     """Values, first and second derivatives of 1, phi_1, ..., phi_N at t; each (k, N + 1)."""
     radius = Decimal(support_radius)

@@ -1,12 +1,10 @@
 """Relaxation: central differences on a uniform mesh (Maekawa 1996, the paper's [2])."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.equations import linearization
 from bodymeasure.geodesic.ladder import TOLERANCE, straight
@@ -21,8 +19,6 @@ from bodymeasure.geodesic.newton import (
 from bodymeasure.geodesic.resample import Path, resampled
 from bodymeasure.geodesic.settings import check_positive, whole_numbers
 from bodymeasure.geodesic.surface import Surface
-
-_Array = NDArray[np.float64]
 
 POINTS = 129
 # The spline through the mesh points must not add to their error of second order.
@@ -67,7 +63,7 @@ class Relaxation:
         whole_numbers("points", self.points, LEAST_POINTS)
         check_positive("tolerance", self.tolerance)
 
-    def solve(self, surface: Surface, start: _Array, end: _Array) -> MethodResult:
+    def solve(self, surface: Surface, start: Array, end: Array) -> MethodResult:
         """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
         mesh = np.linspace(0.0, 1.0, self.points)
         # Moves away from the start: however close the ends, differences of these are exact.
@@ -82,7 +78,7 @@ class Relaxation:
         return MethodResult(pieces, iterations)
 
 
-def _spline(mesh: _Array, start: _Array, moves: _Array) -> Path:
+def _spline(mesh: Array, start: Array, moves: Array) -> Path:
     # Here, since `import bodymeasure` would take much longer with it.
     from scipy.interpolate import make_interp_spline
 
@@ -90,7 +86,7 @@ def _spline(mesh: _Array, start: _Array, moves: _Array) -> Path:
     return lambda t: start[:, None] + np.asarray(spline(t).T)
 
 
-def _relaxed(surface: Surface, start: _Array, moves: _Array) -> tuple[_Array | None, int]:
+def _relaxed(surface: Surface, start: Array, moves: Array) -> tuple[Array | None, int]:
     """Newton's method on one mesh, moves of shape (2, points), and how many steps it took."""
     from scipy.linalg import solve_banded
 
@@ -120,7 +116,7 @@ def _relaxed(surface: Surface, start: _Array, moves: _Array) -> tuple[_Array | N
     return None, MAX_ITERATIONS
 
 
-def _system(surface: Surface, start: _Array, moves: _Array) -> tuple[_Array, _Array]:
+def _system(surface: Surface, start: Array, moves: Array) -> tuple[Array, Array]:
     """Residual and Jacobian of the difference equations at the inner points.
 
     Both equations of a point stand next to each other, as do both unknowns.

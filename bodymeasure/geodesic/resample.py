@@ -1,31 +1,27 @@
 """Paths that a method has found in its own way, as polynomials, measured like all others."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.ladder import straight
 from bodymeasure.geodesic.length_error import is_good, measure_length
 from bodymeasure.geodesic.method import Piece
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import Surface
 
-_Array = NDArray[np.float64]
-
 # Degrees that are tried in turn.
 DEGREES = (8, 12, 16, 20, 28, 40)
 
-Path = Callable[[_Array], _Array]
+Path = Callable[[Array], Array]
 """From k parameters t in [0, 1] to (u, v) there, shape (2, k)."""
 
 
 def resampled(
     surface: Surface,
     paths: list[Path | None],
-    ends: tuple[_Array, _Array],
+    ends: tuple[Array, Array],
     *,
     tolerance: float,
 ) -> tuple[Piece, ...]:

@@ -1,7 +1,5 @@
 """Ritz's method: the path of least energy, or length, among polynomials."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial

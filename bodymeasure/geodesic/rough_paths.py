@@ -1,18 +1,14 @@
 """Some different rough paths between two points of a patch, to start a search from."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.grid_graph import LINES, SHORTEST, grid_points, shortest_trees
 from bodymeasure.geodesic.surface import Surface
-
-_Array = NDArray[np.float64]
-_Numbers = NDArray[np.int64]
 
 # A second path is worth a try if it is at most this much longer than the first, and passes this
 # far, in (u, v), from all taken before it.
@@ -34,11 +30,11 @@ class RoughPaths(NamedTuple):
         (u, v), all edges of about the same length on the surface.
     """
 
-    problems: _Numbers
-    points: _Array
+    problems: Ints
+    points: Array
 
 
-def rough_paths(surface: Surface, ends: _Array, edges: int) -> RoughPaths:
+def rough_paths(surface: Surface, ends: Array, edges: int) -> RoughPaths:
     """Paths that may lead to the shortest, at most `MOST_PATHS` for each problem.
 
     Every grid point stands for the shortest path through it, by way of the graph. They are taken in
@@ -78,7 +74,7 @@ def rough_paths(surface: Surface, ends: _Array, edges: int) -> RoughPaths:
     return RoughPaths(np.concatenate(owners), np.concatenate(polygons))
 
 
-def _walk(before: _Numbers, problems: _Numbers, point: _Numbers) -> _Numbers:
+def _walk(before: Ints, problems: Ints, point: Ints) -> Ints:
     """Ways from grid points back to an end, shape (problems, k); short ones stay at the end."""
     end = before.shape[1]
     way = [point]
@@ -88,7 +84,7 @@ def _walk(before: _Numbers, problems: _Numbers, point: _Numbers) -> _Numbers:
     return np.stack(way, axis=1)
 
 
-def _passed(halves: list[_Numbers]) -> NDArray[np.bool_]:
+def _passed(halves: list[Ints]) -> NDArray[np.bool_]:
     """Which grid points lie near ways, shape (problems, points)."""
     near = _near()
     return np.asarray(near[np.concatenate(halves, axis=1)].any(axis=1))
@@ -102,14 +98,14 @@ def _near() -> NDArray[np.bool_]:
     return np.concatenate([gaps <= APART, np.zeros((1, len(points)), bool)])
 
 
-def _places(way: _Numbers, end: _Array) -> _Array:
+def _places(way: Ints, end: Array) -> Array:
     """(u, v) along ways over the grid and to an end."""
     points = grid_points()
     at_end = (way == len(points))[..., None]
     return np.where(at_end, end[:, None], points[np.minimum(way, len(points) - 1)])
 
 
-def _evenly(surface: Surface, points: _Array, edges: int) -> _Array:
+def _evenly(surface: Surface, points: Array, edges: int) -> Array:
     """The same polygons with other vertices, at equal distances on the surface."""
     steps = np.linalg.norm(np.diff(surface.jet(points, 0)[0], axis=-1), axis=0)
     along = np.concatenate([np.zeros((len(steps), 1)), np.cumsum(steps, axis=1)], axis=1)

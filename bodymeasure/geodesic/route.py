@@ -1,7 +1,5 @@
 """A route over an atlas: patches in order, and the seams that are crossed between them."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from bodymeasure.atlas.neighbors import Crossing, Place, on_side

@@ -5,8 +5,6 @@ arc runs between the ends of its neighbors. An edge of the atlas holds what woul
 holds what would leave it to either side.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

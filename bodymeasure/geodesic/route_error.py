@@ -18,19 +18,16 @@ The excess of a piece of hardly any length is at most what it is longer than its
 This covers paths along this route. That no other route is shorter it doesn't tell.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.box_newton import solve_free
 from bodymeasure.geodesic.length_error import TRUSTED_CORRECTION, TRUSTED_RESIDUAL, measure_length
 from bodymeasure.geodesic.route_refine import Refined
-
-_Array = NDArray[np.float64]
 
 # See the text above.
 JOINT_SAFETY = 9.0
@@ -134,7 +131,7 @@ def _joints(refined: Refined, short: NDArray[np.bool_]) -> tuple[float, float]:
     return largest, np.inf
 
 
-def rounding_of(nets: _Array) -> float:
+def rounding_of(nets: Array) -> float:
     """What rounding does to the length of a path over patches."""
     widths = np.ptp(nets, axis=(1, 2)).max(axis=1)
     # The nets' coordinates are rounded before they are subtracted.

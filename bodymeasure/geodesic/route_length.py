@@ -6,14 +6,13 @@ pieces end at the same point of it, given by one number. The sum of
 speed, and more if not: its minimum is the shortest path, each piece at a constant speed.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Place, on_side
 from bodymeasure.atlas.seams import EDGES
@@ -22,8 +21,6 @@ from bodymeasure.geodesic.energy import Functional, expand
 from bodymeasure.geodesic.route import Route
 from bodymeasure.geodesic.surfaces_of import surfaces_of
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-_Array = NDArray[np.float64]
 
 # Pieces may be of no length, where the root has no derivative. In units of the whole path's length.
 EPSILON = 1e-14
@@ -44,8 +41,8 @@ class RouteExpansion:
     """
 
     value: float
-    gradient: _Array
-    bands: _Array
+    gradient: Array
+    bands: Array
 
 
 class RouteProblem:
@@ -85,7 +82,7 @@ class RouteProblem:
         self.joints = np.arange(self.pieces + 1) * (self.inner + 1)
         self.local, self.sign = self._dependence()
 
-    def _dependence(self) -> tuple[NDArray[np.int64], _Array]:
+    def _dependence(self) -> tuple[NDArray[np.int64], Array]:
         """For each piece's unknowns, the nodal value that each moves, and which way.
 
         Two arrays of shape (pieces, inner + 2); values are numbered all u, then all v. The sign is
@@ -123,7 +120,7 @@ class RouteProblem:
     def _ends(self) -> tuple[Place, Place]:
         return self.route.start, self.route.end
 
-    def straight(self) -> _Array:
+    def straight(self) -> Array:
         """The unknowns of the path that is straight in (u, v) on each patch."""
         unknowns = np.full(self.count, 0.5)
         unknowns[self.joints[1:-1]] = self.route.along
@@ -140,9 +137,9 @@ class RouteProblem:
             unknowns[self.joints[piece] + 1 : self.joints[piece + 1]] = np.concatenate(lines)
         return np.asarray(np.clip(unknowns, 0.0, 1.0))
 
-    def values(self, unknowns: _Array) -> _Array:
+    def values(self, unknowns: Array) -> Array:
         """(u, v) at the nodes of all pieces, shape (pieces, 2, n + 1)."""
-        result: _Array = np.empty((self.pieces, 2, self.space.size + 1))
+        result: Array = np.empty((self.pieces, 2, self.space.size + 1))
         result[:, :, 1:-1] = unknowns[self.rows[:, 1:-1]].reshape(self.pieces, 2, -1)
         route = self.at(unknowns)
         for piece in range(self.pieces):
@@ -150,7 +147,7 @@ class RouteProblem:
             result[piece, :, -1] = route.exit(piece)[1:]
         return result
 
-    def at(self, unknowns: _Array) -> Route:
+    def at(self, unknowns: Array) -> Route:
         """The route that crosses its seams where the unknowns say."""
         along = tuple(unknowns[self.joints[1:-1]].tolist())
         start, end = (
@@ -159,7 +156,7 @@ class RouteProblem:
         )
         return Route(start, end, self.route.crossings, along)
 
-    def expand(self, unknowns: _Array) -> RouteExpansion:
+    def expand(self, unknowns: Array) -> RouteExpansion:
         """The sum over the pieces, to the second order."""
         energy = expand(ENERGY, self.surface, self.space, self.values(unknowns), ALL_NODES)
         root = np.sqrt(2.0 * energy.value + EPSILON)

@@ -1,20 +1,17 @@
 """Triangle meshes in which two given points of an atlas are vertices."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Place
 from bodymeasure.atlas.seams import EDGES, edge_table
 from bodymeasure.atlas.tessellation import Tessellation, tessellate
 from bodymeasure.bezier import evaluate
-
-_Array = NDArray[np.float64]
 
 # A new vertex keeps this part of a triangle away from its sides, since the exact algorithm does
 # not bear slivers. It only moves the start of the search, not the point that is measured.
@@ -38,14 +35,14 @@ class RouteMesh:
         Whether u, or v, of a corner means nothing, since it lies on a collapsed side.
     """
 
-    vertices: _Array
+    vertices: Array
     faces: NDArray[np.int64]
     face_patch: NDArray[np.int64]
-    face_parameters: _Array
+    face_parameters: Array
     face_free: NDArray[np.bool_]
 
     @classmethod
-    def of(cls, atlas: Atlas, mesh: Tessellation) -> RouteMesh:
+    def of(cls, atlas: Atlas, mesh: Tessellation) -> "RouteMesh":
         """A whole tessellation."""
         control = edge_table(atlas.index).control_index
         collapsed = (control == control[:, :, :1]).all(axis=2)[mesh.face_patch]
@@ -55,7 +52,7 @@ class RouteMesh:
             free[..., 1 - edge.fixed_axis] |= on & collapsed[:, [side]]
         return cls(mesh.vertices, mesh.faces, mesh.face_patch, mesh.face_parameters, free)
 
-    def part(self, keep: NDArray[np.int64]) -> tuple[RouteMesh, NDArray[np.int64]]:
+    def part(self, keep: NDArray[np.int64]) -> "tuple[RouteMesh, NDArray[np.int64]]":
         """Some of the faces, and the old numbers of their vertices."""
         used, faces = np.unique(self.faces[keep], return_inverse=True)
         part = RouteMesh(
@@ -116,7 +113,7 @@ def _collapsed_corner(mesh: RouteMesh, faces: NDArray[np.int64], place: Place) -
 
 
 def _split(
-    mesh: RouteMesh, vertices: _Array, split: list[int], share: dict[int, float]
+    mesh: RouteMesh, vertices: Array, split: list[int], share: dict[int, float]
 ) -> RouteMesh:
     """Faces replaced by those to a new vertex, the last one, at a mean of some of their corners."""
     faces, patches, parameters, free = [], [], [], []
@@ -141,7 +138,7 @@ def _split(
     )
 
 
-def at_weights(mesh: RouteMesh, face: int, weights: _Array) -> _Array:
+def at_weights(mesh: RouteMesh, face: int, weights: Array) -> Array:
     """(u, v) of a point of a face; of a corner on a collapsed side only what it means counts."""
     count = np.where(mesh.face_free[face], 0.0, weights[:, None])
     total = count.sum(axis=0)
@@ -149,7 +146,7 @@ def at_weights(mesh: RouteMesh, face: int, weights: _Array) -> _Array:
     return np.asarray((count * mesh.face_parameters[face]).sum(axis=0) / count.sum(axis=0))
 
 
-def barycentric(corners: _Array, point: _Array) -> _Array:
+def barycentric(corners: Array, point: Array) -> Array:
     """Barycentric coordinates of a point, or of its foot, in triangles; shape (triangles, 3).
 
     Parameters

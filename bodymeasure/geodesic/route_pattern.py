@@ -4,8 +4,6 @@ Read off a polygon at rest, patch by patch as by `read_legs`; free parts go on o
 they cross.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Reading a path over a triangle mesh as a route over patches and seams."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
@@ -9,13 +7,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Neighbors, Place, Step
 from bodymeasure.geodesic.route import Route
 from bodymeasure.geodesic.route_mesh import RouteMesh, at_weights, barycentric
 from bodymeasure.geodesic.route_start import default_segments, polyhedral_path
-
-_Array = NDArray[np.float64]
 
 # Barycentric coordinates below this are on the side of a face: paths are given by positions, whose
 # rounding counts more in small faces.
@@ -42,7 +39,7 @@ class Segments(NamedTuple):
     """
 
     places: list[tuple[Place, Place]]
-    points: _Array
+    points: Array
 
 
 def first_route(
@@ -115,7 +112,7 @@ def _nearest(places: list[Place], to: Place) -> Place:
     return min(places, key=lambda place: (place.patch != to.patch, _apart(place, to)))
 
 
-def _legs(mesh: RouteMesh, points: _Array, first: int) -> Iterator[tuple[Place, Place]]:
+def _legs(mesh: RouteMesh, points: Array, first: int) -> Iterator[tuple[Place, Place]]:
     """For each segment of the path, its two ends on the patch of a face that holds it.
 
     The face is sought among those about the place that the path has come to.
@@ -148,7 +145,7 @@ def _legs(mesh: RouteMesh, points: _Array, first: int) -> Iterator[tuple[Place, 
         corners = mesh.faces[face][weights[row] > ON_SIDE]
 
 
-def _feet(mesh: RouteMesh, faces: NDArray[np.int64], point: _Array) -> tuple[_Array, _Array]:
+def _feet(mesh: RouteMesh, faces: NDArray[np.int64], point: Array) -> tuple[Array, Array]:
     """Barycentric coordinates of the points of faces next to a point, and how far from it."""
     corners = mesh.vertices[mesh.faces[faces]]
     weights = np.clip(barycentric(corners, point), 0.0, None)
@@ -157,7 +154,7 @@ def _feet(mesh: RouteMesh, faces: NDArray[np.int64], point: _Array) -> tuple[_Ar
     return weights, np.linalg.norm(foot - point, axis=1)
 
 
-def _place(mesh: RouteMesh, face: int, weights: _Array) -> Place:
+def _place(mesh: RouteMesh, face: int, weights: Array) -> Place:
     weights = np.where(weights > ON_SIDE, weights, 0.0)
     u, v = at_weights(mesh, face, weights / weights.sum())
     return Place(int(mesh.face_patch[face]), _snapped(u), _snapped(v))

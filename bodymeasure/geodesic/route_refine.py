@@ -1,12 +1,11 @@
 """Refinement: the shortest path along a route, and how long its pieces are."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Place
 from bodymeasure.atlas.seams import EDGES, sides_of
@@ -16,8 +15,6 @@ from bodymeasure.geodesic.route import Route
 from bodymeasure.geodesic.route_length import RouteProblem
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-_Array = NDArray[np.float64]
 
 # Pieces this near to a corner, in (u, v), are tried in the corner itself.
 IN_CORNER = 1e-3
@@ -39,8 +36,8 @@ class Refined:
 
     problem: RouteProblem
     minimum: BoxMinimum
-    values: _Array
-    lengths: _Array
+    values: Array
+    lengths: Array
 
     @property
     def length(self) -> float:
@@ -123,7 +120,7 @@ def _corners(refined: Refined) -> NDArray[np.bool_]:
     return result
 
 
-def resampled(before: Refined, problem: RouteProblem) -> _Array:
+def resampled(before: Refined, problem: RouteProblem) -> Array:
     """A path's unknowns in another space."""
     unknowns = problem.straight()
     place = before.problem.space.functions.values(problem.space.nodes[1:-1])
@@ -139,7 +136,7 @@ def resampled(before: Refined, problem: RouteProblem) -> _Array:
     return unknowns
 
 
-def piece_lengths(surface: Surface, space: TrialSpace, values: _Array) -> _Array:
+def piece_lengths(surface: Surface, space: TrialSpace, values: Array) -> Array:
     """Lengths of paths with nodal values (pieces, 2, n + 1), one on each surface."""
     place, slopes, _ = space.at_quadrature
     du, dv = ((values - values[:, :, :1]) @ slopes.T).transpose(1, 0, 2)

@@ -1,20 +1,17 @@
 """Other routes that a refined path asks for: what holds it tells where it would rather go."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.neighbors import Crossing, Neighbors, Place
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.length_error import measure_length
 from bodymeasure.geodesic.route import Route
 from bodymeasure.geodesic.route_refine import Refined
 from bodymeasure.geodesic.route_sides import corners_along_seams, one_sided
-
-_Array = NDArray[np.float64]
 
 # A piece that is this part of the path may be one too many.
 SHORT = 1e-3
@@ -112,7 +109,7 @@ def over_missing_neighbors(neighbors: Neighbors, refined: Refined) -> Iterator[R
                     yield _detour(route, piece, crossing, np.clip(along, 0.0, 1.0))
 
 
-def _at(refined: Refined, times: _Array) -> _Array:
+def _at(refined: Refined, times: Array) -> Array:
     return np.asarray(refined.problem.space.functions.values(times).T)
 
 
@@ -126,7 +123,7 @@ def _runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
     return [(runs[0][0], runs[-1][1]), *runs] if len(runs) > 1 else runs
 
 
-def _detour(route: Route, piece: int, crossing: Crossing, along: _Array) -> Route:
+def _detour(route: Route, piece: int, crossing: Crossing, along: Array) -> Route:
     """A piece with a way over a neighbor and back within it."""
     patch = route.patches[piece]
     back = Crossing(crossing.edge, crossing.to_side, crossing.from_side, patch, crossing.flipped)

@@ -1,7 +1,5 @@
 """From a first route to the shortest path: refine, look for a shorter route, refine again."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 

@@ -5,8 +5,6 @@ sides anywhere. Where the seams hold the path that makes no difference; where it
 little, it is the shortest on either side, but not where it has to change between them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple

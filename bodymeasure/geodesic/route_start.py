@@ -1,20 +1,17 @@
 """Where a route starts from: the exact shortest path over a triangle mesh of the atlas."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.neighbors import Place
 from bodymeasure.errors import MissingExtraError
 from bodymeasure.geodesic.patch_graph import patch_graph
 from bodymeasure.geodesic.route_mesh import RouteMesh, inserted, whole_mesh
-
-_Array = NDArray[np.float64]
 
 # Steps along each patch edge. The mesh only has to tell which way is the shortest: with 4, one of
 # 80 paths over a body of 376 patches was not, by some 1e-4 of its length.
@@ -34,7 +31,7 @@ def default_segments(patches: int) -> int:
 
 def polyhedral_path(
     atlas: Atlas, start: Place, end: Place, segments: int | None = None
-) -> tuple[RouteMesh, _Array, int] | None:
+) -> tuple[RouteMesh, Array, int] | None:
     """The shortest path over a tessellation, with both points inserted into it.
 
     Parameters
@@ -89,7 +86,7 @@ def polyhedral_path(
     return None
 
 
-def _passes(points: _Array, vertices: _Array) -> bool:
+def _passes(points: Array, vertices: Array) -> bool:
     """Whether a path passes through some vertices, as where the rim of a band holds it."""
     # Of what is cut off at a coordinate's value, few are left to compare.
     lower, upper = points.min(axis=0, initial=np.inf), points.max(axis=0, initial=-np.inf)
@@ -113,7 +110,7 @@ def _bands(atlas: Atlas, mesh: RouteMesh, start: Place, end: Place) -> Iterator[
         yield around | (near <= (1.0 + width) * through.min())
 
 
-def _exact(mesh: RouteMesh, source: int, target: int) -> _Array:
+def _exact(mesh: RouteMesh, source: int, target: int) -> Array:
     try:
         from pygeodesic.geodesic import PyGeodesicAlgorithmExact
     except ImportError:

@@ -1,15 +1,12 @@
 """Which polygons at rest lie on a saddle of their energy, and which way leads down from it."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.block_tridiagonal import apply, factorize, solve
 from bodymeasure.geodesic.polygon_energy import PolygonEnergy, polygon_energy
 from bodymeasure.geodesic.surface import Surface
-
-_Array = NDArray[np.float64]
 
 # An eigenvalue below minus this part of the lowest of a flat patch's is a saddle's: more than the
 # rounding errors of a path at rest, and little enough that beyond it lie shorter paths by a part of
@@ -22,7 +19,7 @@ MOST_SHIFTS = 24
 INVERSE_ITERATIONS = 10
 
 
-def ways_off(surface: Surface, points: _Array) -> tuple[NDArray[np.int64], _Array]:
+def ways_off(surface: Surface, points: Array) -> tuple[NDArray[np.int64], Array]:
     """Ways along which polygons at rest can still slide down.
 
     Parameters
@@ -55,7 +52,7 @@ def _lowest_of_a_flat_patch(edges: int) -> float:
     return float(0.5 * (np.pi / edges) ** 2)
 
 
-def _lowest_modes(energy: PolygonEnergy) -> _Array:
+def _lowest_modes(energy: PolygonEnergy) -> Array:
     """Inverse iteration with a shift that is below all eigenvalues, but not far."""
     _, count, polygons = energy.gradient.shape
     shift = np.full(polygons, _lowest_of_a_flat_patch(count + 1))

@@ -17,20 +17,17 @@ patch; the settings say for which problems:
 No search proves that there is no shorter path still.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.method import MethodResult, Piece
 from bodymeasure.geodesic.polish import OUTSIDE
 from bodymeasure.geodesic.shortest import EDGES, Known, shortest_paths
 from bodymeasure.geodesic.surface import Surface
-
-_Array = NDArray[np.float64]
 
 Search = Literal["quick", "thorough", "straight"]
 SEARCHES: tuple[Search, ...] = get_args(Search)
@@ -46,7 +43,7 @@ CHORDS = 16384
 
 def search_further(
     surface: Surface,
-    ends: tuple[_Array, _Array],
+    ends: tuple[Array, Array],
     result: MethodResult,
     search: Search,
     tolerance: float,
@@ -97,7 +94,7 @@ def search_further(
 
 
 def _is_roundabout(
-    surface: Surface, ends: tuple[_Array, _Array], result: MethodResult
+    surface: Surface, ends: tuple[Array, Array], result: MethodResult
 ) -> NDArray[np.bool_]:
     """Which paths are so long, beside their chords, that a much shorter one may be."""
     length = np.empty(len(ends[0]))

@@ -1,7 +1,5 @@
 """Checks of the settings that several methods share."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

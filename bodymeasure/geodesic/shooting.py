@@ -1,20 +1,16 @@
 """Shooting: geodesics from their start and direction, aimed at the end by Newton's method."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.equations import acceleration, linearization
 from bodymeasure.geodesic.ladder import TOLERANCE
 from bodymeasure.geodesic.method import MethodResult
 from bodymeasure.geodesic.resample import Path, resampled
 from bodymeasure.geodesic.settings import check_between, check_positive
 from bodymeasure.geodesic.surface import Surface
-
-_Array = NDArray[np.float64]
 
 # The length of a path is off by the square of what the path is: half the digits are enough.
 RTOL = 1e-8
@@ -72,7 +68,7 @@ class Shooting:
         check_between("rtol", self.rtol, LEAST_RTOL, 1.0)
         check_positive("tolerance", self.tolerance)
 
-    def solve(self, surface: Surface, start: _Array, end: _Array) -> MethodResult:
+    def solve(self, surface: Surface, start: Array, end: Array) -> MethodResult:
         """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
         paths: list[Path | None] = []
         shots = np.zeros(len(start), np.int64)
@@ -88,8 +84,8 @@ class Shooting:
 class _Shot:
     """Where a geodesic arrives at t = 1, how that changes with its first velocity, and its path."""
 
-    target: _Array
-    by_velocity: _Array
+    target: Array
+    by_velocity: Array
     path: Path
 
 
@@ -109,7 +105,7 @@ class _Motion:
         self.surface = surface
         self.evaluations = 0
 
-    def __call__(self, _: float, state: _Array) -> _Array:
+    def __call__(self, _: float, state: Array) -> Array:
         """Derivative of a state by t."""
         self.evaluations += 1
         if self.evaluations > MAX_EVALUATIONS or not np.isfinite(state).all():
@@ -127,7 +123,7 @@ class _Motion:
         )
 
 
-def _aimed(surface: Surface, start: _Array, end: _Array, rtol: float) -> tuple[Path | None, int]:
+def _aimed(surface: Surface, start: Array, end: Array, rtol: float) -> tuple[Path | None, int]:
     """The path to the end, if it is hit, and the number of shots."""
     motion, velocity, path, shots = _Motion(surface), end - start, None, 0
     for precision in (max(rtol, FIRST_RTOL), rtol):
@@ -139,12 +135,12 @@ def _aimed(surface: Surface, start: _Array, end: _Array, rtol: float) -> tuple[P
 
 
 def _newton(
-    motion: _Motion, ends: tuple[_Array, _Array], velocity: _Array, rtol: float
-) -> tuple[_Array, Path | None, int]:
+    motion: _Motion, ends: tuple[Array, Array], velocity: Array, rtol: float
+) -> tuple[Array, Path | None, int]:
     """Newton's method on the first velocity, damped; the number of shots comes last."""
     start, end = ends
     close = HIT * rtol * float(np.abs(end - start).max())
-    direction: _Array = np.zeros(2)
+    direction: Array = np.zeros(2)
     step, missed = 1.0, np.inf
     for count in range(1, MAX_SHOTS + 1):
         trial = velocity + step * direction
@@ -170,12 +166,12 @@ def _newton(
     return velocity, None, MAX_SHOTS
 
 
-def _shoot(motion: _Motion, start: _Array, velocity: _Array, rtol: float) -> _Shot | None:
+def _shoot(motion: _Motion, start: Array, velocity: Array, rtol: float) -> _Shot | None:
     """Integrate from t = 0 to 1; None if the path gets lost."""
     # Here, since `import bodymeasure` would take twice as long with it.
     from scipy.integrate import solve_ivp
 
-    def is_lost(_: float, state: _Array) -> float:
+    def is_lost(_: float, state: Array) -> float:
         return float(0.5 + LOST - np.abs(state[:2] - 0.5).max())
 
     is_lost.terminal = True  # type: ignore[attr-defined]

@@ -1,12 +1,11 @@
 """The shortest paths inside patches: candidates, descent, polishing, for many problems at once."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.descent import descend
 from bodymeasure.geodesic.method import Piece
 from bodymeasure.geodesic.polish import polish
@@ -14,9 +13,6 @@ from bodymeasure.geodesic.polygon_energy import polygon_energy, polygon_lengths
 from bodymeasure.geodesic.rough_paths import rough_paths
 from bodymeasure.geodesic.saddles import ways_off
 from bodymeasure.geodesic.surface import Surface
-
-_Array = NDArray[np.float64]
-_Numbers = NDArray[np.int64]
 
 # Edges of the polygons that compete.
 EDGES = 32
@@ -46,8 +42,8 @@ class Known(NamedTuple):
         Infinite where the path is not a proven local minimum inside the patch.
     """
 
-    points: _Array
-    length: _Array
+    points: Array
+    length: Array
 
 
 class Found(NamedTuple):
@@ -68,14 +64,14 @@ class Found(NamedTuple):
 class _Contenders(NamedTuple):
     """Polygons at rest, shape (contenders, EDGES + 1, 2), whose they are, and their lengths."""
 
-    problems: _Numbers
-    points: _Array
-    length: _Array
+    problems: Ints
+    points: Array
+    length: Array
 
 
 # Overflow and the like on wild surfaces end as candidates that are not finite.
 @np.errstate(over="ignore", divide="ignore", invalid="ignore")
-def shortest_paths(surface: Surface, ends: _Array, known: Known, tolerance: float) -> Found:
+def shortest_paths(surface: Surface, ends: Array, known: Known, tolerance: float) -> Found:
     """The shortest paths found between pairs of points, each in a patch.
 
     Candidates are the straight line, the path that is known already, and the graph's; each slides
@@ -128,9 +124,9 @@ class _Standing(NamedTuple):
     pieces : list of Piece
     """
 
-    best: _Array
-    doubt: _Array
-    winner: _Numbers
+    best: Array
+    doubt: Array
+    winner: Ints
     pieces: list[Piece]
 
     def winners(self) -> tuple[Piece, ...]:
@@ -145,7 +141,7 @@ class _Standing(NamedTuple):
 def _compete(
     surface: Surface,
     contenders: _Contenders,
-    latest: _Array,
+    latest: Array,
     standing: _Standing,
     tolerance: float,
 ) -> None:
@@ -172,7 +168,7 @@ def _compete(
             pieces.append(piece.renumbered(owners))
 
 
-def _seeds(surface: Surface, ends: _Array, known: Known) -> tuple[_Numbers, _Array]:
+def _seeds(surface: Surface, ends: Array, known: Known) -> tuple[Ints, Array]:
     """Polygons to slide down from, and whose they are."""
     times = np.linspace(0.0, 1.0, EDGES + 1)[:, None]
     straight = ends[0, :, None] * (1.0 - times) + ends[1, :, None] * times
@@ -191,7 +187,7 @@ def _seeds(surface: Surface, ends: _Array, known: Known) -> tuple[_Numbers, _Arr
     return problems[usable], points[usable]
 
 
-def _at_rest(surface: Surface, problems: _Numbers, seeds: _Array) -> _Contenders:
+def _at_rest(surface: Surface, problems: Ints, seeds: Array) -> _Contenders:
     """Where seeds slide down to, also those beyond saddles; in order of length."""
     points = descend(surface.take(problems), seeds)
     saddles, direction = ways_off(surface.take(problems), points)
@@ -204,13 +200,13 @@ def _at_rest(surface: Surface, problems: _Numbers, seeds: _Array) -> _Contenders
     return _Contenders(problems[order], points[order], length[order])
 
 
-def _others(contenders: _Contenders, latest: _Array, best: _Array) -> _Contenders:
+def _others(contenders: _Contenders, latest: Array, best: Array) -> _Contenders:
     """Those that may be shorter than the best known, and are not the same as the latest."""
     problems, points, length = contenders
     keep = (length < best[problems]) & ~(_gap(points, latest[problems]) <= SAME)
     return _Contenders(problems[keep], points[keep], length[keep])
 
 
-def _gap(points: _Array, others: _Array) -> _Array:
-    result: _Array = np.abs(points - others).max(axis=(1, 2))
+def _gap(points: Array, others: Array) -> Array:
+    result: Array = np.abs(points - others).max(axis=(1, 2))
     return result

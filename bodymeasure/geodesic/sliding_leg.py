@@ -4,24 +4,20 @@ Its length is stationary in all that is free. Where it joins an edge that holds 
 that says nothing of the place (see `free_piece`); the tangency there is the equation.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.box_newton import BoxMinimum
 from bodymeasure.geodesic.damped_newton import damped_newton
 from bodymeasure.geodesic.route_length import RouteProblem
 from bodymeasure.geodesic.route_refine import Refined, measured
 
-_Array = NDArray[np.float64]
 
-
-def solve_leg(problem: RouteProblem, guess: _Array) -> Refined | None:
+def solve_leg(problem: RouteProblem, guess: Array) -> Refined | None:
     """The geodesic along a route that is tangential to edges where its ends slide along them.
 
     Parameters
@@ -44,7 +40,7 @@ class _System:
     problem: RouteProblem
 
     @cached_property
-    def _tangencies(self) -> list[tuple[int, _Array, float]]:
+    def _tangencies(self) -> list[tuple[int, Array, float]]:
         """The row of each end that slides, its equation's factors, and what is added."""
         problem, result = self.problem, []
         slopes = problem.space.matrices([0.0, 1.0])[1]
@@ -65,7 +61,7 @@ class _System:
             result.append((unknowns[end], factors, float((by_value * fixed).sum())))
         return result
 
-    def at(self, unknowns: _Array) -> tuple[_Array, _Array]:
+    def at(self, unknowns: Array) -> tuple[Array, Array]:
         """The equations' left sides and their derivatives."""
         here = self.problem.expand(unknowns)
         count = self.problem.count
@@ -80,7 +76,7 @@ class _System:
         residual[idle], matrix[idle] = 0.0, np.eye(count)[idle]
         return residual, matrix
 
-    def direction(self, residual: _Array, matrix: _Array) -> _Array:
+    def direction(self, residual: Array, matrix: Array) -> Array:
         """Newton's direction; NaN if the system is singular."""
         try:
             return np.asarray(np.linalg.solve(matrix, -residual))
@@ -88,7 +84,7 @@ class _System:
             return np.full_like(residual, np.nan)
 
 
-def _in_place(problem: RouteProblem, unknowns: _Array, iterations: int) -> Refined:
+def _in_place(problem: RouteProblem, unknowns: Array, iterations: int) -> Refined:
     """The path with its ends fixed where they have come to."""
     fixed = RouteProblem(problem.atlas, problem.at(unknowns), problem.space, problem.size)
     here = fixed.expand(unknowns)

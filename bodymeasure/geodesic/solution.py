@@ -1,18 +1,15 @@
 """What is known of the geodesics of a batch of problems."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, fields
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.method import Piece
 from bodymeasure.geodesic.status import have_length
-
-_Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,8 +51,8 @@ class GeodesicSolution:
         The paths, by trial space; problems are numbered through the flattened batch. For `path`.
     """
 
-    start: _Array
-    end: _Array
+    start: Array
+    end: Array
     length: Any
     raw_length: Any
     error_estimate: Any
@@ -107,7 +104,7 @@ class GeodesicSolution:
             result[piece.problems] = piece.space.condition
         return result.reshape(self.shape) if self.shape else float(result[0])
 
-    def path(self, t: ArrayLike) -> _Array:
+    def path(self, t: ArrayLike) -> Array:
         """Points of the paths.
 
         Parameters
@@ -141,7 +138,7 @@ class GeodesicSolution:
             points[piece.problems] = piece.points(times.ravel())
         return points.reshape(*self.shape, *times.shape, 2)
 
-    def __getitem__(self, key: Any) -> GeodesicSolution:
+    def __getitem__(self, key: Any) -> "GeodesicSolution":
         """Some of the problems, by indexing the batch as an array."""
         numbers = np.arange(int(np.prod(self.shape))).reshape(self.shape)[key]
         place = np.full(int(np.prod(self.shape)), -1)

@@ -1,12 +1,11 @@
 """The one entry to geodesics: checks, scales, solves, judges."""
 
-from __future__ import annotations
-
 from typing import Literal, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.control_points import checked_control_points, of_size_one
 from bodymeasure.geodesic.custom_surface import CustomSurface
@@ -20,8 +19,6 @@ from bodymeasure.geodesic.solution import GeodesicSolution
 from bodymeasure.geodesic.status import Status, have_length
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.surfaces_of import surfaces_of
-
-_Array = NDArray[np.float64]
 
 # What the smallest lengths are rounded to.
 SMALLEST = float(np.finfo(np.float64).smallest_subnormal)
@@ -37,7 +34,7 @@ LISTED = 5
 class HasDerivatives(Protocol):
     """A parametric surface of the user's own."""
 
-    def derivatives(self, parameters: _Array) -> ArrayLike:
+    def derivatives(self, parameters: Array) -> ArrayLike:
         """All partial derivatives up to the third order.
 
         Parameters
@@ -144,9 +141,9 @@ class _Problems(NamedTuple):
 
     surfaces: Surface
     surface_of: NDArray[np.int64]
-    starts: _Array
-    ends: _Array
-    scale: _Array
+    starts: Array
+    ends: Array
+    scale: Array
     batch: tuple[int, ...]
 
 
@@ -222,7 +219,7 @@ def _check_words(search: str, on_failure: str) -> None:
         raise InputError(f"search is {search!r}; expected one of {', '.join(SEARCHES)}")
 
 
-def _checked_parameters(name: str, value: ArrayLike) -> _Array:
+def _checked_parameters(name: str, value: ArrayLike) -> Array:
     try:
         # Of a torch tensor that records what is done with it, only the numbers are wanted.
         array = np.asarray(value.detach() if hasattr(value, "detach") else value, dtype=np.float64)

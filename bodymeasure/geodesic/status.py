@@ -1,7 +1,5 @@
 """How a geodesic problem ended."""
 
-from __future__ import annotations
-
 from enum import Enum
 from typing import Any
 

@@ -1,7 +1,5 @@
 """What the solver asks of a surface: its derivatives."""
 
-from __future__ import annotations
-
 from functools import cached_property, lru_cache
 from typing import Any, Protocol
 
@@ -9,10 +7,9 @@ import array_api_compat
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier import bernstein_values, elevate, evaluate
 from bodymeasure.geodesic.arrays import constant, to_numpy
-
-_Array = NDArray[np.float64]
 
 # Order of the derivatives in a jet: (times by u, times by v).
 JET = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3))
@@ -23,7 +20,7 @@ JET_SIZE = (1, 3, 6, 10)
 class Surface(Protocol):
     """A batch of surfaces, one for each geodesic problem."""
 
-    def jet(self, parameters: _Array, order: int) -> _Array:
+    def jet(self, parameters: Array, order: int) -> Array:
         """Derivatives up to an order of at most 3.
 
         Parameters
@@ -37,10 +34,10 @@ class Surface(Protocol):
             In the order of `JET`. The origin of the positions is any.
         """
 
-    def positions(self, parameters: _Array) -> _Array:
+    def positions(self, parameters: Array) -> Array:
         """Points, shape (problems, k, 3). The origin is any."""
 
-    def magnitude(self, parameters: _Array) -> _Array:
+    def magnitude(self, parameters: Array) -> Array:
         """The size of what S_u and S_v are calculated from: what rounding errors are relative to.
 
         Parameters
@@ -54,7 +51,7 @@ class Surface(Protocol):
             as a part of that.
         """
 
-    def take(self, problems: NDArray[np.int64]) -> Surface:
+    def take(self, problems: NDArray[np.int64]) -> "Surface":
         """The surfaces of some of the problems."""
 
 
@@ -78,7 +75,7 @@ class BezierSurfaces:
         self.degrees = (control_points.shape[1] - 1, control_points.shape[2] - 1)
 
     @cached_property
-    def _nets(self) -> _Array:
+    def _nets(self) -> Array:
         """Control points of all derivatives, shape (problems, basis functions, c * derivatives).
 
         Made when first needed, since they take thirty times the place of the patches.
@@ -98,19 +95,19 @@ class BezierSurfaces:
                 nets[:, c * number : c * number + c] = net
         return np.ascontiguousarray(nets.transpose(2, 0, 1))
 
-    def _positions(self, points: _Array) -> _Array:
+    def _positions(self, points: Array) -> Array:
         """Control points of the positions, whose origin is any: near it, they have more digits."""
         return np.asarray(points - points.mean(axis=(1, 2), keepdims=True))
 
-    def jet(self, parameters: _Array, order: int) -> _Array:
+    def jet(self, parameters: Array, order: int) -> Array:
         """Derivatives in the order of `JET`, shape (derivatives, c, problems, k)."""
         return self._evaluated(self._nets[:, :, : self.coordinates * JET_SIZE[order]], parameters)
 
-    def positions(self, parameters: _Array) -> _Array:
+    def positions(self, parameters: Array) -> Array:
         """Points, shape (problems, k, 3), without the control points of any derivatives."""
         return evaluate(to_numpy(self.control_points), parameters)
 
-    def magnitude(self, parameters: _Array) -> _Array:
+    def magnitude(self, parameters: Array) -> Array:
         """Size of what S_u and S_v are calculated from, shape (2, problems, k)."""
         columns = slice(self.coordinates, self.coordinates * JET_SIZE[2])
         terms = self._evaluated(np.abs(self._nets[:, :, columns]), parameters)
@@ -118,7 +115,7 @@ class BezierSurfaces:
         u, v = np.abs(np.moveaxis(parameters, -1, 0))
         return np.stack([s_u + s_uu * u + s_uv * v, s_v + s_uv * u + s_vv * v])
 
-    def _evaluated(self, nets: _Array, parameters: _Array) -> _Array:
+    def _evaluated(self, nets: Array, parameters: Array) -> Array:
         problems, count = parameters.shape[:2]
         basis = np.empty((problems, count, self.degrees[0] + 1, self.degrees[1] + 1))
         in_v = bernstein_values(self.degrees[1], parameters[..., 1])
@@ -131,7 +128,7 @@ class BezierSurfaces:
             columns // self.coordinates, self.coordinates, problems, count
         )
 
-    def take(self, problems: NDArray[np.int64]) -> BezierSurfaces:
+    def take(self, problems: NDArray[np.int64]) -> "BezierSurfaces":
         """The patches of some of the problems."""
         points = self.control_points
         xp = array_api_compat.array_namespace(points)
@@ -147,7 +144,7 @@ _BY_V = tuple(number for number, (i, j) in enumerate(JET) if i == 0 and j > 0)
 
 
 @lru_cache
-def _edge_maps(degree_u: int, degree_v: int) -> tuple[_Array, _Array]:
+def _edge_maps(degree_u: int, degree_v: int) -> tuple[Array, Array]:
     """Matrices from a net's edges along u, and along v, to control points of its derivatives.
 
     The edges are the differences of neighboring control points; the derivatives are those of
@@ -160,13 +157,13 @@ def _edge_maps(degree_u: int, degree_v: int) -> tuple[_Array, _Array]:
     return np.concatenate(by_u), np.concatenate(by_v)
 
 
-def _derivative_maps(degree: int) -> list[_Array]:
+def _derivative_maps(degree: int) -> list[Array]:
     """Maps from Bezier points of a curve to those of its derivatives, in the same degree."""
     edges = np.diff(np.eye(degree + 1), axis=0)
     return [np.eye(degree + 1)] + [by_edges @ edges for by_edges in _maps_of_edges(degree)]
 
 
-def _maps_of_edges(degree: int) -> list[_Array]:
+def _maps_of_edges(degree: int) -> list[Array]:
     """The same for the three derivatives, from the differences of neighboring Bezier points."""
     maps = []
     difference = degree * np.eye(degree)

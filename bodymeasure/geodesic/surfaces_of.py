@@ -1,7 +1,5 @@
 """The solver's surface for control points of either kind."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from bodymeasure.geodesic.rational_surface import RationalSurfaces

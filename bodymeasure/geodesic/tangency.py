@@ -14,19 +14,15 @@ field of `length_error` at the joint. By Green's formula that is :math:`\int \ka
 :math:`-w'' - K w = 0`, w = 1 at the joint and 0 at the other end.
 """
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, solve_banded
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.edge_arc import edge_curvature
 from bodymeasure.geodesic.legs import End, Pole
 from bodymeasure.geodesic.path_geometry import PathGeometry, path_geometry
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-_Array = NDArray[np.float64]
 
 # Where joints make most of the error, on wild patches, the formula told at most 1 % too little; but
 # it is leading order, and its curvatures vary.
@@ -34,7 +30,7 @@ SAFETY = 3.0
 
 
 def tangency_error(
-    surface: Surface, space: TrialSpace, values: _Array, ends: tuple[End, End]
+    surface: Surface, space: TrialSpace, values: Array, ends: tuple[End, End]
 ) -> float:
     """Estimated error of the length of a leg and its arcs together, for how they are joined.
 

@@ -1,17 +1,14 @@
 """Trial spaces: nodes, differentiation matrices, and evaluation anywhere on [0, 1]."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.piecewise import PiecewisePolynomials
 from bodymeasure.geodesic.quadrature import Quadrature
-
-_Array = NDArray[np.float64]
 
 # A speed is the square root of a polynomial: it takes about twice as many Gauss points as the path
 # has nodes until quadrature no longer limits the length (measured on random patches: with one point
@@ -42,12 +39,12 @@ class TrialSpace:
         The space in words, for reports.
     """
 
-    nodes: _Array
+    nodes: Array
     condition: float
     functions: PiecewisePolynomials
     description: str
 
-    def matrices(self, t: ArrayLike) -> _Array:
+    def matrices(self, t: ArrayLike) -> Array:
         """Maps from nodal values to values and two derivatives at t, shape (3, k, n + 1)."""
         return self.functions(np.atleast_1d(np.asarray(t, dtype=np.float64)))
 
@@ -57,7 +54,7 @@ class TrialSpace:
         return len(self.nodes) - 1
 
     @cached_property
-    def differentiation(self) -> _Array:
+    def differentiation(self) -> Array:
         """First and second derivative at the inner nodes, shape (2, n - 1, n + 1)."""
         return np.ascontiguousarray(self.matrices(self.nodes[1:-1])[1:])
 
@@ -69,12 +66,12 @@ class TrialSpace:
         return Quadrature(edges, max(FEWEST_POINTS, -(-wanted // (len(edges) - 1))))
 
     @cached_property
-    def at_quadrature(self) -> _Array:
+    def at_quadrature(self) -> Array:
         """The maps of `matrices` at the quadrature points."""
         return self.matrices(self.quadrature.points)
 
     @cached_property
-    def with_lines(self) -> TrialSpace:
+    def with_lines(self) -> "TrialSpace":
         """The space of straight lines plus this one's functions that vanish at the ends.
 
         On the same nodes. The paths of the form with one unknown function are of this space. One
@@ -90,7 +87,7 @@ class TrialSpace:
         coefficients[:, :, [0, -1]] = lines - inner @ coefficients[:, :, 1:-1]
         return replace(self, functions=PiecewisePolynomials(edges, coefficients))
 
-    def leaves_patch(self, values: _Array, margin: float) -> NDArray[np.bool_]:
+    def leaves_patch(self, values: Array, margin: float) -> NDArray[np.bool_]:
         """Which paths go further than a margin outside [0, 1], in u or v.
 
         Parameters
@@ -108,12 +105,12 @@ class TrialSpace:
         return leaves
 
     @cached_property
-    def between_nodes(self) -> _Array:
+    def between_nodes(self) -> Array:
         """Map to values at `times_between`, shape (k, n + 1)."""
         return self.functions.values(self.times_between)
 
     @property
-    def times_between(self) -> _Array:
+    def times_between(self) -> Array:
         """Points that lie close together everywhere, shape (k,)."""
         k = np.arange(8 * self.size + 1)
         return np.asarray(0.5 - 0.5 * np.cos(np.pi * k / k[-1]))

@@ -6,18 +6,13 @@ the ways start - m - n - end whose three parts are about equally long hold one n
 and as the path is a local minimum, it is shorter than the ways through the neighbors of m and n.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.patch_graph import PatchGraph
-
-_Array = NDArray[np.float64]
-_Numbers = NDArray[np.int64]
 
 # Points that are spread over what paths can reach.
 POINTS = 150
@@ -34,7 +29,7 @@ class ViaPair(NamedTuple):
     second: int
 
 
-def via_pairs(graph: PatchGraph, to_start: _Array, to_end: _Array, reach: float) -> list[ViaPair]:
+def via_pairs(graph: PatchGraph, to_start: Array, to_end: Array, reach: float) -> list[ViaPair]:
     """Pairs of vertices of which no neighboring pair makes a shorter way, the shortest first.
 
     Parameters
@@ -63,7 +58,7 @@ def via_pairs(graph: PatchGraph, to_start: _Array, to_end: _Array, reach: float)
     return sorted(found)
 
 
-def _spread(steps: scipy.sparse.csr_array) -> tuple[_Numbers, _Array, float]:
+def _spread(steps: scipy.sparse.csr_array) -> tuple[Ints, Array, float]:
     """Vertices far from one another, how far apart they are, and their spacing.
 
     Each is the one that is farthest from those before it: T. F. Gonzalez, "Clustering to minimize

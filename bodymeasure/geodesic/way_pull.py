@@ -1,18 +1,14 @@
 """Ways through given points, pulled straight on the mesh without a change of sides."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.neighbors import Place
 from bodymeasure.geodesic.route_reading import Segments, mesh_segments
-
-_Array = NDArray[np.float64]
 
 # Where a way is held while the rest of it is pulled straight, in turn, as parts of its length. No
 # part between is longer than a third, so that it stays the shortest between its own ends.
@@ -48,7 +44,7 @@ def pulled_way(atlas: Atlas, places: Sequence[Place]) -> Segments | None:
     return way
 
 
-def along_way(points: _Array, parts: _Array) -> _Array:
+def along_way(points: Array, parts: Array) -> Array:
     """Points of a polygon at parts of its length, shape (len(parts), 3)."""
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
     bounds = np.concatenate([[0.0], np.cumsum(steps)])
@@ -65,7 +61,7 @@ def _through(atlas: Atlas, places: Sequence[Place]) -> Segments | None:
     return Segments([segment for part in found for segment in part.places], np.concatenate(points))
 
 
-def _bounds(way: Segments) -> _Array:
+def _bounds(way: Segments) -> Array:
     """The length up to each point."""
     steps = np.linalg.norm(np.diff(way.points, axis=0), axis=1)
     return np.concatenate([[0.0], np.cumsum(steps)])

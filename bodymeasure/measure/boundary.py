@@ -1,16 +1,12 @@
 """Lengths of the boundary curves of patches."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, sides_of
 from bodymeasure.bezier import bernstein
-
-_Array = NDArray[np.float64]
 
 # Gauss points on each part of a curve; parts are halved until two results agree.
 POINTS = 16
@@ -37,8 +33,8 @@ class BoundaryLengths:
         In the same unit.
     """
 
-    length: _Array
-    error_estimate: _Array
+    length: Array
+    error_estimate: Array
 
 
 def boundary_lengths(atlas: Atlas) -> BoundaryLengths:
@@ -53,7 +49,7 @@ def boundary_lengths(atlas: Atlas) -> BoundaryLengths:
     return BoundaryLengths(length.reshape(-1, 4), error.reshape(-1, 4))
 
 
-def curve_lengths(control_points: _Array) -> tuple[_Array, _Array]:
+def curve_lengths(control_points: Array) -> tuple[Array, Array]:
     """Arc lengths of Bezier curves, and estimates of their errors.
 
     Parameters
@@ -81,15 +77,15 @@ def curve_lengths(control_points: _Array) -> tuple[_Array, _Array]:
     return length, error
 
 
-def _composite(control_points: _Array, parts: int) -> _Array:
+def _composite(control_points: Array, parts: int) -> Array:
     nodes, weights = np.polynomial.legendre.leggauss(POINTS)
     t = ((np.arange(parts)[:, None] + (nodes + 1.0) / 2.0) / parts).ravel()
     speed = np.linalg.norm(_slopes(control_points, t), axis=-1)
-    result: _Array = speed @ np.tile(weights / (2.0 * parts), parts)
+    result: Array = speed @ np.tile(weights / (2.0 * parts), parts)
     return result
 
 
-def _slopes(control_points: _Array, t: _Array) -> _Array:
+def _slopes(control_points: Array, t: Array) -> Array:
     """Derivatives of curves (curves, degree + 1, 3 or 4) at t, shape (curves, len(t), 3)."""
     basis = bernstein(control_points.shape[1] - 1, t, order=1)
     slopes = np.asarray(basis[:, 1] @ control_points)

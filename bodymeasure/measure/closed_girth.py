@@ -1,7 +1,5 @@
 """The natural waist, and other girths where a tape comes to rest by itself."""
 
-from __future__ import annotations
-
 from typing import Literal
 
 from bodymeasure.atlas import Atlas, AtlasPoint

@@ -1,7 +1,5 @@
 """Lengths held against libigl's on meshes of the patches."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import Enum
@@ -10,11 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas
 from bodymeasure.geodesic import GeodesicSolution, Status
 from bodymeasure.oracle import LEVELS, mesh_distances
-
-_Array = NDArray[np.float64]
 
 # The mesh distance's own uncertainty covers its error for 99.4 to 99.9 % of pairs of points
 # (tests/benchmarks/oracle_levels.py): of a body's 752 diagonals, some would be called wrong by
@@ -70,11 +67,11 @@ class CrossCheck:
         Patches that could not be meshed, by number, and why; there `exact` is NaN.
     """
 
-    exact: _Array
-    exact_uncertainty: _Array
-    heat: _Array
-    difference: _Array
-    relative_difference: _Array
+    exact: Array
+    exact_uncertainty: Array
+    heat: Array
+    difference: Array
+    relative_difference: Array
     verdict: NDArray[Any]
     levels: tuple[int, ...]
     failures: Mapping[int, str]

@@ -1,18 +1,14 @@
 """Loops cut at the armpits: what lies between two vertical planes, bridged straight."""
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.section import BridgedLoop, SectionLoop, part, sign_changes
 
-_Array = NDArray[np.float64]
-
 
 def cut_loop(
-    loop: SectionLoop, left: _Array, bounds: tuple[float, float]
+    loop: SectionLoop, left: Array, bounds: tuple[float, float]
 ) -> SectionLoop | BridgedLoop:
     """What of a closed loop lies between two planes, its gaps bridged straight.
 
@@ -58,5 +54,5 @@ def cut_loop(
     return BridgedLoop(tuple(part(loop, float(places[i]), float(ends[i])) for i in kept))
 
 
-def _crossings(loop: SectionLoop, left: _Array, bound: float) -> _Array:
+def _crossings(loop: SectionLoop, left: Array, bound: float) -> Array:
     return sign_changes(loop, lambda positions: np.asarray(positions @ left - bound))

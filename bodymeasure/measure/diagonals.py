@@ -1,7 +1,5 @@
 """The diagonals of an atlas's patches."""
 
-from __future__ import annotations
-
 from typing import Literal
 
 import numpy as np

@@ -1,13 +1,11 @@
 """Drops: lengths along the surface in a vertical plane, from a place to the level of another."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Unit
 from bodymeasure.errors import InputError
 from bodymeasure.measure.places import Place, position_of
@@ -26,8 +24,6 @@ from bodymeasure.section import (
     signed_area,
     turned,
 )
-
-_Array = NDArray[np.float64]
 
 # Of the difference of heights: a way down that rises by more first leads over something, such as
 # the head; one that rises by less only starts on a slope, such as a shoulder's.
@@ -123,7 +119,7 @@ def drop(
 
 
 def _direct_way(
-    section: PlaneSection, first: _Array, last: _Array, forth: _Array, word: str
+    section: PlaneSection, first: Array, last: Array, forth: Array, word: str
 ) -> tuple[SectionLoop, SectionLoop]:
     """The way from the first point in a direction to the height of the last, and all its curve."""
     loop = section.nearest(first)
@@ -157,7 +153,7 @@ def _direct_way(
     return min(ways, key=lambda way: float(np.linalg.norm(way[0].positions[-1] - last)))
 
 
-def _reached(arc: SectionLoop, last: _Array, forth: _Array, rounding: float) -> float | None:
+def _reached(arc: SectionLoop, last: Array, forth: Array, rounding: float) -> float | None:
     """The first place at which an arc reaches a level, if it does."""
     places = sign_changes(arc, lambda x: (x - last) @ forth)
     if len(places):
@@ -167,14 +163,14 @@ def _reached(arc: SectionLoop, last: _Array, forth: _Array, rounding: float) -> 
     return end if abs(below) <= rounding else None
 
 
-def _turn(section: PlaneSection, arc: SectionLoop, middle: _Array, forth: _Array) -> float | None:
+def _turn(section: PlaneSection, arc: SectionLoop, middle: Array, forth: Array) -> float | None:
     """Positive if the body lies to the left of an arc in the plane's frame, else negative.
 
     Along the horizontal line at a height, one goes into the body and out of it by turns; None if
     never out.
     """
 
-    def height(positions: _Array) -> _Array:
+    def height(positions: Array) -> Array:
         return np.asarray((positions - middle) @ forth)
 
     along = np.cross(section.plane.normal, forth)

@@ -1,7 +1,5 @@
 """The largest or smallest girth over a stretch of the body."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Literal
@@ -125,7 +123,7 @@ class _Stretch:
     limb: bool
 
     @classmethod
-    def between(cls, atlas: Atlas, start: Place, end: Place, *, limb: bool) -> _Stretch:
+    def between(cls, atlas: Atlas, start: Place, end: Place, *, limb: bool) -> "_Stretch":
         first, last = position_of(atlas, start), position_of(atlas, end)
         up = atlas.axes.up_vector
         if not limb and (last - first) @ up == 0.0:

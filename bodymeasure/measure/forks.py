@@ -1,21 +1,17 @@
 """Where parts of a body fork: armpits and crotch."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.closest import closest_points
 from bodymeasure.errors import InputError
 from bodymeasure.measure.saddles import saddles_between
 from bodymeasure.section import Plane, PlaneSection, SectionLoop, plane_section
-
-_Array = NDArray[np.float64]
 
 # Heights at which the two parts' common stretch is tried first: some two centimeters apart.
 LEVELS = 16
@@ -189,7 +185,7 @@ def _section(atlas: Atlas, height: float) -> PlaneSection:
         return plane_section(atlas, Plane.horizontal(atlas, height + aside))
 
 
-def _narrowest(first: SectionLoop, second: SectionLoop) -> _Array:
+def _narrowest(first: SectionLoop, second: SectionLoop) -> Array:
     """The two points of two loops' samples that are nearest to each other, shape (2, 3)."""
     apart = np.linalg.norm(first.positions[:, None] - second.positions, axis=-1)
     i, j = np.unravel_index(np.argmin(apart), apart.shape)

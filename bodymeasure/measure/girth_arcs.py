@@ -1,21 +1,18 @@
 """Parts of girths: the front or the back of a tape round the body, from one place to another."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Unit
 from bodymeasure.errors import InputError
 from bodymeasure.measure.girths import Girth
 from bodymeasure.measure.taut_places import TautPlaces
 from bodymeasure.section import DRAWN, Curve, DrawnTape, nearest_place
-
-_Array = NDArray[np.float64]
 
 # Of the girth: parts whose middles lie less far apart from front to back lie beside one another.
 # Those of a circle's halves lie 0.2 of it apart.
@@ -110,7 +107,7 @@ def girth_arc(
 
 
 def _ends_of(
-    curve: Curve, ends: tuple[float, float], front: _Array, side: Literal["front", "back"]
+    curve: Curve, ends: tuple[float, float], front: Array, side: Literal["front", "back"]
 ) -> tuple[float, float]:
     """Both places in the order in which the curve runs the part on that side."""
     one, other = ends
@@ -135,15 +132,15 @@ def _run(curve: Curve, first: float, last: float) -> float:
     return end - start if last >= first else curve.length - (start - end)
 
 
-def _around(curve: Curve, first: float, last: float) -> _Array:
+def _around(curve: Curve, first: float, last: float) -> Array:
     """Places to draw a closed curve at, from one forwards to another, none above its count."""
     stop = last if last > first else last + curve.count
     inner = np.arange(np.floor(first * DRAWN) + 1.0, np.ceil(stop * DRAWN)) / DRAWN
-    places: _Array = np.concatenate([[first], inner, [stop]])
+    places: Array = np.concatenate([[first], inner, [stop]])
     return np.where(places >= curve.count, places - curve.count, places)
 
 
-def _middle(curve: Curve, first: float, last: float, front: _Array) -> float:
+def _middle(curve: Curve, first: float, last: float, front: Array) -> float:
     """How far in front a part's middle lies, to drawing accuracy."""
     points = curve.positions_at(_around(curve, first, last))
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)

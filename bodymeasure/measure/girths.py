@@ -1,7 +1,5 @@
 """Girths: lengths of plane sections, along the skin and with the tape drawn taut."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Loops that go round more than the part of the body that is to be measured."""
 
-from __future__ import annotations
-
 from bodymeasure.errors import InputError
 from bodymeasure.section import PlaneSection, SectionLoop
 

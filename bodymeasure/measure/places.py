@@ -1,14 +1,11 @@
 """Places on a body, by landmark, point of the atlas or position."""
 
-from __future__ import annotations
-
-import difflib
-
 import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.errors import InputError
+from bodymeasure.wording import hint
 
 Place = str | AtlasPoint | NDArray[np.float64]
 """A landmark's name, a point of the atlas, or a position of shape (3,) in the atlas's unit."""
@@ -48,6 +45,5 @@ def landmark_of(atlas: Atlas, name: str) -> AtlasPoint:
 def _unknown(atlas: Atlas, name: str) -> str:
     if not atlas.landmarks:
         return f"the atlas has no landmark {name!r}, nor any other; add it, or give a position"
-    near = difflib.get_close_matches(name, list(atlas.landmarks), n=1)
-    hint = f"did you mean {near[0]!r}?" if near else f"it has {', '.join(sorted(atlas.landmarks))}"
-    return f"the atlas has no landmark {name!r}; {hint}"
+    meant = hint(name, sorted(atlas.landmarks), expected="it has")
+    return f"the atlas has no landmark {name!r}; {meant}"

@@ -1,18 +1,15 @@
 """Saddles of the height over an atlas: where horizontal loops merge."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import EDGES, Atlas, AtlasPoint
 from bodymeasure.atlas.neighbors import Neighbors, Place, on_side
 from bodymeasure.bezier import derivatives, project
-
-_Array = NDArray[np.float64]
 
 # Newton's method starts from so many points a side of each patch.
 STARTS = 5
@@ -29,7 +26,7 @@ LEVEL = 1e-9
 SAME = 1e-7
 
 
-def saddles_between(atlas: Atlas, low: float, high: float, near: _Array) -> list[AtlasPoint]:
+def saddles_between(atlas: Atlas, low: float, high: float, near: Array) -> list[AtlasPoint]:
     """Saddles of the height between two heights, the nearest to a position first.
 
     Parameters
@@ -89,7 +86,7 @@ def _in_patches(atlas: Atlas, patches: NDArray[np.int64]) -> Iterator[AtlasPoint
         yield AtlasPoint(int(row[number]), u, v)
 
 
-def _slopes(atlas: Atlas, patch: NDArray[np.int64], place: _Array) -> tuple[_Array, _Array]:
+def _slopes(atlas: Atlas, patch: NDArray[np.int64], place: Array) -> tuple[Array, Array]:
     """Gradients (k, 2) and Hessians (k, 2, 2) of the height by (u, v)."""
     s = derivatives(atlas.control_points[patch], place, order=2) @ atlas.axes.up_vector
     bend = np.stack([s[:, 2, 0], s[:, 1, 1], s[:, 1, 1], s[:, 0, 2]], axis=1).reshape(-1, 2, 2)
@@ -123,11 +120,11 @@ def _on_seams(atlas: Atlas, patches: NDArray[np.int64]) -> Iterator[AtlasPoint]:
                 yield AtlasPoint(*here)
 
 
-def _level_places(atlas: Atlas, patch: int, side: int) -> _Array:
+def _level_places(atlas: Atlas, patch: int, side: int) -> Array:
     """Where the height has no slope along a side of a patch, as parameters inside (0, 1)."""
     axis = EDGES[side].fixed_axis
 
-    def slope(along: _Array) -> _Array:
+    def slope(along: Array) -> Array:
         place = np.array([on_side(side, t) for t in along.tolist()])
         rows = np.full(len(along), patch)
         return _slopes(atlas, rows, place)[0][:, 1 - axis]

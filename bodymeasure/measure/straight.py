@@ -1,7 +1,5 @@
 """Measures along straight lines: heights, breadths, depths, distances."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from bodymeasure.atlas import Atlas

@@ -1,7 +1,5 @@
 """A mannequin measured: everything that a report, a picture or a viewer shows."""
 
-from __future__ import annotations
-
 import importlib.metadata
 import platform
 import time
@@ -44,7 +42,7 @@ class Survey:
     atlas: Atlas
     diagonals: GeodesicSolution
     boundary: BoundaryLengths
-    cross_check: CrossCheck | None = None
+    cross_check: "CrossCheck | None" = None
     findings: tuple[Finding, ...] = ()
     settings: Mapping[str, str] = field(default_factory=dict)
     versions: Mapping[str, str] = field(default_factory=dict)

@@ -1,15 +1,11 @@
 """Where the places of a closed curve come to lie on the taut tape round it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.section import Curve, DrawnTape, Hull
-
-_Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,12 +28,12 @@ class TautPlaces:
 
     curve: Curve
     hull: Hull
-    start: _Array
-    width: _Array
+    start: Array
+    width: Array
     origin: float
 
     @classmethod
-    def on(cls, curve: Curve, hull: Hull) -> TautPlaces:
+    def on(cls, curve: Curve, hull: Hull) -> "TautPlaces":
         """Of a curve and its hull."""
         ends = curve.arc_length_at(hull.spans.ravel()).reshape(-1, 2)
         origin = float(ends[0, 0]) if len(ends) else 0.0
@@ -49,7 +45,7 @@ class TautPlaces:
         begin, end = (self._along(place) for place in (first, last))
         return end - begin if end >= begin else self.hull.length - (begin - end)
 
-    def drawn(self, places: _Array) -> DrawnTape:
+    def drawn(self, places: Array) -> DrawnTape:
         """The tape at places in order; in between them straight, as over hollows.
 
         Parameters

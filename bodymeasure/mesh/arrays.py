@@ -1,7 +1,5 @@
 """Vertices and triangles of whatever a mesh comes as."""
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 import numpy as np

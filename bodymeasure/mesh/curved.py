@@ -1,7 +1,5 @@
 """The smooth surface that a mesh stands for, as far as its vertices tell."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """Exact shortest paths over a mesh between two of its vertices."""
 
-from __future__ import annotations
-
 import numpy as np
 import scipy
 from numpy.typing import NDArray

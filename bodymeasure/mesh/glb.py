@@ -1,7 +1,5 @@
 """A body and paths over it as a GLB file, which any glTF viewer opens."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from os import PathLike
 from pathlib import Path

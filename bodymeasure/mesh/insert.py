@@ -1,7 +1,5 @@
 """Points of a mesh made vertices of it."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

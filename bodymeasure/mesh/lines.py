@@ -1,7 +1,5 @@
 """Paths as trimesh's."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

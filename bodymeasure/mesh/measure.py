@@ -1,7 +1,5 @@
 """Measuring a triangle mesh from anywhere."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any

@@ -1,7 +1,5 @@
 """A path over a triangle mesh, and what is known of it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

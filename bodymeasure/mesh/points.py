@@ -1,7 +1,5 @@
 """Points of whatever a path comes as."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

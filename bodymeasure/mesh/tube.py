@@ -1,7 +1,5 @@
 """A chain of points as a tube of triangles."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

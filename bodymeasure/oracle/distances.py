@@ -1,7 +1,5 @@
 """Distances over the tessellation of each patch, by libigl."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial

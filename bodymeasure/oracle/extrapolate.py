@@ -1,7 +1,5 @@
 """From lengths on meshes of several levels to the length on the smooth surface."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

@@ -1,7 +1,5 @@
 """Meshes of a single patch in which given points are vertices at every level."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TypeVar

@@ -1,7 +1,5 @@
 """The calls into libigl; no other module imports it."""
 
-from __future__ import annotations
-
 from importlib.util import find_spec
 from typing import Any
 

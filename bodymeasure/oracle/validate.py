@@ -1,7 +1,5 @@
 """What a mesh must be before libigl sees it."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 import numpy as np

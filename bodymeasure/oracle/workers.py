@@ -1,7 +1,5 @@
 """Work shared out to processes, since libigl holds the interpreter lock."""
 
-from __future__ import annotations
-
 import multiprocessing
 import multiprocessing.resource_tracker
 import os

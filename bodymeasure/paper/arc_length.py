@@ -1,17 +1,14 @@
 """Lengths of curves on patches as they are computed, and where these leave their patch."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.quadrature import Quadrature
 from bodymeasure.geodesic.surface import Surface
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-_Array = NDArray[np.float64]
 
 # Gauss points: on the paper's patches, wild as they are, twice as many change the lengths of curves
 # inside by less than 1e-8.
@@ -21,7 +18,7 @@ LOOKS = 513
 OUTSIDE = 1e-9
 
 
-def arc_lengths(surface: Surface, space: TrialSpace, values: _Array) -> _Array:
+def arc_lengths(surface: Surface, space: TrialSpace, values: Array) -> Array:
     """Lengths of curves given by u and v at a space's nodes, shape (curves, 2, n + 1).
 
     Infinite where a curve goes so far away that its length is no number.
@@ -36,19 +33,19 @@ def arc_lengths(surface: Surface, space: TrialSpace, values: _Array) -> _Array:
 
 
 @lru_cache(maxsize=64)
-def _maps(space: TrialSpace) -> tuple[_Array, _Array, _Array]:
+def _maps(space: TrialSpace) -> tuple[Array, Array, Array]:
     quadrature = Quadrature(space.functions.edges, POINTS)
     place, slopes, _ = space.matrices(quadrature.points)
     return place, slopes, quadrature.weights
 
 
-def inside_patch(space: TrialSpace, values: _Array) -> NDArray[np.bool_]:
+def inside_patch(space: TrialSpace, values: Array) -> NDArray[np.bool_]:
     """Which curves, of values as for `arc_lengths`, stay in [0, 1] x [0, 1]."""
     curves = values @ _looks(space).T
     return np.asarray(((curves >= -OUTSIDE) & (curves <= 1.0 + OUTSIDE)).all(axis=(1, 2)))
 
 
 @lru_cache(maxsize=64)
-def _looks(space: TrialSpace) -> _Array:
-    values: _Array = space.matrices(np.linspace(0.0, 1.0, LOOKS))[0]
+def _looks(space: TrialSpace) -> Array:
+    values: Array = space.matrices(np.linspace(0.0, 1.0, LOOKS))[0]
     return values

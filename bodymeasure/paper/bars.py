@@ -1,7 +1,5 @@
 """What the reproduction was to reach, and whether it did: misses stand beside the rest."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

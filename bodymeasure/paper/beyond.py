@@ -1,14 +1,12 @@
 """Beyond 2007: accuracy and cost against the number of functions, and where they stand."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import (
     WU_C2,
@@ -26,8 +24,6 @@ from bodymeasure.geodesic.rbf import chebyshev_points, default_centers
 from bodymeasure.paper.table import Column, Table, Value, rows_of
 from bodymeasure.paper.two_functions import even_points, paper_centers
 
-_Array = NDArray[np.float64]
-
 # Every length counts whose correction can be trusted at all.
 ANY = 1.0
 COUNTS = (2, 3, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24)
@@ -41,8 +37,8 @@ class Known:
     """Patches whose diagonal stays inside, and its length."""
 
     name: str
-    control_points: _Array
-    length: _Array
+    control_points: Array
+    length: Array
 
 
 @dataclass(frozen=True)
@@ -53,14 +49,14 @@ class Setting:
     make: Callable[[int], Method]
 
 
-def known_diagonals(name: str, control_points: _Array) -> Known:
+def known_diagonals(name: str, control_points: Array) -> Known:
     """Those of some patches whose diagonal is known by `independent_lengths`."""
     lengths = independent_lengths(control_points)
     rows = np.flatnonzero(np.isfinite(lengths))
     return Known(name, control_points[rows], lengths[rows])
 
 
-def independent_lengths(control_points: _Array) -> _Array:
+def independent_lengths(control_points: Array) -> Array:
     """Lengths of diagonals that are geodesics inside their patch, NaN for others.
 
     Found by polynomial collocation and Ritz, which must agree: radial functions are judged by what

@@ -1,7 +1,5 @@
 """Table 5 in the paper's form, and as a distribution over all curves of a body."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from typing import TypeVar

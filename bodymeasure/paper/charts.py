@@ -1,7 +1,5 @@
 """The page's charts, drawn from the tables alone."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import Any

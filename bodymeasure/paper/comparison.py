@@ -1,7 +1,5 @@
 """Both of the paper's methods and the truth on many patches, in worker processes."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, fields
@@ -10,14 +8,12 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.oracle.workers import map_in_processes
 from bodymeasure.paper.ritz_table import solve_ritz
 from bodymeasure.paper.truth import true_diagonals
 from bodymeasure.paper.two_function_solve import solve_two_functions
 
-_Array = NDArray[np.float64]
-_Bools = NDArray[np.bool_]
-_Numbers = NDArray[np.int64]
 Result = TypeVar("Result")
 
 # Patches that a worker gets at once: some seconds of work. Fixed, so that what is computed together
@@ -51,33 +47,33 @@ class Comparison:
         Processor time of each patch by itself: of the solution inside the patch, and of Ritz.
     """
 
-    inside_length: _Array
-    all_length: _Array
-    collocation_point: _Array
-    roots: _Numbers
-    roots_inside: _Numbers
-    degenerate: _Numbers
-    ritz_length: _Array
-    ritz_order: _Numbers
-    ritz_stopped: _Bools
-    ritz_inside: _Bools
-    true_length: _Array
-    true_error: _Array
-    turns_back: _Bools
-    along_edge: _Bools
-    rbf_seconds: _Array
-    ritz_seconds: _Array
+    inside_length: Array
+    all_length: Array
+    collocation_point: Array
+    roots: Ints
+    roots_inside: Ints
+    degenerate: Ints
+    ritz_length: Array
+    ritz_order: Ints
+    ritz_stopped: Bools
+    ritz_inside: Bools
+    true_length: Array
+    true_error: Array
+    turns_back: Bools
+    along_edge: Bools
+    rbf_seconds: Array
+    ritz_seconds: Array
 
     def __len__(self) -> int:
         return len(self.roots)
 
-    def take(self, rows: slice) -> Comparison:
+    def take(self, rows: slice) -> "Comparison":
         """Some of the patches."""
         return Comparison(**{f.name: getattr(self, f.name)[rows] for f in fields(self)})
 
 
 def compare(
-    control_points: _Array,
+    control_points: Array,
     *,
     processes: int,
     progress: Callable[[int], None] | None = None,
@@ -105,7 +101,7 @@ def compare(
     )
 
 
-def in_chunks(control_points: _Array) -> list[_Array]:
+def in_chunks(control_points: Array) -> list[Array]:
     """Patches in the parts in which they are sent to workers."""
     return [control_points[i : i + CHUNK] for i in range(0, len(control_points), CHUNK)]
 
@@ -114,7 +110,7 @@ def _patches_done(progress: Callable[[int], None], total: int) -> Callable[[int]
     return lambda chunks: progress(min(chunks * CHUNK, total))
 
 
-def compare_chunk(control_points: _Array) -> Comparison:
+def compare_chunk(control_points: Array) -> Comparison:
     """`compare` for a few patches, here."""
     every = solve_two_functions(control_points, "all")
     truth = true_diagonals(control_points)
@@ -140,13 +136,13 @@ def compare_chunk(control_points: _Array) -> Comparison:
     )
 
 
-def _solve_inside(control_points: _Array) -> Any:
+def _solve_inside(control_points: Array) -> Any:
     return solve_two_functions(control_points, "inside")
 
 
 def _one_by_one(
-    solve: Callable[[_Array], Result], control_points: _Array
-) -> tuple[list[Result], _Array]:
+    solve: Callable[[Array], Result], control_points: Array
+) -> tuple[list[Result], Array]:
     """Solutions for each patch by itself, and the processor time of each, as the paper has it."""
     results, seconds = [], []
     for net in control_points:

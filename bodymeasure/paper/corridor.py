@@ -1,7 +1,5 @@
 """The part of a surface round a path that its shortest rival cannot leave."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np
@@ -10,10 +8,9 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from bodymeasure._typing import Array
 from bodymeasure.paper.fine_surface import FineSurface
 from bodymeasure.subdivision import QuadMesh, children, fill_pinches, part, quads_within
-
-_Array = NDArray[np.float64]
 
 
 class Corridors:
@@ -23,7 +20,7 @@ class Corridors:
         self.surface = surface
         self.tree = scipy.spatial.KDTree(surface.meshes[0].vertices)
 
-    def around(self, path: _Array, half_width: float) -> NDArray[np.bool_]:
+    def around(self, path: Array, half_width: float) -> NDArray[np.bool_]:
         """Quads of the coarsest mesh within a distance of a path's points (k, 3).
 
         One piece, the one that the path's first point lies on, and a manifold.
@@ -44,7 +41,7 @@ class Corridors:
             yield part(mesh, children(chosen, step))[0]
 
 
-def shortest_way_out(mesh: QuadMesh, start: _Array, end: _Array) -> float:
+def shortest_way_out(mesh: QuadMesh, start: Array, end: Array) -> float:
     """Lower bound of the lengths of all paths between two points that leave a part of a surface.
 
     Parameters

@@ -1,18 +1,15 @@
 """The curves of an atlas that Table 5 is about: diagonals and boundary curves, as points."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import EDGES, Atlas, edge_table
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic import Method
 from bodymeasure.measure import boundary_lengths, diagonals
-
-_Array = NDArray[np.float64]
 
 # Points of each curve: 1.4 mm apart on a mannequin's diagonals.
 POINTS = 65
@@ -36,14 +33,14 @@ class AtlasCurves:
 
     patch: tuple[str, ...]
     place: tuple[str, ...]
-    points: _Array
-    length: _Array
+    points: Array
+    length: Array
     status: tuple[str, ...]
 
     def __len__(self) -> int:
         return len(self.patch)
 
-    def take(self, numbers: NDArray[np.int64]) -> AtlasCurves:
+    def take(self, numbers: NDArray[np.int64]) -> "AtlasCurves":
         """Some of the curves."""
         return AtlasCurves(
             tuple(self.patch[i] for i in numbers),

@@ -1,13 +1,12 @@
 """The surface that an atlas was fitted to, as meshes that close in on it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.oracle.libigl import closest_on_mesh
 from bodymeasure.subdivision import (
     QuadMesh,
@@ -18,8 +17,6 @@ from bodymeasure.subdivision import (
     subdivide,
     triangles,
 )
-
-_Array = NDArray[np.float64]
 
 # Steps of subdivision of the meshes. A mannequin's quads have sides of 1.8 cm; after 2, 3 and 4
 # steps, of 4, 2 and 1 mm. Distances on a mesh are off by the square of that, and what remains after
@@ -83,7 +80,7 @@ def fine_surface(mesh: QuadMesh, levels: tuple[int, ...] = LEVELS) -> FineSurfac
     return FineSurface(levels, first, tuple(meshes))
 
 
-def closest_limit_points(surface: FineSurface, positions: _Array) -> _Array:
+def closest_limit_points(surface: FineSurface, positions: Array) -> Array:
     """Points of the limit surface that are closest to given positions, shape (k, 3).
 
     The neighborhoods of the closest vertices are subdivided together, and cut down to those of the

@@ -1,21 +1,16 @@
 """Points made vertices of a triangle mesh, so that distances between them can be measured on it."""
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.oracle.libigl import closest_on_mesh
-
-_Array = NDArray[np.float64]
-_Faces = NDArray[np.int64]
 
 # Nearer to a vertex or an edge than this part of a face's height, no thin face is made, which would
 # try libigl's tolerances. Nothing is lost by it: it is the mesh that is moved to the point.
 NEAR = 0.05
 
 
-def insert_point(vertices: _Array, faces: _Faces, point: _Array) -> tuple[_Array, _Faces, int]:
+def insert_point(vertices: Array, faces: Ints, point: Array) -> tuple[Array, Ints, int]:
     """A mesh that has a given point among its vertices.
 
     The face closest to it is split in three; the two at an edge, if it lies near one, are split in
@@ -54,7 +49,7 @@ def insert_point(vertices: _Array, faces: _Faces, point: _Array) -> tuple[_Array
     return np.vstack([vertices, point]), np.concatenate([faces[~split], *pieces]), number
 
 
-def _barycentric(corners: _Array, point: _Array) -> _Array:
+def _barycentric(corners: Array, point: Array) -> Array:
     """Weights of a triangle's corners (3, 3) that give a point of its plane; their sum is 1."""
     sides = np.stack([corners[1] - corners[0], corners[2] - corners[0]], axis=-1)
     second, third = np.linalg.lstsq(sides, point - corners[0], rcond=None)[0]

@@ -1,17 +1,13 @@
 """Curves of an atlas laid on the surface that it was fitted to: each point goes to the closest."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.oracle.extrapolate import richardson
 from bodymeasure.oracle.libigl import closest_on_mesh
 from bodymeasure.paper.fine_surface import FineSurface
-
-_Array = NDArray[np.float64]
 
 # Bends are seen over so many points each way, 5 mm on a mannequin's diagonals: over fewer, the
 # faces of the mesh would count.
@@ -37,16 +33,16 @@ class LaidCurves(NamedTuple):
         same place.
     """
 
-    points: _Array
-    length: _Array
-    uncertainty: _Array
-    distance: _Array
-    offset: _Array
-    bend: _Array
-    own_bend: _Array
+    points: Array
+    length: Array
+    uncertainty: Array
+    distance: Array
+    offset: Array
+    bend: Array
+    own_bend: Array
 
 
-def lay_curves(surface: FineSurface, curves: _Array, ends: _Array, lengths: _Array) -> LaidCurves:
+def lay_curves(surface: FineSurface, curves: Array, ends: Array, lengths: Array) -> LaidCurves:
     """Lay curves on a surface.
 
     Parameters
@@ -89,12 +85,12 @@ def lay_curves(surface: FineSurface, curves: _Array, ends: _Array, lengths: _Arr
     )
 
 
-def _polygon(points: _Array) -> _Array:
+def _polygon(points: Array) -> Array:
     """Lengths of polygons (k, p, 3)."""
     return np.asarray(np.linalg.norm(np.diff(points, axis=1), axis=-1).sum(axis=-1))
 
 
-def _bends(points: _Array) -> _Array:
+def _bends(points: Array) -> Array:
     """Radii of the circles through each point of polygons (k, p, 3) and two on either side."""
     back = points[:, REACH:-REACH] - points[:, : -2 * REACH]
     ahead = points[:, 2 * REACH :] - points[:, REACH:-REACH]

@@ -1,7 +1,5 @@
 """Errors against the number of functions, a method a column."""
 
-from __future__ import annotations
-
 from bodymeasure.paper.table import Column, Table, rows_of
 from bodymeasure.paper.tables import key
 

@@ -1,17 +1,14 @@
 """Patches moved, turned and scaled into the unit cube: the paper's section 2."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.control_points import checked_control_points
-
-_Array = NDArray[np.float64]
 
 # What "the longest side of the patch" is, which is to lie along x: that of the box round the
 # control points, or the chord of one of the patch's four sides.
@@ -40,12 +37,12 @@ class Normalized:
         What they were divided by at last: the paper's Max(P_i).
     """
 
-    control_points: _Array
-    rotation: _Array
-    origin: _Array
-    scale: _Array
+    control_points: Array
+    rotation: Array
+    origin: Array
+    scale: Array
 
-    def original_points(self, points: ArrayLike) -> _Array:
+    def original_points(self, points: ArrayLike) -> Array:
         """Points (*batch, ..., 3) of the normalized patches where they were on the original."""
         points = np.asarray(points, dtype=np.float64)
         axes = (1,) * (points.ndim - self.origin.ndim)
@@ -54,7 +51,7 @@ class Normalized:
         turned = points * self.scale.reshape((*self.scale.shape, *axes, 1)) + origin
         return np.asarray((turned[..., None, :] @ rotation)[..., 0, :])
 
-    def original_lengths(self, lengths: ArrayLike) -> _Array:
+    def original_lengths(self, lengths: ArrayLike) -> Array:
         """Lengths (*batch, ...) on the normalized patches as they are on the original."""
         lengths = np.asarray(lengths, dtype=np.float64)
         return lengths * self.scale.reshape(
@@ -98,12 +95,12 @@ def normalize(control_points: ArrayLike, longest: Side = "box") -> Normalized:
     return Normalized(moved / scale[..., None, None, None], rotation, origin, scale)
 
 
-def _along_box(nets: _Array) -> _Array:
+def _along_box(nets: Array) -> Array:
     extent = np.ptp(nets, axis=(-3, -2))
     return np.asarray(_CYCLES[extent.argmax(axis=-1)])
 
 
-def _along_chord(nets: _Array) -> _Array:
+def _along_chord(nets: Array) -> Array:
     """Rotations by the smallest angle that take the longest chord to x."""
     corners = np.stack([nets[..., i, j, :] for i, j in _ROUND], axis=-2)
     chords = np.roll(corners, -1, axis=-2) - corners

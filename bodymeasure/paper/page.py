@@ -1,7 +1,5 @@
 """The reproduction as one self-contained page."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from bodymeasure.paper import charts

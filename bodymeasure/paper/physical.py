@@ -1,13 +1,11 @@
 """Shortest distances on the surface that an atlas was fitted to: the paper's physical lengths."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.oracle.extrapolate import richardson
 from bodymeasure.oracle.libigl import ROUND_OFF, exact_distance
@@ -18,8 +16,6 @@ from bodymeasure.paper.fine_surface import FineSurface
 from bodymeasure.paper.insertion import insert_point
 from bodymeasure.subdivision import QuadMesh, triangles
 
-_Array = NDArray[np.float64]
-
 # Half widths of corridors, as parts of the path's length: the first is taken that no path as short
 # can leave. A straight way round 0.15 of its length is longer by 4 %; next to a body's bends, the
 # straight distances that show it are shorter.
@@ -29,21 +25,21 @@ HALF_WIDTHS = (0.15, 0.2, 0.3, 0.45, 0.7, 1.0)
 class PhysicalLengths(NamedTuple):
     """Lengths of shortest paths over a surface, and how far they may be off; each of shape (k,)."""
 
-    length: _Array
-    uncertainty: _Array
+    length: Array
+    uncertainty: Array
 
 
 class _Task(NamedTuple):
     meshes: tuple[QuadMesh, ...]
-    start: _Array
-    end: _Array
+    start: Array
+    end: Array
     way_out: float
 
 
 def physical_lengths(
     surface: FineSurface,
-    paths: _Array,
-    ends: _Array,
+    paths: Array,
+    ends: Array,
     *,
     processes: int = 1,
     progress: Callable[[int], None] | None = None,
@@ -80,7 +76,7 @@ def physical_lengths(
     return PhysicalLengths(length, uncertainty + doubt + ROUND_OFF * length)
 
 
-def _task(corridors: Corridors, path: _Array, start: _Array, end: _Array) -> _Task:
+def _task(corridors: Corridors, path: Array, start: Array, end: Array) -> _Task:
     length = float(np.linalg.norm(np.diff(path, axis=0), axis=-1).sum())
     for half_width in HALF_WIDTHS:
         chosen = corridors.around(path, half_width * length)

@@ -1,15 +1,12 @@
 """Pairs of polynomials in two variables, many at once."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-_Array = NDArray[np.float64]
-_Complex = NDArray[np.complex128]
+from bodymeasure._typing import Array, Complex
 
 
 class PairValues(NamedTuple):
@@ -19,10 +16,10 @@ class PairValues(NamedTuple):
     is what rounding errors are relative to.
     """
 
-    value: tuple[_Complex, _Complex]
-    by_x: tuple[_Complex, _Complex]
-    by_y: tuple[_Complex, _Complex]
-    size: tuple[_Array, _Array]
+    value: tuple[Complex, Complex]
+    by_x: tuple[Complex, Complex]
+    by_y: tuple[Complex, Complex]
+    size: tuple[Array, Array]
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,24 +32,24 @@ class PolynomialPair:
         ``[p, i, j]`` is the coefficient of ``x^i y^j``.
     """
 
-    first: _Array
-    second: _Array
+    first: Array
+    second: Array
 
-    def take(self, rows: NDArray[np.int64]) -> PolynomialPair:
+    def take(self, rows: NDArray[np.int64]) -> "PolynomialPair":
         """Some of the batch."""
         return PolynomialPair(self.first[rows], self.second[rows])
 
     @property
-    def both(self) -> tuple[_Array, _Array]:
+    def both(self) -> tuple[Array, Array]:
         """The two, to loop over."""
         return self.first, self.second
 
     @property
-    def turned(self) -> PolynomialPair:
+    def turned(self) -> "PolynomialPair":
         """The same with x and y exchanged."""
         return PolynomialPair(*(c.swapaxes(1, 2) for c in self.both))
 
-    def in_units(self, unit: float) -> PolynomialPair:
+    def in_units(self, unit: float) -> "PolynomialPair":
         """The same for x / unit and y / unit, with 1 for the largest coefficient."""
         scaled = []
         for c in self.both:
@@ -60,7 +57,7 @@ class PolynomialPair:
             scaled.append(of_size_one(c * np.outer(*powers)))
         return PolynomialPair(*scaled)
 
-    def at(self, points: _Complex) -> PairValues:
+    def at(self, points: Complex) -> PairValues:
         """Values at points (pairs, k, 2)."""
         exponents = np.arange(max(max(c.shape[1:]) for c in self.both))
         x, y = (points[..., i, None] ** exponents for i in range(2))
@@ -69,7 +66,7 @@ class PolynomialPair:
             for p in (x, y)
         ]
 
-        def sums(left: _Complex, right: _Complex) -> tuple[_Complex, _Complex]:
+        def sums(left: Complex, right: Complex) -> tuple[Complex, Complex]:
             first, second = (
                 ((left[..., : c.shape[1]] @ c) * right[..., : c.shape[2]]).sum(axis=-1)
                 for c in self.both
@@ -84,7 +81,7 @@ class PolynomialPair:
         return PairValues(sums(x, y), sums(slopes[0], y), sums(x, slopes[1]), (first, second))
 
 
-def of_size_one(coefficients: _Array) -> _Array:
+def of_size_one(coefficients: Array) -> Array:
     """Polynomials multiplied so that their largest coefficient is 1 in size; zero stays zero."""
     size = np.abs(coefficients).max(axis=(1, 2), keepdims=True)
     return np.asarray(coefficients / np.where(size > 0.0, size, 1.0))

@@ -1,7 +1,5 @@
 """The figures that the paper prints, to stand beside ours."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 # Table 3: length and seconds by radial functions, length and seconds by Ritz.

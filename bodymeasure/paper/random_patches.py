@@ -1,12 +1,10 @@
 """The testing data of section 6.1, in the readings that its text admits."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Unit
 from bodymeasure.atlas.degeneracy import find_degeneracy
 from bodymeasure.atlas.finding import FindingKind
@@ -14,8 +12,6 @@ from bodymeasure.atlas.folds import fold_findings
 from bodymeasure.atlas.normals import normal_coefficients
 from bodymeasure.errors import InputError
 from bodymeasure.paper.self_intersection import intersects_itself
-
-_Array = NDArray[np.float64]
 
 # "12 points at 6 possible heights", from the start's to the end's.
 HEIGHTS = np.linspace(0.0, 1.0, 6)
@@ -103,7 +99,7 @@ class RandomPatches:
         Patches that were drawn and refused because they fold over or cut through themselves.
     """
 
-    control_points: _Array
+    control_points: Array
     folded: int
     intersecting: int
 
@@ -128,7 +124,7 @@ def make_testing_data(
     accepted, folded, intersecting = [], 0, 0
     for group in range(groups):
         rng = np.random.default_rng([seed, READINGS.index(reading), group])
-        patches: list[_Array] = []
+        patches: list[Array] = []
         drawn = 0
         while len(patches) < size:
             nets = draw(reading, rng, size - len(patches))
@@ -146,7 +142,7 @@ def make_testing_data(
     return RandomPatches(np.array(accepted), folded, intersecting)
 
 
-def draw(reading: Reading, rng: np.random.Generator, count: int) -> _Array:
+def draw(reading: Reading, rng: np.random.Generator, count: int) -> Array:
     """Patches as a reading has them, sound or not, shape (count, 4, 4, 3)."""
     height = HEIGHTS[rng.integers(0, len(HEIGHTS), (count, 4, 4))]
     height[:, 0, 0], height[:, 3, 3] = 0.0, 1.0
@@ -169,7 +165,7 @@ def draw(reading: Reading, rng: np.random.Generator, count: int) -> _Array:
     return np.concatenate([places, height[..., None]], axis=-1)
 
 
-def fault(net: _Array) -> str:
+def fault(net: Array) -> str:
     """``folded``, ``intersecting``, or empty for a sound patch (4, 4, 3).
 
     A patch over a regular grid, or any that projects onto its parameters without a turn, is a
@@ -185,7 +181,7 @@ def fault(net: _Array) -> str:
     return "intersecting" if intersects_itself(net) else ""
 
 
-def _is_folded(net: _Array, normals: _Array) -> bool:
+def _is_folded(net: Array, normals: Array) -> bool:
     atlas = Atlas(net.reshape(-1, 3), np.arange(16).reshape(1, 4, 4), Unit.M)
     degeneracy = find_degeneracy(atlas.control_points, normals)
     if degeneracy.patches.any() or degeneracy.edges.any():

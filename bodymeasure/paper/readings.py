@@ -1,7 +1,5 @@
 """Tables across all readings of the testing data: what happened, and which is the nearest."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

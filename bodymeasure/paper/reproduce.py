@@ -1,7 +1,5 @@
 """The whole reproduction: every table of the paper and those beyond it, from one seed."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext

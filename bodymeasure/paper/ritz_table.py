@@ -1,12 +1,11 @@
 """The paper's comparison: Ritz's method with u = t and v a polynomial of growing order, Table 2."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.energy import Functional
 from bodymeasure.geodesic.minimize import minimize
@@ -14,8 +13,6 @@ from bodymeasure.geodesic.newton import MAX_ITERATIONS
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import BezierSurfaces
 from bodymeasure.paper.arc_length import arc_lengths, inside_patch
-
-_Array = NDArray[np.float64]
 
 # The paper gives six figures of lengths of about 1, and neither its bound nor its limit.
 ERROR_BOUND = 1e-6
@@ -40,15 +37,15 @@ class RitzSolution:
         Whether the path of the last order stays in its patch.
     """
 
-    length: _Array
+    length: Array
     order: NDArray[np.int64]
-    change: _Array
+    change: Array
     stopped: NDArray[np.bool_]
     inside: NDArray[np.bool_]
 
 
 def solve_ritz(
-    control_points: _Array, error_bound: float = ERROR_BOUND, max_order: int = MAX_ORDER
+    control_points: Array, error_bound: float = ERROR_BOUND, max_order: int = MAX_ORDER
 ) -> RitzSolution:
     """Diagonals from (0, 0) to (1, 1) by equations (13) and (14).
 

@@ -10,17 +10,13 @@ Math. 129 (2015) 181-209, on what hiding a variable does to the accuracy.) Newto
 makes every root exact, and those found with either variable hidden are put together.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Complex
 from bodymeasure.paper.polynomial_pair import PolynomialPair
-
-_Array = NDArray[np.float64]
-_Complex = NDArray[np.complex128]
 
 # Where the eigenvalue problem is shifted to: near zero, and at no place where a root has a reason
 # to be.
@@ -46,7 +42,7 @@ REAL = 1e-9
 FURTHEST = 1e5
 
 
-def all_roots(pair: PolynomialPair, units: tuple[float, ...]) -> _Complex:
+def all_roots(pair: PolynomialPair, units: tuple[float, ...]) -> Complex:
     """The isolated roots of each pair of a batch, real and complex.
 
     Parameters
@@ -71,7 +67,7 @@ def all_roots(pair: PolynomialPair, units: tuple[float, ...]) -> _Complex:
     return distinct(both, radius)
 
 
-def hidden_roots(pair: PolynomialPair) -> _Complex:
+def hidden_roots(pair: PolynomialPair) -> Complex:
     """Approximate roots, with the second variable hidden, shape (pairs, eigenvalues, 2).
 
     NaN for eigenvalues that stand for no root.
@@ -100,7 +96,7 @@ def hidden_roots(pair: PolynomialPair) -> _Complex:
     return np.where(usable[..., None], roots, np.nan)
 
 
-def _sylvester(pair: PolynomialPair) -> _Array:
+def _sylvester(pair: PolynomialPair) -> Array:
     """Coefficients of the Sylvester matrices by powers of y, shape (pairs, powers, size, size)."""
     degrees = [c.shape[1] - 1 for c in pair.both]
     size = sum(degrees)
@@ -115,7 +111,7 @@ def _sylvester(pair: PolynomialPair) -> _Array:
     return matrices
 
 
-def _solved(matrices: _Array, right: _Array) -> _Array:
+def _solved(matrices: Array, right: Array) -> Array:
     try:
         return np.asarray(np.linalg.solve(matrices, right))
     except np.linalg.LinAlgError:
@@ -123,7 +119,7 @@ def _solved(matrices: _Array, right: _Array) -> _Array:
         return np.asarray(np.linalg.pinv(matrices) @ right)
 
 
-def polish(pair: PolynomialPair, guesses: _Complex) -> tuple[_Complex, _Complex]:
+def polish(pair: PolynomialPair, guesses: Complex) -> tuple[Complex, Complex]:
     """Newton's method from guesses (pairs, k, 2).
 
     Returns
@@ -151,7 +147,7 @@ def polish(pair: PolynomialPair, guesses: _Complex) -> tuple[_Complex, _Complex]
     )
 
 
-def are_roots(pair: PolynomialPair, points: _Complex, tolerance: float) -> NDArray[np.bool_]:
+def are_roots(pair: PolynomialPair, points: Complex, tolerance: float) -> NDArray[np.bool_]:
     """Whether both polynomials vanish at points (pairs, k, 2), relative to their terms."""
     here = pair.at(points)
     with np.errstate(invalid="ignore"):
@@ -162,7 +158,7 @@ def are_roots(pair: PolynomialPair, points: _Complex, tolerance: float) -> NDArr
     return np.asarray(small[0] & small[1])
 
 
-def distinct(points: _Complex, radius: _Array) -> _Complex:
+def distinct(points: Complex, radius: Array) -> Complex:
     """Each point once, those that are none left out, shape (pairs, most, 2).
 
     A point is left out if one before it is within its radius, shape (k,).
@@ -192,12 +188,12 @@ def _along(values: NDArray[Any], order: NDArray[np.int64]) -> NDArray[Any]:
     return np.take_along_axis(values, order, axis=1)
 
 
-def counted(points: _Complex) -> NDArray[np.int64]:
+def counted(points: Complex) -> NDArray[np.int64]:
     """How many points each of the batch has."""
     return np.asarray(np.isfinite(points).all(axis=2).sum(axis=1))
 
 
-def real_roots(points: _Complex) -> _Array:
+def real_roots(points: Complex) -> Array:
     """The real ones among the points (k, 2) of one pair, in order of x."""
     points = points[np.isfinite(points).all(axis=1)]
     size = np.maximum(1.0, np.abs(points).max(axis=1, initial=0.0))

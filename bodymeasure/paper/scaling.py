@@ -1,22 +1,17 @@
 """Distributed collocation: one batch split over processes, and what that wins."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import fields
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.oracle.workers import map_in_processes
 from bodymeasure.paper.comparison import in_chunks
 from bodymeasure.paper.table import Column, Table, rows_of
 from bodymeasure.paper.two_function_solve import TwoFunctionSolution, solve_two_functions
-
-_Array = NDArray[np.float64]
-
 
 # So that no speedup is divided by zero where a start takes as long as the work.
 LEAST_SECONDS = 1e-3
@@ -36,7 +31,7 @@ class Run(NamedTuple):
 
 
 def solve_distributed(
-    control_points: _Array, processes: int, progress: Callable[[int], None] | None = None
+    control_points: Array, processes: int, progress: Callable[[int], None] | None = None
 ) -> TwoFunctionSolution:
     """`solve_two_functions` inside the patch, with the batch split over processes.
 
@@ -61,7 +56,7 @@ def solve_distributed(
     )
 
 
-def _solve_part(control_points: _Array) -> TwoFunctionSolution:
+def _solve_part(control_points: Array) -> TwoFunctionSolution:
     return solve_two_functions(control_points, "inside")
 
 
@@ -70,7 +65,7 @@ def _nothing(_number: int) -> None:
 
 
 def measure_scaling(
-    control_points: _Array,
+    control_points: Array,
     processes: Sequence[int],
     progress: Callable[[int], None] | None = None,
     *,

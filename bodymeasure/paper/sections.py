@@ -1,7 +1,5 @@
 """What the page and the summary say, and in which order they show the tables."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from bodymeasure.paper import published

@@ -1,7 +1,5 @@
 """Values as the page and the summary show them."""
 
-from __future__ import annotations
-
 from bodymeasure.paper.table import Column, Value
 from bodymeasure.report import numbers
 

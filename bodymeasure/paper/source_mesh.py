@@ -1,7 +1,5 @@
 """The quad meshes that the sample mannequins were fitted to."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from bodymeasure.errors import InputError

@@ -1,20 +1,16 @@
 """What twenty years and a better method have won: time a patch, beside accuracy."""
 
-from __future__ import annotations
-
 import time
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic import Method, RBFCollocation, solve_geodesic
 from bodymeasure.paper import published
 from bodymeasure.paper.beyond import independent_lengths
 from bodymeasure.paper.table import Column, Table, rows_of
 from bodymeasure.paper.tables import ReadingResult, signed_difference
 from bodymeasure.paper.truth import END, START
-
-_Array = NDArray[np.float64]
 
 # The first call makes the trial spaces; the least of the others is what a batch takes.
 REPEATS = 3
@@ -86,7 +82,7 @@ def speed_table(name: str, result: ReadingResult, batch_size: int = BATCH) -> Ta
     )
 
 
-def _accuracy(lengths: _Array, truth: _Array) -> tuple[int, float | None, float | None]:
+def _accuracy(lengths: Array, truth: Array) -> tuple[int, float | None, float | None]:
     error = np.abs(signed_difference(lengths, truth))
     error = error[np.isfinite(error)]
     solved = int(np.isfinite(lengths).sum())

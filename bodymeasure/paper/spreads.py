@@ -1,7 +1,5 @@
 """Tables for charts: how differences and numbers of solutions are distributed."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The reproduction in short, as Markdown that a repository shows."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from bodymeasure.paper.random_patches import READINGS

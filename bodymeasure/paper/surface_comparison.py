@@ -1,16 +1,13 @@
 """Lengths on an atlas beside those on the surface that it was fitted to, and how they differ."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Unit, convert_length
-
-_Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -71,23 +68,23 @@ class Comparison:
     unit: Unit
     patch: tuple[str, ...]
     place: tuple[str, ...]
-    calculated: _Array
-    physical: _Array
-    uncertainty: _Array
-    laid: _Array
-    laid_uncertainty: _Array
-    distance: _Array
-    offset: _Array
-    end_distance: _Array
-    bend: _Array
-    own_bend: _Array
+    calculated: Array
+    physical: Array
+    uncertainty: Array
+    laid: Array
+    laid_uncertainty: Array
+    distance: Array
+    offset: Array
+    end_distance: Array
+    bend: Array
+    own_bend: Array
     status: tuple[str, ...]
 
     def __len__(self) -> int:
         return len(self.patch)
 
     @cached_property
-    def relative_error(self) -> _Array:
+    def relative_error(self) -> Array:
         """Equation (17): (calculated - physical) / physical, with its sign.
 
         The published table prints the opposite sign in its first three rows, though not in the
@@ -96,12 +93,12 @@ class Comparison:
         return np.asarray((self.calculated - self.physical) / self.physical)
 
     @cached_property
-    def of_fit(self) -> _Array:
+    def of_fit(self) -> Array:
         """The part of `relative_error` that laying the same curve on the surface makes."""
         return np.asarray((self.calculated - self.laid) / self.physical)
 
     @cached_property
-    def of_path(self) -> _Array:
+    def of_path(self) -> Array:
         """The rest: by how much the laid curve is longer than the shortest one on the surface."""
         return np.asarray((self.laid - self.physical) / self.physical)
 

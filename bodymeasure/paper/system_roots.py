@@ -1,12 +1,11 @@
 """All solutions of the paper's system for two functions."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Complex
 from bodymeasure.geodesic.trial_space import TrialSpace
 from bodymeasure.paper.polynomial_pair import PolynomialPair
 from bodymeasure.paper.roots import SAME, all_roots, are_roots, counted, distinct, real_roots
@@ -16,9 +15,6 @@ from bodymeasure.paper.two_functions import (
     graph_directions,
     graph_equations,
 )
-
-_Array = NDArray[np.float64]
-_Complex = NDArray[np.complex128]
 
 # How many roots, real and complex, two general polynomials of degrees (5, 6) and (6, 5) have:
 # 5 * 5 + 6 * 6 (D. N. Bernstein, "The number of roots of a system of equations", 1975).
@@ -43,11 +39,11 @@ class SystemRoots(NamedTuple):
         How many roots were found, those included that are not real.
     """
 
-    real: tuple[_Array, ...]
+    real: tuple[Array, ...]
     complex_count: NDArray[np.int64]
 
 
-def system_roots(control_points: _Array, space: TrialSpace, *, far: bool = True) -> SystemRoots:
+def system_roots(control_points: Array, space: TrialSpace, *, far: bool = True) -> SystemRoots:
     """All roots of equations (11) and (12) for diagonals, with one collocation point.
 
     Parameters
@@ -61,7 +57,7 @@ def system_roots(control_points: _Array, space: TrialSpace, *, far: bool = True)
     """
     units = UNITS if far else UNITS[:1]
     direction, is_graph = graph_directions(control_points)
-    found: list[_Complex] = [np.empty((0, 2), np.complex128)] * len(control_points)
+    found: list[Complex] = [np.empty((0, 2), np.complex128)] * len(control_points)
     for kind in (True, False):
         rows = np.flatnonzero(is_graph == kind)
         equations = collocation_equations(control_points[rows], space)
@@ -81,7 +77,7 @@ def _searched(
     equations: PolynomialPair,
     count: int,
     units: tuple[tuple[float, ...], ...],
-) -> _Complex:
+) -> Complex:
     """Roots of a pair that are roots of the equations too, in larger units where some lack."""
     found = np.full((len(pair.first), 0, 2), np.nan, np.complex128)
     rows = np.arange(len(pair.first))

@@ -1,7 +1,5 @@
 """A table: what `tables.json`, `tables.csv` and the page show."""
 
-from __future__ import annotations
-
 import csv
 import io
 from collections.abc import Iterable, Sequence

@@ -5,14 +5,12 @@ atlas was fitted, the Catmull-Clark limit of a quad mesh, and the lengths on it 
 geodesics, extrapolated over levels of subdivision. They share no code with the solver.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Unit, convert_length
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import Method
@@ -32,8 +30,6 @@ from bodymeasure.paper.source_mesh import load_source_mesh
 from bodymeasure.paper.surface_comparison import Comparison, Distribution, Row, distribution
 from bodymeasure.samples import load_sample
 from bodymeasure.subdivision import QuadMesh
-
-_Array = NDArray[np.float64]
 
 # An atlas is off its surface by a part in a hundred of its patches at worst. A tenth means that
 # they are in different units or places.
@@ -157,7 +153,7 @@ def compare_with_surface(
     )
 
 
-def _on_surface(surface: FineSurface, curves: AtlasCurves) -> tuple[_Array, LaidCurves]:
+def _on_surface(surface: FineSurface, curves: AtlasCurves) -> tuple[Array, LaidCurves]:
     """The points of the surface closest to curves' ends (k, 2, 3), and the curves laid on it."""
     ends = _closest_ends(surface, curves.points)
     return ends, lay_curves(surface, curves.points, ends, curves.length)
@@ -166,7 +162,7 @@ def _on_surface(surface: FineSurface, curves: AtlasCurves) -> tuple[_Array, Laid
 def _comparison(
     atlas: Atlas,
     curves: AtlasCurves,
-    ends: _Array,
+    ends: Array,
     laid: LaidCurves,
     physical: PhysicalLengths,
 ) -> Comparison:
@@ -188,7 +184,7 @@ def _comparison(
     )
 
 
-def _closest_ends(surface: FineSurface, curves: _Array) -> _Array:
+def _closest_ends(surface: FineSurface, curves: Array) -> Array:
     """Points of the surface closest to curves' ends, shape (k, 2, 3).
 
     Raises

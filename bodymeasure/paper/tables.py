@@ -1,19 +1,15 @@
 """Tables 3 and 4 in the paper's form, and the truth beside them, for one reading."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.paper import published
 from bodymeasure.paper.comparison import Comparison
 from bodymeasure.paper.random_patches import RandomPatches, Reading
 from bodymeasure.paper.table import Column, Table, Value, rows_of
-
-_Array = NDArray[np.float64]
 
 # Rows of Table 3.
 SAMPLES = 4
@@ -41,12 +37,12 @@ class ReadingResult:
         return (*sets, ("all", self.found))
 
 
-def by_rule(found: Comparison, rule: str) -> _Array:
+def by_rule(found: Comparison, rule: str) -> Array:
     """Lengths by radial functions, of the rule ``inside`` or ``all``."""
     return found.inside_length if rule == "inside" else found.all_length
 
 
-def signed_difference(lengths: _Array, reference: _Array) -> _Array:
+def signed_difference(lengths: Array, reference: Array) -> Array:
     """Equation (15) for each sample by itself: the relative difference with its sign.
 
     The sum in (15) has one term then. Summed up over samples, signs would be lost, and "mean
@@ -213,17 +209,17 @@ def key(name: str) -> str:
     return re.sub(r"\W+", "_", name).strip("_")
 
 
-def mean_or_none(values: _Array) -> float | None:
+def mean_or_none(values: Array) -> float | None:
     """The mean, None of nothing."""
     return float(values.mean()) if len(values) else None
 
 
-def median_or_none(values: _Array) -> float | None:
+def median_or_none(values: Array) -> float | None:
     """The median, None of nothing."""
     return float(np.median(values)) if len(values) else None
 
 
-def _signed_rms(values: _Array) -> float | None:
+def _signed_rms(values: Array) -> float | None:
     if len(values) == 0:
         return None
     return float(np.sign(values.mean()) * np.sqrt(np.mean(values**2)))

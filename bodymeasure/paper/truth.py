@@ -1,16 +1,11 @@
 """The converged shortest paths that both of the paper's methods are measured against."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools
 from bodymeasure.geodesic import solve_geodesic
-
-_Array = NDArray[np.float64]
-_Bools = NDArray[np.bool_]
 
 START, END = (0.0, 0.0), (1.0, 1.0)
 # Where paths are looked at, and by how much u may fall from rounding.
@@ -33,18 +28,18 @@ class Truth:
         leaves the patch there.
     """
 
-    length: _Array
-    error: _Array
-    turns_back: _Bools
-    along_edge: _Bools
+    length: Array
+    error: Array
+    turns_back: Bools
+    along_edge: Bools
 
     @property
-    def is_known(self) -> _Bools:
+    def is_known(self) -> Bools:
         """Where there is a length."""
         return np.isfinite(self.length)
 
 
-def true_diagonals(control_points: _Array) -> Truth:
+def true_diagonals(control_points: Array) -> Truth:
     """The shortest paths from (0, 0) to (1, 1), searched thoroughly.
 
     Parameters

@@ -1,13 +1,12 @@
 """The paper's method with two functions: Table 1."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.equations import residual_and_jacobian
 from bodymeasure.geodesic.surface import BezierSurfaces
@@ -15,9 +14,6 @@ from bodymeasure.geodesic.trial_space import TrialSpace
 from bodymeasure.paper.arc_length import arc_lengths, inside_patch
 from bodymeasure.paper.system_roots import system_roots
 from bodymeasure.paper.two_functions import paper_space
-
-_Array = NDArray[np.float64]
-_Numbers = NDArray[np.int64]
 
 # Which of the solutions is taken: the shortest of all, or the shortest that stays in the patch.
 Rule = Literal["all", "inside"]
@@ -48,16 +44,16 @@ class TwoFunctionSolution:
         At how many collocation points the solution was refused because the determinant was zero.
     """
 
-    length: _Array
-    place: _Array
-    collocation_point: _Array
-    roots: _Numbers
-    inside: _Numbers
-    degenerate: _Numbers
+    length: Array
+    place: Array
+    collocation_point: Array
+    roots: Ints
+    inside: Ints
+    degenerate: Ints
 
 
 def solve_two_functions(
-    control_points: _Array,
+    control_points: Array,
     rule: Rule,
     collocation_points: tuple[float, ...] = COLLOCATION_POINTS,
 ) -> TwoFunctionSolution:
@@ -114,23 +110,23 @@ def solve_two_functions(
 class _Candidates:
     """All real solutions of a batch: whose each is, where, how long, and whether inside."""
 
-    owner: _Numbers
-    place: _Array
-    length: _Array
+    owner: Ints
+    place: Array
+    length: Array
     inside: NDArray[np.bool_]
 
-    def take(self, rows: _Numbers) -> _Candidates:
+    def take(self, rows: Ints) -> "_Candidates":
         return _Candidates(self.owner[rows], self.place[rows], self.length[rows], self.inside[rows])
 
 
-def nodal_values(places: _Array) -> _Array:
+def nodal_values(places: Array) -> Array:
     """Values (k, 2, 3) at the nodes 0, t* and 1 of diagonals through (u, v) at t*."""
     values = np.zeros((len(places), 2, 3))
     values[:, :, 1], values[:, :, 2] = places, 1.0
     return values
 
 
-def _candidates(control_points: _Array, space: TrialSpace, far: bool) -> _Candidates:
+def _candidates(control_points: Array, space: TrialSpace, far: bool) -> _Candidates:
     real = system_roots(control_points, space, far=far).real
     owner = np.repeat(np.arange(len(real)), [len(roots) for roots in real])
     place = np.concatenate([np.empty((0, 2)), *real])
@@ -139,7 +135,7 @@ def _candidates(control_points: _Array, space: TrialSpace, far: bool) -> _Candid
     return _Candidates(owner, place, length, inside_patch(space, values))
 
 
-def _shortest(found: _Candidates, allowed: _Numbers, count: int) -> _Numbers:
+def _shortest(found: _Candidates, allowed: Ints, count: int) -> Ints:
     """Of each owner the shortest allowed candidate, -1 if it has none."""
     best = np.full(count, -1)
     # The last one written stays.
@@ -148,7 +144,7 @@ def _shortest(found: _Candidates, allowed: _Numbers, count: int) -> _Numbers:
     return best
 
 
-def _angles(control_points: _Array, space: TrialSpace, places: _Array) -> _Array:
+def _angles(control_points: Array, space: TrialSpace, places: Array) -> Array:
     """Angles between the gradients of the two equations: their scaled determinant."""
     surface = BezierSurfaces(control_points)
     _, jacobian = residual_and_jacobian(surface, space, nodal_values(places))

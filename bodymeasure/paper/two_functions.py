@@ -8,8 +8,6 @@ polynomials in (x, y) of the degrees (5, 6) and (6, 5). Where the metric is regu
 roots of (1) and (2).
 """
 
-from __future__ import annotations
-
 from functools import lru_cache
 from math import comb
 
@@ -17,13 +15,11 @@ import numpy as np
 from numpy.polynomial import polynomial
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Complex
 from bodymeasure.geodesic.kernels import WU_C2
 from bodymeasure.geodesic.rbf_space import rbf_space
 from bodymeasure.geodesic.trial_space import TrialSpace
 from bodymeasure.paper.polynomial_pair import PolynomialPair, of_size_one
-
-_Array = NDArray[np.float64]
-_Complex = NDArray[np.complex128]
 
 # Section 7.
 SUPPORT_RADIUS = 2.0
@@ -60,7 +56,7 @@ def paper_space(collocation_points: tuple[float, ...] = (COLLOCATION_POINT,)) ->
     return rbf_space(WU_C2, paper_centers(functions), collocation_points, SUPPORT_RADIUS)
 
 
-def collocation_equations(control_points: _Array, space: TrialSpace) -> PolynomialPair:
+def collocation_equations(control_points: Array, space: TrialSpace) -> PolynomialPair:
     """Equations (11) and (12) for diagonals from (0, 0) to (1, 1), times the metric.
 
     Parameters
@@ -73,7 +69,7 @@ def collocation_equations(control_points: _Array, space: TrialSpace) -> Polynomi
     return PolynomialPair(_coefficients(first, FIRST), _coefficients(second, SECOND))
 
 
-def graph_directions(control_points: _Array) -> tuple[_Array, NDArray[np.bool_]]:
+def graph_directions(control_points: Array) -> tuple[Array, NDArray[np.bool_]]:
     """The direction e along which a patch is a graph over its parameters, and whether it is one.
 
     A graph is ``S(u, v) = P + u U + v V + z(u, v) e``, with constant U and V perpendicular to e.
@@ -92,7 +88,7 @@ def graph_directions(control_points: _Array) -> tuple[_Array, NDArray[np.bool_]]
     return rows[:, 0], (sizes[:, 0] > ROUNDING * scale) & (sizes[:, 1] <= ROUNDING * scale)
 
 
-def graph_equations(control_points: _Array, space: TrialSpace, direction: _Array) -> PolynomialPair:
+def graph_equations(control_points: Array, space: TrialSpace, direction: Array) -> PolynomialPair:
     r"""Equation (11), and the difference of both times z_v and z_u, for patches that are graphs.
 
     There (11) and (12) read :math:`U \cdot L + z_u z'' = 0 = V \cdot L + z_v z''` with
@@ -120,11 +116,11 @@ def graph_equations(control_points: _Array, space: TrialSpace, direction: _Array
     )
 
 
-def _circle() -> _Complex:
+def _circle() -> Complex:
     return np.asarray(np.exp(2j * np.pi * np.arange(_POINTS) / _POINTS))
 
 
-def _motion(space: TrialSpace) -> tuple[_Complex, _Complex]:
+def _motion(space: TrialSpace) -> tuple[Complex, Complex]:
     """First and second derivative at t*, of u or of v, for unknowns on the circle."""
     # By the values at the start, which is 0, in the middle, and at the end, which is 1.
     (_, slope, to_end), (_, bend, bend_to_end) = space.differentiation[:, 0]
@@ -132,7 +128,7 @@ def _motion(space: TrialSpace) -> tuple[_Complex, _Complex]:
     return slope * place + to_end, bend * place + bend_to_end
 
 
-def _products(control_points: _Array, space: TrialSpace) -> tuple[_Complex, _Complex]:
+def _products(control_points: Array, space: TrialSpace) -> tuple[Complex, Complex]:
     """``S_u . a`` and ``S_v . a`` for unknowns on the product of two circles."""
     nets = control_points - control_points.mean(axis=(1, 2), keepdims=True)
     s_u, s_v, s_uu, s_uv, s_vv = (
@@ -144,14 +140,14 @@ def _products(control_points: _Array, space: TrialSpace) -> tuple[_Complex, _Com
     return (s_u * a).sum(axis=0), (s_v * a).sum(axis=0)
 
 
-def _derivative(nets: _Array, by_u: int, by_v: int) -> _Complex:
+def _derivative(nets: Array, by_u: int, by_v: int) -> Complex:
     """A derivative on the product of two circles, shape (coordinates, patches, k, k)."""
     along_v = nets.transpose(3, 0, 1, 2) @ _rows(by_v).T
     return np.asarray(_rows(by_u) @ along_v)
 
 
 @lru_cache
-def _rows(order: int) -> _Complex:
+def _rows(order: int) -> Complex:
     """From Bezier points of a cubic to its derivative on the circle, shape (points, 4)."""
     s, columns = _circle(), []
     for i in range(4):
@@ -163,7 +159,7 @@ def _rows(order: int) -> _Complex:
     return np.stack(columns, axis=1)
 
 
-def _coefficients(values: _Complex, degrees: tuple[int, int]) -> _Array:
+def _coefficients(values: Complex, degrees: tuple[int, int]) -> Array:
     """Of real polynomials given on the circles: a Fourier transform, which is well conditioned."""
     coefficients = np.fft.fft2(values).real / _POINTS**2
     return of_size_one(coefficients[:, : degrees[0] + 1, : degrees[1] + 1])

@@ -1,7 +1,5 @@
 """Writing what a reproduction found."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Final
 

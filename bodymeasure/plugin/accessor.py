@@ -1,7 +1,5 @@
 """The accessor ``mesh.measure`` on pyvista's meshes."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Meshes and paths in a pyvista plotter."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """pyvista's readers of atlases: ``pyvista.read("body.atlas")``."""
 
-from __future__ import annotations
-
 from os import PathLike
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """Meshes that remember the atlas they were made of."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import Any
 

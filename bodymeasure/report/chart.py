@@ -1,7 +1,5 @@
 """Geometry of the histogram in the page."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """A survey's numbers as records: unit converted, numbers that are not finite turned to null."""
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from collections.abc import Iterable
@@ -24,7 +22,7 @@ ALL_KINDS: tuple[Kind, ...] = ("diagonal", "boundary")
 
 
 def measurement_records(
-    survey: Survey, unit: Unit | str, *, kinds: tuple[Kind, ...] = ALL_KINDS
+    survey: "Survey", unit: Unit | str, *, kinds: tuple[Kind, ...] = ALL_KINDS
 ) -> list[Measurement]:
     """One record for each length of a survey: by patch, diagonals before sides.
 
@@ -43,7 +41,7 @@ def measurement_records(
 
 
 def survey_document(
-    survey: Survey,
+    survey: "Survey",
     unit: Unit | str,
     *,
     kinds: tuple[Kind, ...] = ALL_KINDS,
@@ -91,7 +89,7 @@ def code(member: Enum) -> str:
     return member.name.lower()
 
 
-def _diagonals(survey: Survey, unit: Unit) -> list[Measurement]:
+def _diagonals(survey: "Survey", unit: Unit) -> list[Measurement]:
     atlas, solution, check = survey.atlas, survey.diagonals, survey.cross_check
 
     def lengths(values: NDArray[np.float64]) -> list[list[float | None]]:
@@ -133,12 +131,12 @@ def _diagonals(survey: Survey, unit: Unit) -> list[Measurement]:
     ]
 
 
-def _contacts(contacts: tuple[EdgeContact, ...]) -> str | None:
+def _contacts(contacts: "tuple[EdgeContact, ...]") -> str | None:
     words = [f"{each.edge} from {each.start:.6g} to {each.end:.6g}" for each in contacts]
     return "; ".join(words) or None
 
 
-def _boundary(survey: Survey, unit: Unit) -> list[Measurement]:
+def _boundary(survey: "Survey", unit: Unit) -> list[Measurement]:
     atlas = survey.atlas
     length = _finite(convert_length(survey.boundary.length, atlas.unit, unit))
     error = _finite(convert_length(survey.boundary.error_estimate, atlas.unit, unit))

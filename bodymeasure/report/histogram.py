@@ -1,7 +1,5 @@
 """Histogram of differences, as the numbers that the page's template draws."""
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from collections.abc import Sequence

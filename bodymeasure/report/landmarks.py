@@ -1,7 +1,5 @@
 """What `bodymeasure landmarks` prints: the landmarks of an atlas, and how symmetric they are."""
 
-from __future__ import annotations
-
 from typing import Literal
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Numbers as people read them: rounded sensibly, errors in scientific notation."""
 
-from __future__ import annotations
-
 import re
 from typing import TYPE_CHECKING
 
@@ -70,21 +68,16 @@ def as_bound(size: str) -> str:
     return size.replace("<", "less than") if size.startswith("<") else f"at most {size}"
 
 
-def with_code(text: str) -> Markup:
+def with_code(text: str) -> "Markup":
     """Text with what stands between backquotes marked as code."""
     from markupsafe import Markup, escape
 
     return Markup(re.sub("`([^`]+)`", r"<code>\1</code>", str(escape(text))))
 
 
-def unbroken(name: str) -> Markup:
+def unbroken(name: str) -> "Markup":
     """A name in which no line ends inside a number such as ``3-2``."""
     from markupsafe import Markup, escape
 
     number = r"(?<!\S)(\w{1,4}-\w{1,4})(?!\S)"
     return Markup(re.sub(number, r'<span class="whole">\1</span>', str(escape(name))))
-
-
-def counted(number: int, singular: str, plural: str | None = None) -> str:
-    """A number with its noun."""
-    return f"{number:,} {singular if number == 1 else plural or singular + 's'}"

@@ -1,7 +1,5 @@
 """Which patches deserve a closer look."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -23,7 +21,7 @@ def disagreements(document: Document) -> int:
     return sum(document.summary.by_verdict.get(verdict, 0) for verdict in DISAGREEING)
 
 
-def closeup_patches(survey: Survey) -> tuple[int, ...]:
+def closeup_patches(survey: "Survey") -> tuple[int, ...]:
     """Numbers of the patches that a report shows a picture of, each once.
 
     Those with the largest differences, then those with a diagonal that has no length.

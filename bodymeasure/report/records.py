@@ -1,7 +1,5 @@
 """What ``measurements.json`` and ``measurements.csv`` hold, and their schema."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Annotated, Any, Final, Literal
 

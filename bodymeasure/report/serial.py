@@ -1,7 +1,5 @@
 """Records as files for programs: JSON, CSV and JSON Schema."""
 
-from __future__ import annotations
-
 import csv
 import io
 from collections.abc import Iterable, Sequence

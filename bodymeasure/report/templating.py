@@ -1,7 +1,5 @@
 """Pages from templates: each one file that loads nothing else."""
 
-from __future__ import annotations
-
 import base64
 from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime

@@ -1,12 +1,10 @@
 """A document's content, arranged and worded for the page."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from dataclasses import dataclass
 
-from bodymeasure.report.numbers import NONE, at_most, counted, length_text, millimeters, scientific
+from bodymeasure.report.numbers import NONE, at_most, length_text, millimeters, scientific
 from bodymeasure.report.ranking import (
     UNMEASURED_SHOWN,
     WORST_SHOWN,
@@ -15,6 +13,7 @@ from bodymeasure.report.ranking import (
     worst,
 )
 from bodymeasure.report.records import Document, Finding, Measurement
+from bodymeasure.wording import counted
 
 UNIT_NAMES = {"m": "meters", "cm": "centimeters", "mm": "millimeters", "inch": "inches"}
 

@@ -1,7 +1,5 @@
 """Writing a report's files."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from bodymeasure.files import make_folder, write_all

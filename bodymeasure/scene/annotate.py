@@ -1,7 +1,5 @@
 """Labels and a scale bar over the close-up of a patch."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

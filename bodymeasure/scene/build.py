@@ -1,7 +1,5 @@
 """From a survey to the scene that its pictures show."""
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -28,7 +26,7 @@ OVERSHOOT = 0.25
 DEGENERATE_NORMAL = 1e-12
 
 
-def body_scene(survey: Survey, *, segments: int = BODY_SEGMENTS) -> BodyScene:
+def body_scene(survey: "Survey", *, segments: int = BODY_SEGMENTS) -> BodyScene:
     """All patches of a survey with their edges and both diagonals.
 
     Parameters
@@ -47,7 +45,7 @@ def body_scene(survey: Survey, *, segments: int = BODY_SEGMENTS) -> BodyScene:
     )
 
 
-def patch_scene(survey: Survey, patch: int) -> BodyScene:
+def patch_scene(survey: "Survey", patch: int) -> BodyScene:
     """One patch with its boundary and both diagonals, the rest of the body paler around it."""
     atlas = survey.atlas
     only = np.array([patch])
@@ -106,7 +104,7 @@ def _edges(atlas: Atlas, patches: NDArray[np.int64]) -> Polylines:
     return Polylines(*_surface_at(atlas, patches[row], parameters))
 
 
-def _paths(survey: Survey, patches: NDArray[np.int64]) -> Paths:
+def _paths(survey: "Survey", patches: NDArray[np.int64]) -> Paths:
     atlas, solution, check = survey.atlas, survey.diagonals, survey.cross_check
     t = np.linspace(0.0, 1.0, PATH_POINTS)
     parameters = solution.path(t)[patches]

@@ -1,7 +1,5 @@
 """Orthographic views of a body."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

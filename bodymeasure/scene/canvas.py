@@ -1,7 +1,5 @@
 """Lines and texts drawn over a picture by matplotlib, without pyplot and its global state."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any

@@ -1,7 +1,5 @@
 """How charts look, whatever they show."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any

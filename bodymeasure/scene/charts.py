@@ -1,7 +1,5 @@
 """The color bar, and the histogram of differences, as SVG files."""
 
-from __future__ import annotations
-
 import io
 import re
 from typing import TYPE_CHECKING, Any
@@ -77,7 +75,7 @@ def _draw_color_bar(paths: Paths) -> Any:
     return figure
 
 
-def histogram(survey: Survey) -> bytes:
+def histogram(survey: "Survey") -> bytes:
     """How many diagonals differ how much from libigl exact, as an SVG file.
 
     Raises

@@ -1,7 +1,5 @@
 """Which renderer draws: pyvista where OpenGL works, otherwise our own."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

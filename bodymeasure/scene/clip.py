@@ -1,7 +1,5 @@
 """A surface cut off at a plane."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

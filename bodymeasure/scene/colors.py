@@ -1,7 +1,5 @@
 """Colors of a picture, the same for every renderer."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -40,13 +38,13 @@ class ColorScale:
     high: float
 
     @classmethod
-    def of(cls, paths: Paths) -> ColorScale | None:
+    def of(cls, paths: Paths) -> "ColorScale | None":
         """The scale that holds all compared paths; None if there are none."""
         value = paths.value[np.isfinite(paths.value)]
         return cls.spanning(value) if len(value) else None
 
     @classmethod
-    def spanning(cls, value: NDArray[np.float64]) -> ColorScale:
+    def spanning(cls, value: NDArray[np.float64]) -> "ColorScale":
         """The scale that holds some differences, but for the smallest hundredth of them."""
         value = np.maximum(value, SMALLEST)
         # A power of ten itself must not open a decade of its own for its rounding.

@@ -1,7 +1,5 @@
 """All pictures of a survey."""
 
-from __future__ import annotations
-
 import io
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -74,7 +72,7 @@ class Pictures:
 
 
 def pictures(
-    survey: Survey,
+    survey: "Survey",
     closeups: Sequence[int] = (),
     *,
     renderer: str | None = None,

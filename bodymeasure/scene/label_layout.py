@@ -1,7 +1,5 @@
 """Labels in two columns beside a picture, joined to their points by leaders that do not cross."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The light that both renderers use: fixed to the camera, from above and the left."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """What a picture shows, as plain arrays that any renderer can draw."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum

@@ -1,7 +1,5 @@
 """Pictures drawn off screen by pyvista."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Pictures of tapes drawn off screen by pyvista."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any

@@ -1,7 +1,5 @@
 """One picture of a body from its four sides, with titles and the color bar."""
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -25,7 +23,7 @@ BAR_DPI = 150
 GAP = 16
 
 
-def body_overview(survey: Survey, *, renderer: str | None = None) -> bytes:
+def body_overview(survey: "Survey", *, renderer: str | None = None) -> bytes:
     """Draw a body from its four sides side by side, as a PNG file.
 
     Parameters

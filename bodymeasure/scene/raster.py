@@ -1,7 +1,5 @@
 """A depth buffer in NumPy: which triangle each pixel of an orthographic picture shows."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

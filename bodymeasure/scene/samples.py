@@ -1,7 +1,5 @@
 """Several samples for each pixel, for smooth edges."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

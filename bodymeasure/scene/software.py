@@ -1,7 +1,5 @@
 """Pictures drawn without OpenGL: NumPy shades the surface, matplotlib draws the lines."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """Pictures of tapes drawn without OpenGL."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import NamedTuple

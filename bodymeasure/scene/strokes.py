@@ -1,7 +1,5 @@
 """Curves cut into the pieces that are drawn."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """From where tapes are looked at."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

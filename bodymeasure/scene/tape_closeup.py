@@ -1,7 +1,5 @@
 """One measurement from near: its tapes, its landmarks by name, its number in the corner."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

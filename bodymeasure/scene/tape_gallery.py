@@ -1,7 +1,5 @@
 """All pictures of a chart's tapes."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """Numbers in the margins beside a body, and which of its tapes they are led to."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 

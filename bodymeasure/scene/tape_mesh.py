@@ -1,7 +1,5 @@
 """Tapes as colored tubes: how contact, taut and straight ones look."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np

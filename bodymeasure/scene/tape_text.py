@@ -1,7 +1,5 @@
 """Numbers, names and leaders over pictures of tapes."""
 
-from __future__ import annotations
-
 import textwrap
 from collections.abc import Sequence
 

@@ -1,7 +1,5 @@
 """From a chart of measurements to the scene that its pictures show."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """Curves as tubes of triangles."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Which points of a body can be seen from a side."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

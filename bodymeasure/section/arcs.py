@@ -1,7 +1,5 @@
 """Arcs of a section, each the graph of a function in one rectangle, and chains of them."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,19 +1,16 @@
 """A closed curve of arcs of a section, joined by straight lines."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.section.loop import SectionLoop
 from bodymeasure.section.part import joined
 from bodymeasure.section.pieces import MORE_NODES
 from bodymeasure.section.plane import Plane
-
-_Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +58,7 @@ class BridgedLoop:
         return self._pieces.length_by_region
 
     @cached_property
-    def bridges(self) -> _Array:
+    def bridges(self) -> Array:
         """Ends of the lines, shape (arcs, 2, 3)."""
         ends = [arc.positions_at(np.array([0.0, float(arc.count)])) for arc in self.arcs]
         return np.array([[end[1], ends[(i + 1) % len(ends)][0]] for i, end in enumerate(ends)])
@@ -80,23 +77,23 @@ class BridgedLoop:
         return np.concatenate(rows)
 
     @cached_property
-    def _lengths(self) -> _Array:
+    def _lengths(self) -> Array:
         result = np.empty(self.count)
         on_arc = self._piece >= 0
         result[on_arc] = self._pieces.piece_length
         result[~on_arc] = np.linalg.norm(self.bridges[:, 1] - self.bridges[:, 0], axis=1)
         return result
 
-    def positions_at(self, place: _Array) -> _Array:
+    def positions_at(self, place: Array) -> Array:
         """Positions (n, 3) at places (n,)."""
         piece, fraction, on_arc = self._split(place)
-        result: _Array = np.empty((len(place), 3))
+        result: Array = np.empty((len(place), 3))
         result[on_arc] = self._pieces.positions_at(piece[on_arc] + fraction[on_arc])
         start, stop = self.bridges[-1 - piece[~on_arc]].transpose(1, 0, 2)
         result[~on_arc] = start + fraction[~on_arc, None] * (stop - start)
         return result
 
-    def arc_length_at(self, place: _Array) -> _Array:
+    def arc_length_at(self, place: Array) -> Array:
         """Lengths (n,) from the start to places (n,)."""
         piece, fraction, on_arc = self._split(place)
         row = np.minimum(place.astype(np.int64), self.count - 1)
@@ -107,17 +104,17 @@ class BridgedLoop:
         way[on_arc] = self._pieces.surface.lengths(some, MORE_NODES)
         return np.asarray(before + way)
 
-    def velocities(self, row: NDArray[np.int64], fraction: _Array) -> _Array:
+    def velocities(self, row: NDArray[np.int64], fraction: Array) -> Array:
         """Derivatives (n, k, 3) by the fraction, at fractions (n, k) of pieces (n,)."""
         piece = self._piece[row]
         on_arc = piece >= 0
-        result: _Array = np.empty((*fraction.shape, 3))
+        result: Array = np.empty((*fraction.shape, 3))
         result[on_arc] = self._pieces.velocities(piece[on_arc], fraction[on_arc])
         start, stop = self.bridges[-1 - piece[~on_arc]].transpose(1, 0, 2)
         result[~on_arc] = (stop - start)[:, None]
         return result
 
-    def surface_points_at(self, place: _Array) -> tuple[NDArray[np.int64], _Array]:
+    def surface_points_at(self, place: Array) -> tuple[NDArray[np.int64], Array]:
         """Patches (n,) and (u, v) on them (n, 2) at places (n,); -1 and NaN on the lines."""
         piece, fraction, on_arc = self._split(place)
         patch, parameters = np.full(len(place), -1), np.full((len(place), 2), np.nan)
@@ -126,7 +123,7 @@ class BridgedLoop:
         )
         return patch, parameters
 
-    def _split(self, place: _Array) -> tuple[NDArray[np.int64], _Array, NDArray[np.bool_]]:
+    def _split(self, place: Array) -> tuple[NDArray[np.int64], Array, NDArray[np.bool_]]:
         row = np.minimum(place.astype(np.int64), self.count - 1)
         piece = self._piece[row]
         return piece, place - row, piece >= 0

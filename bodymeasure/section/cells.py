@@ -1,7 +1,5 @@
 """Parameter rectangles in which a section is the graph of a function."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

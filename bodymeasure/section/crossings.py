@@ -1,7 +1,5 @@
 """Where a section crosses the sides of rectangles, each point known by one number."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,15 +1,12 @@
 """What is measured along a section: its curves, whole, in part, or joined straight."""
 
-from __future__ import annotations
-
 from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.section.plane import Plane
-
-_Array = NDArray[np.float64]
 
 # Fractions of a piece at which a curve is drawn.
 DRAWN = 8
@@ -41,16 +38,16 @@ class Curve(Protocol):
     def error_estimate(self) -> float:
         """Of its length."""
 
-    def positions_at(self, place: _Array) -> _Array:
+    def positions_at(self, place: Array) -> Array:
         """Positions (n, 3) at places (n,)."""
 
-    def arc_length_at(self, place: _Array) -> _Array:
+    def arc_length_at(self, place: Array) -> Array:
         """Lengths (n,) from the start to places (n,)."""
 
-    def velocities(self, row: NDArray[np.int64], fraction: _Array) -> _Array:
+    def velocities(self, row: NDArray[np.int64], fraction: Array) -> Array:
         """Derivatives (n, k, 3) by the fraction, at fractions (n, k) of pieces (n,)."""
 
-    def surface_points_at(self, place: _Array) -> tuple[NDArray[np.int64], _Array]:
+    def surface_points_at(self, place: Array) -> tuple[NDArray[np.int64], Array]:
         """Patches (n,) and (u, v) on them (n, 2) at places (n,); -1 and NaN off the surface."""
 
 
@@ -67,12 +64,12 @@ class DrawnTape(NamedTuple):
         (u, v) on that patch; NaN where the tape stands free.
     """
 
-    positions: _Array
+    positions: Array
     patch: NDArray[np.int64]
-    parameters: _Array
+    parameters: Array
 
 
-def drawn(curve: Curve, spans: _Array | None = None) -> DrawnTape:
+def drawn(curve: Curve, spans: Array | None = None) -> DrawnTape:
     """A curve as a chain of points, straight over some spans.
 
     Parameters

@@ -1,7 +1,5 @@
 """How far a loop reaches in a direction."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

@@ -1,7 +1,5 @@
 """Where a loop reaches farthest in a direction: on the smooth curve, not on samples of it."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The perimeter of a loop's convex hull: the length of a tape drawn taut around it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """One curve of a section."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from functools import cached_property
 

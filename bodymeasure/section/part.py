@@ -1,18 +1,15 @@
 """Parts of a section's curves: from one place on them to another."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import fields, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bodymeasure._typing import Array
 from bodymeasure.section.curve import Curve
 from bodymeasure.section.loop import SectionLoop
 from bodymeasure.section.pieces import MORE_NODES, Pieces
-
-_Array = NDArray[np.float64]
 
 # Samples a piece. A graph over one parameter of a bicubic patch turns but little.
 SAMPLES = 24
@@ -68,7 +65,7 @@ def joined(parts: tuple[SectionLoop, ...]) -> SectionLoop:
     return replace(parts[0], pieces=pieces, piece_length=length, closed=False)
 
 
-def sample_places(loop: Curve) -> _Array:
+def sample_places(loop: Curve) -> Array:
     """Places close together along a curve, shape (n,), its end included."""
     return np.asarray(np.arange(SAMPLES * loop.count + 1) / SAMPLES)
 
@@ -77,7 +74,7 @@ def nearest_place(loop: Curve, position: ArrayLike) -> float:
     """The place of a curve that is nearest to a position."""
     target, end = np.asarray(position, dtype=np.float64), float(loop.count)
 
-    def apart(place: _Array) -> _Array:
+    def apart(place: Array) -> Array:
         return np.asarray(np.linalg.norm(loop.positions_at(place) - target, axis=1))
 
     place = sample_places(loop)
@@ -91,7 +88,7 @@ def nearest_place(loop: Curve, position: ArrayLike) -> float:
     return best
 
 
-def sign_changes(loop: SectionLoop, height: Callable[[_Array], _Array]) -> _Array:
+def sign_changes(loop: SectionLoop, height: Callable[[Array], Array]) -> Array:
     """Places at which a function of the position changes its sign, in order, shape (n,).
 
     Parameters

@@ -1,7 +1,5 @@
 """Pieces of a section: points on them, and their lengths."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, fields, replace
 from functools import lru_cache
 
@@ -45,11 +43,11 @@ class Pieces:
     def __len__(self) -> int:
         return len(self.patch)
 
-    def take(self, rows: NDArray[np.int64] | NDArray[np.bool_]) -> Pieces:
+    def take(self, rows: NDArray[np.int64] | NDArray[np.bool_]) -> "Pieces":
         """Some of the pieces."""
         return Pieces(*(getattr(self, field.name)[rows] for field in fields(self)))
 
-    def between(self, first: NDArray[np.float64], last: NDArray[np.float64]) -> Pieces:
+    def between(self, first: NDArray[np.float64], last: NDArray[np.float64]) -> "Pieces":
         """The part of each from one fraction of its parameter's range to another."""
         span = self.stop - self.start
         # Their own ends to the last bit.

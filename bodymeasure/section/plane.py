@@ -1,7 +1,5 @@
 """Planes that cut an atlas."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from typing import Self
 

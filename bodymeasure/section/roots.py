@@ -1,7 +1,5 @@
 """Roots of polynomials in Bernstein form, and of functions that change sign once in a bracket."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

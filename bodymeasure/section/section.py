@@ -1,7 +1,5 @@
 """The exact section of an atlas by a plane."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

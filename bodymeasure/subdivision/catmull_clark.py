@@ -7,16 +7,13 @@ H. Biermann, A. Levin and D. Zorin have it, "Piecewise smooth subdivision surfac
 control", SIGGRAPH 2000; corners are rounded like the rest of it.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.subdivision.quad_mesh import QuadMesh
 from bodymeasure.subdivision.sums import sum_at
-
-_Array = NDArray[np.float64]
 
 
 def subdivide(mesh: QuadMesh) -> QuadMesh:
@@ -51,7 +48,7 @@ def subdivide(mesh: QuadMesh) -> QuadMesh:
     return QuadMesh(np.concatenate([moved, edge_points, quad_points]), children.reshape(-1, 4))
 
 
-def limit_positions(mesh: QuadMesh) -> _Array:
+def limit_positions(mesh: QuadMesh) -> Array:
     """Where the vertices of a mesh come to lie on its Catmull-Clark surface.
 
     Returns
@@ -82,7 +79,7 @@ def limit_positions(mesh: QuadMesh) -> _Array:
     return np.asarray(limit)
 
 
-def _boundary_neighbors(mesh: QuadMesh) -> tuple[NDArray[np.int64], _Array]:
+def _boundary_neighbors(mesh: QuadMesh) -> tuple[NDArray[np.int64], Array]:
     """Vertices on the boundary, and for each the sum of its two neighbors along it."""
     ends = mesh.edges.ends[mesh.edges.boundary]
     count = np.bincount(ends.ravel(), minlength=len(mesh.vertices))

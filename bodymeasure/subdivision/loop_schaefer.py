@@ -4,19 +4,14 @@ C. Loop and S. Schaefer, "Approximating Catmull-Clark subdivision surfaces with 
 ACM Transactions on Graphics 27 (2008).
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh
 from bodymeasure.subdivision.sums import sum_at
-
-_Array = NDArray[np.float64]
-_Index = NDArray[np.int64]
 
 # Places (i, j) in a patch's net of what belongs to corner k of its quad: the corner itself, the
 # edge point beside it towards corner k + 1, that towards corner k - 1, and the inner point. u runs
@@ -37,8 +32,8 @@ class PatchNets:
     index : ndarray of int, shape (patches, 4, 4)
     """
 
-    points: _Array
-    index: _Index
+    points: Array
+    index: Ints
 
 
 def loop_schaefer(mesh: PolygonMesh) -> PatchNets:
@@ -92,7 +87,7 @@ def loop_schaefer(mesh: PolygonMesh) -> PatchNets:
     return PatchNets(np.concatenate([corner_points, edge_points, inner]), index)
 
 
-def _inner_points(mesh: PolygonMesh) -> _Array:
+def _inner_points(mesh: PolygonMesh) -> Array:
     """The inner control point beside each corner of each quad, shape (corners, 3)."""
     vertices, corners = mesh.vertices, mesh.corners
     opposite = mesh.following[mesh.following]
@@ -108,7 +103,7 @@ def _inner_points(mesh: PolygonMesh) -> _Array:
     return np.asarray(total / (weight + 5.0))
 
 
-def _edge_points(mesh: PolygonMesh, inner: _Array) -> _Array:
+def _edge_points(mesh: PolygonMesh, inner: Array) -> Array:
     """The two control points inside each edge, shape (2 edges, 3)."""
     upwards = mesh.corners < mesh.heads
     # Beside each half-edge lie two inner points, one at its tail and one at its head.
@@ -125,7 +120,7 @@ def _edge_points(mesh: PolygonMesh, inner: _Array) -> _Array:
     return np.where(follows[:, None], (2.0 * own + other) / 3.0, smooth)
 
 
-def _corner_points(mesh: PolygonMesh, inner: _Array) -> _Array:
+def _corner_points(mesh: PolygonMesh, inner: Array) -> Array:
     """Where each vertex comes to lie, shape (vertices, 3)."""
     count = len(mesh.vertices)
     faces = np.bincount(mesh.corners, minlength=count)[:, None]

@@ -1,7 +1,5 @@
 """Parts of a quad mesh, as masks of its quads."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """Meshes of polygons, with edges that stay sharp, and how their faces meet."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -10,9 +8,9 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Ints
 from bodymeasure.errors import InputError
 
-_Index = NDArray[np.int64]
 # Faces named in a message; the rest is counted.
 _NAMED = 4
 
@@ -44,9 +42,9 @@ class PolygonMesh:
     """
 
     vertices: NDArray[np.float64]
-    corners: _Index
-    sizes: _Index
-    creases: _Index
+    corners: Ints
+    sizes: Ints
+    creases: Ints
     face_names: Sequence[str] = ()
 
     def __post_init__(self) -> None:
@@ -56,12 +54,12 @@ class PolygonMesh:
         _check_creases(self)
 
     @cached_property
-    def face(self) -> _Index:
+    def face(self) -> Ints:
         """The face of each corner."""
         return np.repeat(np.arange(len(self.sizes)), self.sizes)
 
     @cached_property
-    def following(self) -> _Index:
+    def following(self) -> Ints:
         """The next corner round the face of each corner."""
         result = np.arange(1, len(self.corners) + 1)
         ends = np.cumsum(self.sizes)
@@ -69,29 +67,29 @@ class PolygonMesh:
         return result
 
     @cached_property
-    def preceding(self) -> _Index:
+    def preceding(self) -> Ints:
         """The corner before each round its face."""
         result = np.empty_like(self.following)
         result[self.following] = np.arange(len(result))
         return result
 
     @cached_property
-    def heads(self) -> _Index:
+    def heads(self) -> Ints:
         """The vertex to which each half-edge leads."""
         return self.corners[self.following]
 
     @cached_property
-    def edge(self) -> _Index:
+    def edge(self) -> Ints:
         """Number of the edge of each half-edge."""
         return self._edges[1]
 
     @cached_property
-    def ends(self) -> _Index:
+    def ends(self) -> Ints:
         """Vertex numbers of each edge, the lower first; shape (edges, 2)."""
         return np.stack(np.divmod(self._edges[0], len(self.vertices)), axis=-1)
 
     @cached_property
-    def sides(self) -> _Index:
+    def sides(self) -> Ints:
         """How many faces each edge has: 2, or 1 on the boundary."""
         return np.bincount(self.edge)
 
@@ -104,7 +102,7 @@ class PolygonMesh:
         return result
 
     @cached_property
-    def sector(self) -> _Index:
+    def sector(self) -> Ints:
         """For each corner a number that those share with which it is joined round its vertex.
 
         Sharp edges part them.
@@ -131,23 +129,23 @@ class PolygonMesh:
         return np.asarray((count == 2) & ~self.corner_vertices)
 
     @cached_property
-    def _edges(self) -> tuple[_Index, _Index]:
+    def _edges(self) -> tuple[Ints, Ints]:
         keys, edge = np.unique(_key(self, self.corners, self.heads), return_inverse=True)
         return keys, edge
 
-    def called(self, faces: Sequence[int] | _Index) -> str:
+    def called(self, faces: Sequence[int] | Ints) -> str:
         """Names of faces, for a message."""
         names = [self.face_names[f] if self.face_names else f"face {f}" for f in faces[:_NAMED]]
         more = f" and {len(faces) - _NAMED} more" if len(faces) > _NAMED else ""
         return ", ".join(names) + more
 
 
-def _key(mesh: PolygonMesh, tail: _Index, head: _Index) -> _Index:
+def _key(mesh: PolygonMesh, tail: Ints, head: Ints) -> Ints:
     """A number for each pair of vertices, in either order."""
     return np.asarray(np.minimum(tail, head) * len(mesh.vertices) + np.maximum(tail, head))
 
 
-def _joined_corners(mesh: PolygonMesh, passed: NDArray[np.bool_]) -> _Index:
+def _joined_corners(mesh: PolygonMesh, passed: NDArray[np.bool_]) -> Ints:
     """A number for each corner, the same for those joined over `passed` edges at their vertex."""
     order = np.argsort(mesh.edge, kind="stable")
     inner = (mesh.sides == 2) & passed

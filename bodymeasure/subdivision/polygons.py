@@ -1,18 +1,13 @@
 """Quads instead of polygons, by one step of Catmull-Clark subdivision."""
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh
 from bodymeasure.subdivision.sums import sum_at
 
-_Array = NDArray[np.float64]
-_Index = NDArray[np.int64]
 
-
-def quads_of(mesh: PolygonMesh) -> tuple[PolygonMesh, _Index]:
+def quads_of(mesh: PolygonMesh) -> tuple[PolygonMesh, Ints]:
     """A mesh of quads with the same limit surface: the mesh itself if it has no other faces.
 
     Parameters
@@ -55,7 +50,7 @@ def quads_of(mesh: PolygonMesh) -> tuple[PolygonMesh, _Index]:
     return finer, mesh.face
 
 
-def _moved(mesh: PolygonMesh, face_points: _Array, midpoints: _Array) -> _Array:
+def _moved(mesh: PolygonMesh, face_points: Array, midpoints: Array) -> Array:
     """The vertices in their new places."""
     count = len(mesh.vertices)
     # Round an inner vertex there are as many faces as edges.

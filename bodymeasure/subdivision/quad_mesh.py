@@ -1,7 +1,5 @@
 """Meshes of quadrilaterals, open or closed, with vertices of any valence."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple

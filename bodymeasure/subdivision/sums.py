@@ -1,14 +1,12 @@
 """Sums over what belongs to each vertex or edge."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 
-_Array = NDArray[np.float64]
+from bodymeasure._typing import Array
 
 
-def sum_at(index: NDArray[np.int64], values: _Array, count: int) -> _Array:
+def sum_at(index: NDArray[np.int64], values: Array, count: int) -> Array:
     """Sums of values (..., 3) over each number that occurs in `index`, shape (count, 3).
 
     `values` has the shape of `index`, or one row for each row of it.

@@ -1,18 +1,13 @@
 """The quadratic problem of a string between tangent planes: which of them hold it, and where."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools
 from bodymeasure.taut.skin import Feet, Skin
 from bodymeasure.taut.valleys import feet_over_valleys
-
-_Array = NDArray[np.float64]
-_Flags = NDArray[np.bool_]
 
 # Changes of the set of walls that hold the string: it settles in 2 to 10.
 MAX_EXCHANGES = 25
@@ -26,13 +21,13 @@ class Walls(NamedTuple):
     Normals (k, 2, 3), gaps (k, 2), their second derivatives (k, 2, 3, 3), and which are there.
     """
 
-    normal: _Array
-    gap: _Array
-    bend: _Array
-    there: _Flags
+    normal: Array
+    gap: Array
+    bend: Array
+    there: Bools
 
 
-def walls_of(skin: Skin, positions: _Array, feet: Feet, reach: _Array) -> Walls:
+def walls_of(skin: Skin, positions: Array, feet: Feet, reach: Array) -> Walls:
     """The tangent planes at the feet of positions (k, 3), and over valleys within reach (k,)."""
     count = len(positions)
     normal = np.repeat(feet.normal[:, None], 2, axis=1)
@@ -48,8 +43,8 @@ def walls_of(skin: Skin, positions: _Array, feet: Feet, reach: _Array) -> Walls:
 
 
 def equilibrium(
-    nodes: _Array, weights: _Array, walls: Walls, pressure: _Array, held: _Flags
-) -> tuple[_Array, _Array, _Flags]:
+    nodes: Array, weights: Array, walls: Walls, pressure: Array, held: Bools
+) -> tuple[Array, Array, Bools]:
     """Steps (k, 3), pressures and walls touched (k, 2) of one round."""
     springs = 1.0 / weights
     force = np.diff(springs[:, None] * np.diff(nodes, axis=0), axis=0)
@@ -62,8 +57,8 @@ def equilibrium(
 
 
 def _active_set(
-    springs: _Array, force: _Array, walls: Walls, bend: _Array, held: _Flags
-) -> tuple[_Array, _Array, _Flags] | None:
+    springs: Array, force: Array, walls: Walls, bend: Array, held: Bools
+) -> tuple[Array, Array, Bools] | None:
     stiff = (springs[:-1] + springs[1:])[:, None, None] * np.eye(3) - bend
     seen: list[bytes] = []
     for _ in range(MAX_EXCHANGES):
@@ -86,7 +81,7 @@ def _active_set(
     return step, np.where(held, np.maximum(load, 0.0), 0.0), held
 
 
-def _frames(walls: Walls, held: _Flags) -> tuple[_Array, _Flags, _Array]:
+def _frames(walls: Walls, held: Bools) -> tuple[Array, Bools, Array]:
     """Orthonormal frames (k, 3, 3), which of their coordinates are fixed, and at what.
 
     The first column is the normal of the wall held; of two, the second lies in their plane.
@@ -113,7 +108,7 @@ def _frames(walls: Walls, held: _Flags) -> tuple[_Array, _Flags, _Array]:
     return frames, fixed, prescribed
 
 
-def _loads(walls: Walls, held: _Flags, reaction: _Array, frames: _Array) -> _Array:
+def _loads(walls: Walls, held: Bools, reaction: Array, frames: Array) -> Array:
     """The walls' pressures (k, 2) whose sum is the reaction (k, 3)."""
     load = np.einsum("kwc,kc->kw", walls.normal, reaction)
     row = np.flatnonzero(held.all(axis=1))
@@ -128,8 +123,8 @@ def _loads(walls: Walls, held: _Flags, reaction: _Array, frames: _Array) -> _Arr
 
 
 def _solve(
-    diagonal: _Array, coupling: _Array, force: _Array, fixed: _Flags, prescribed: _Array
-) -> tuple[_Array, _Array] | None:
+    diagonal: Array, coupling: Array, force: Array, fixed: Bools, prescribed: Array
+) -> tuple[Array, Array] | None:
     """Equilibrium with some coordinates prescribed.
 
     Returns coordinates (k, 3) and reactions (k, 3), or None if the matrix is not positive definite.
@@ -159,14 +154,14 @@ def _solve(
     return z, _apply(diagonal, coupling, z) - force
 
 
-def _apply(diagonal: _Array, coupling: _Array, z: _Array) -> _Array:
+def _apply(diagonal: Array, coupling: Array, z: Array) -> Array:
     result = np.einsum("kij,kj->ki", diagonal, z)
     result[:-1] += np.einsum("kij,kj->ki", coupling, z[1:])
     result[1:] += np.einsum("kji,kj->ki", coupling, z[:-1])
     return np.asarray(result)
 
 
-def _completed(normal: _Array) -> _Array:
+def _completed(normal: Array) -> Array:
     """Orthonormal frames whose first column is the normal, shape (k, 3, 3)."""
     sign = np.where(normal[:, 2] >= 0.0, 1.0, -1.0)
     # T. Duff et al., Building an orthonormal basis, revisited, JCGT 6 (2017).

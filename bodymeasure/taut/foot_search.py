@@ -1,13 +1,9 @@
 """Closest points of single patches, by Newton's method from starts nearby."""
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.taut.jets import jets
-
-_Array = NDArray[np.float64]
 
 # Newton's steps for a foot on one patch, halvings included. From a sample beside it, four serve.
 MAX_STEPS = 40
@@ -23,7 +19,7 @@ DAMPING = 1e-9
 ROUNDING = 1e-12
 
 
-def descend(coefficients: _Array, targets: _Array, start: _Array) -> tuple[_Array, _Array]:
+def descend(coefficients: Array, targets: Array, start: Array) -> tuple[Array, Array]:
     """The closest points of patches, each from a start nearby.
 
     Parameters
@@ -68,7 +64,7 @@ def descend(coefficients: _Array, targets: _Array, start: _Array) -> tuple[_Arra
     return trial, _dot(offset, offset)
 
 
-def _step(s: _Array, offset: _Array, x: _Array) -> _Array:
+def _step(s: Array, offset: Array, x: Array) -> Array:
     """Newton's step of the coordinates that are free, shape (k, 2), capped.
 
     Gauss-Newton's where the Hessian is not positive definite.
@@ -92,5 +88,5 @@ def _step(s: _Array, offset: _Array, x: _Array) -> _Array:
     return np.asarray(step * np.minimum(1.0, LONGEST_STEP / np.maximum(longest, LONGEST_STEP)))
 
 
-def _dot(a: _Array, b: _Array) -> _Array:
+def _dot(a: Array, b: Array) -> Array:
     return np.asarray(np.einsum("kc,kc->k", a, b))

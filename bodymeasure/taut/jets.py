@@ -4,19 +4,15 @@ The same numbers as `bodymeasure.bezier.derivatives`, three times as fast on som
 there, more time goes into preparing the Bernstein basis than into arithmetic.
 """
 
-from __future__ import annotations
-
 from math import factorial
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier import bernstein, divide
 
-_Array = NDArray[np.float64]
 
-
-def power_coefficients(nets: _Array) -> _Array:
+def power_coefficients(nets: Array) -> Array:
     """Coefficients of u^i v^j of patches, shapes (patches, m + 1, m + 1, 3 or 4)."""
     degree = nets.shape[-2] - 1
     # Row k: the k-th derivative at 0 over k!.
@@ -25,7 +21,7 @@ def power_coefficients(nets: _Array) -> _Array:
     return np.asarray(np.einsum("ai,bj,pijc->pabc", to_powers, to_powers, nets))
 
 
-def jets(coefficients: _Array, x: _Array) -> _Array:
+def jets(coefficients: Array, x: Array) -> Array:
     """Derivatives up to the second of patches (k, m + 1, m + 1, 3 or 4) at parameters x (k, 2).
 
     Returns

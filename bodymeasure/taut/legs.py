@@ -1,7 +1,5 @@
 """Where the legs of a path through several points meet."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,19 +1,16 @@
 """On which side of each patch the body's outside lies."""
 
-from __future__ import annotations
-
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.joins import parts, round_of_side, seams_of, turned_patches
 from bodymeasure.atlas.seams import EdgeTable
 from bodymeasure.errors import InputError
-
-_Array = NDArray[np.float64]
 
 Outside = Literal["told", "along normals", "against normals"]
 """Told from what the surface encloses, or the side to which S_u x S_v points, or the other."""
@@ -25,7 +22,7 @@ LARGEST_OPENING = 0.25
 LEAST_VOLUME = 1e-3
 
 
-def outward_signs(atlas: Atlas, samples: _Array, table: EdgeTable, outside: Outside) -> _Array:
+def outward_signs(atlas: Atlas, samples: Array, table: EdgeTable, outside: Outside) -> Array:
     """By what S_u x S_v is multiplied to point out of the body, 1 or -1 for each patch.
 
     Parameters
@@ -90,7 +87,7 @@ def _collapsed(table: EdgeTable) -> NDArray[np.bool_]:
     return np.asarray((control == control[:, :, :1]).all(axis=2))
 
 
-def _triangle_sums(samples: _Array) -> tuple[_Array, _Array]:
+def _triangle_sums(samples: Array) -> tuple[Array, Array]:
     """Area and signed volume (seen from the samples' center) of each patch, shapes (patches,)."""
     local = samples - samples.mean(axis=(0, 1, 2))
     a, b = local[:, :-1, :-1], local[:, 1:, :-1]
@@ -105,8 +102,8 @@ def _triangle_sums(samples: _Array) -> tuple[_Array, _Array]:
 
 
 def _caps(
-    samples: _Array, table: EdgeTable, signs: _Array, part: NDArray[np.int64]
-) -> tuple[_Array, _Array]:
+    samples: Array, table: EdgeTable, signs: Array, part: NDArray[np.int64]
+) -> tuple[Array, Array]:
     """Area and signed volume of the cones that close each part's openings, shapes (parts,)."""
     count = int(part.max()) + 1
     area, volume = np.zeros(count), np.zeros(count)

@@ -1,16 +1,13 @@
 """The length of a taut string: nodes where they are needed, arcs for segments that touch."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.taut.skin import Skin
 from bodymeasure.taut.string import String, relax
-
-_Array = NDArray[np.float64]
 
 # Of the length: segments whose length is in doubt by more are divided.
 SEGMENT_TOLERANCE = 3e-9
@@ -33,12 +30,12 @@ class Measured(NamedTuple):
         How deep the segment's middle lies inside the skin; 0 outside.
     """
 
-    length: _Array
-    doubt: _Array
-    depth: _Array
+    length: Array
+    doubt: Array
+    depth: Array
 
 
-def measured(skin: Skin, nodes: _Array) -> Measured:
+def measured(skin: Skin, nodes: Array) -> Measured:
     """Lengths of the arcs over the skin that a string's segments cut short.
 
     Notes

@@ -1,21 +1,17 @@
 """The sides of patches, numbered as in `bodymeasure.atlas.EDGES`, and what is beyond them."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.seams import EDGES, EdgeTable
-
-_Array = NDArray[np.float64]
-_Ints = NDArray[np.int64]
 
 # Of each side: the parameter that is fixed on it, and at what.
 AXIS = np.array([edge.fixed_axis for edge in EDGES])
 VALUE = np.array([edge.fixed_value for edge in EDGES])
 
 
-def over_sides(table: EdgeTable) -> tuple[_Ints, _Ints, NDArray[np.bool_]]:
+def over_sides(table: EdgeTable) -> tuple[Ints, Ints, NDArray[np.bool_]]:
     """Patch and side over each side (patches, 4), -1 on a boundary, and whether it runs against."""
     to_patch = np.full(table.edge.shape, -1, dtype=np.int64)
     to_side = np.full(table.edge.shape, -1, dtype=np.int64)
@@ -30,14 +26,14 @@ def over_sides(table: EdgeTable) -> tuple[_Ints, _Ints, NDArray[np.bool_]]:
     return to_patch, to_side, flipped
 
 
-def on_sides(x: _Array) -> tuple[_Ints, _Ints]:
+def on_sides(x: Array) -> tuple[Ints, Ints]:
     """Rows and sides of the parameters that lie on sides; a corner lies on two."""
     on = np.stack([x[:, edge.fixed_axis] == edge.fixed_value for edge in EDGES], axis=1)
     row, side = np.nonzero(on)
     return row, side
 
 
-def entered(x: _Array, side: _Ints, to_side: _Ints, flipped: NDArray[np.bool_]) -> _Array:
+def entered(x: Array, side: Ints, to_side: Ints, flipped: NDArray[np.bool_]) -> Array:
     """Parameters of the same points on the patches over their sides."""
     rows = np.arange(len(x))
     along = x[rows, 1 - AXIS[side]]

@@ -1,14 +1,12 @@
 """The skin of a body as an obstacle: feet of positions on it, and how far outside they are."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.seams import edge_table
 from bodymeasure.bezier import evaluate
@@ -17,9 +15,6 @@ from bodymeasure.taut.jets import power_coefficients
 from bodymeasure.taut.outside import Outside, outward_signs
 from bodymeasure.taut.sides import entered, on_sides, over_sides
 from bodymeasure.taut.tangents import normals_and_bends
-
-_Array = NDArray[np.float64]
-_Ints = NDArray[np.int64]
 
 # Samples a side of each patch, whose closest one tells where a search starts: closer than what
 # bends a body's surface.
@@ -50,13 +45,13 @@ class Feet(NamedTuple):
         Second derivatives of the gap by the position, at the foot: minus the shape operator.
     """
 
-    patch: _Ints
-    parameters: _Array
-    position: _Array
-    normal: _Array
-    gap: _Array
-    depth: _Array
-    bend: _Array
+    patch: Ints
+    parameters: Array
+    position: Array
+    normal: Array
+    gap: Array
+    depth: Array
+    bend: Array
 
 
 class Skin:
@@ -86,7 +81,7 @@ class Skin:
         self.size = float(np.ptp(flat, axis=0).max())
         self.to_patch, self.to_side, self.flipped = over_sides(table)
 
-    def feet(self, positions: _Array) -> Feet:
+    def feet(self, positions: Array) -> Feet:
         """The closest points of the skin to positions (k, 3)."""
         _, nearest = self.tree.query(positions)
         patch, sample = np.divmod(np.asarray(nearest, dtype=np.int64), SAMPLES**2)
@@ -94,7 +89,7 @@ class Skin:
         self._cross(positions, patch, x, squared)
         return self._read(positions, patch, x)
 
-    def _cross(self, positions: _Array, patch: _Ints, x: _Array, squared: _Array) -> None:
+    def _cross(self, positions: Array, patch: Ints, x: Array, squared: Array) -> None:
         """Go on over the seams on which searches ended, where that leads closer; in place."""
         pending = np.arange(len(patch))
         for _ in range(MAX_CROSSINGS):
@@ -113,12 +108,12 @@ class Skin:
             patch[found], x[found], squared[found] = to_patch[better], there[better], closer[better]
             pending = np.unique(found)
 
-    def entered(self, patch: _Ints, x: _Array, side: _Ints) -> tuple[_Ints, _Array]:
+    def entered(self, patch: Ints, x: Array, side: Ints) -> tuple[Ints, Array]:
         """The patches over sides of patches, and the parameters of the same points on them."""
         to_patch, to_side = self.to_patch[patch, side], self.to_side[patch, side]
         return to_patch, entered(x, side, to_side, self.flipped[patch, side])
 
-    def _read(self, positions: _Array, patch: _Ints, x: _Array) -> Feet:
+    def _read(self, positions: Array, patch: Ints, x: Array) -> Feet:
         foot, normal, bend = self.frame(patch, x)
         offset = positions - foot
         gap = np.einsum("kc,kc->k", offset, normal)
@@ -135,7 +130,7 @@ class Skin:
         depth = np.where(gap < 0.0, np.where(beyond, -gap, distance), 0.0)
         return Feet(patch, x, foot, normal, gap, depth, bend)
 
-    def frame(self, patch: _Ints, x: _Array) -> tuple[_Array, _Array, _Array]:
+    def frame(self, patch: Ints, x: Array) -> tuple[Array, Array, Array]:
         """Positions, unit normals out of the body, and second derivatives of the gap."""
         position, normal, bend = normals_and_bends(self.coefficients[patch], x)
         sign = self.signs[patch]

@@ -1,17 +1,13 @@
 """One leg of a taut tape: strings of more and more points, and the error of their length."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.taut.refine import divided, doubtful_parts, measured
 from bodymeasure.taut.skin import Skin
 from bodymeasure.taut.string import relax
-
-_Array = NDArray[np.float64]
 
 # Of the length: error estimates below need no finer string.
 TOLERANCE = 2e-6
@@ -41,14 +37,14 @@ class Drawn(NamedTuple):
         Whether the string came to rest.
     """
 
-    nodes: _Array
-    normals: _Array
+    nodes: Array
+    normals: Array
     length: float
     error: float
     settled: bool
 
 
-def draw_taut(skin: Skin, nodes: _Array) -> Drawn:
+def draw_taut(skin: Skin, nodes: Array) -> Drawn:
     """Draw a leg taut.
 
     Parameters

@@ -1,7 +1,5 @@
 """How a taut tape ended."""
 
-from __future__ import annotations
-
 from enum import Enum
 
 

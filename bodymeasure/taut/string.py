@@ -1,17 +1,12 @@
 """A string drawn taut over the skin: nodes, springs between them, and which nodes touch."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools
 from bodymeasure.taut.equilibrium import equilibrium, walls_of
 from bodymeasure.taut.skin import Feet, Skin
-
-_Array = NDArray[np.float64]
-_Flags = NDArray[np.bool_]
 
 # Rounds of feet and springs. Newton-like ones take 4 to 8; strings that slide sideways take more.
 MAX_ROUNDS = 40
@@ -50,21 +45,21 @@ class String(NamedTuple):
     settled : bool
     """
 
-    nodes: _Array
-    weights: _Array
+    nodes: Array
+    weights: Array
     feet: Feet
-    touching: _Flags
-    pressure: _Array
+    touching: Bools
+    pressure: Array
     unrest: float
     settled: bool
 
 
-def polygon_length(nodes: _Array) -> float:
+def polygon_length(nodes: Array) -> float:
     """Sum of the lengths of the segments."""
     return float(np.linalg.norm(np.diff(nodes, axis=0), axis=1).sum())
 
 
-def relax(skin: Skin, nodes: _Array, weights: _Array, pressure: _Array | None = None) -> String:
+def relax(skin: Skin, nodes: Array, weights: Array, pressure: Array | None = None) -> String:
     """Let a string slide to rest outside the skin.
 
     Parameters
@@ -113,7 +108,7 @@ def relax(skin: Skin, nodes: _Array, weights: _Array, pressure: _Array | None = 
     return String(nodes, weights, feet, touching, load.sum(axis=1), unrest, settled)
 
 
-def _unrest(step: _Array, weights: _Array, load: _Array, gap: _Array) -> float:
+def _unrest(step: Array, weights: Array, load: Array, gap: Array) -> float:
     """Energy of the last step, and what it costs to bring nodes to the skin from off or inside it.
 
     Over the tension, it is a length: energy is length squared over twice the sum of weights.

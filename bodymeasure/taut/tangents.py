@@ -1,20 +1,17 @@
 """Normals and bends of patches."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.taut.jets import jets
-
-_Array = NDArray[np.float64]
 
 # Sine: tangents closer than this span no plane, and the normal is taken a little aside.
 DEGENERATE = 1e-9
 ASIDE = 1e-4
 
 
-def normals_and_bends(coefficients: _Array, x: _Array) -> tuple[_Array, _Array, _Array]:
+def normals_and_bends(coefficients: Array, x: Array) -> tuple[Array, Array, Array]:
     """Positions, unit normals along S_u x S_v, and how they bend.
 
     Parameters
@@ -40,7 +37,7 @@ def normals_and_bends(coefficients: _Array, x: _Array) -> tuple[_Array, _Array, 
     return s[:, 0, 0], normal, _bend(s, normal, sine >= DEGENERATE)
 
 
-def _unit_normal(su: _Array, sv: _Array) -> tuple[_Array, _Array]:
+def _unit_normal(su: Array, sv: Array) -> tuple[Array, Array]:
     """Unit normals, and the sines of the angles between the tangents."""
     cross = np.cross(su, sv)
     length = np.linalg.norm(cross, axis=1)
@@ -49,7 +46,7 @@ def _unit_normal(su: _Array, sv: _Array) -> tuple[_Array, _Array]:
     return cross / np.maximum(length, tiny)[:, None], length / np.maximum(product, tiny)
 
 
-def _bend(s: _Array, normal: _Array, regular: NDArray[np.bool_]) -> _Array:
+def _bend(s: Array, normal: Array, regular: NDArray[np.bool_]) -> Array:
     """Second derivatives of the distance to the surface, 0 where it has no tangents."""
     tangents = np.stack([s[:, 1, 0], s[:, 0, 1]], axis=2)
     metric = tangents.swapaxes(1, 2) @ tangents

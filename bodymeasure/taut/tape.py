@@ -1,7 +1,5 @@
 """The taut tape: the shortest way outside the body between two of its points."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -10,6 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.units import Unit
@@ -20,8 +19,6 @@ from bodymeasure.taut.outside import Outside
 from bodymeasure.taut.skin import Skin, skin_of
 from bodymeasure.taut.solve import Drawn, draw_taut
 from bodymeasure.taut.status import TautStatus
-
-_Array = NDArray[np.float64]
 
 # Segments that a leg starts with.
 SEGMENTS = 32
@@ -57,8 +54,8 @@ class TautTape:
     error_estimate: float
     status: TautStatus
     unit: Unit
-    points: _Array = field(repr=False)
-    normals: _Array = field(repr=False)
+    points: Array = field(repr=False)
+    normals: Array = field(repr=False)
     contact: AtlasPath = field(repr=False)
     chord: float
 

@@ -1,25 +1,19 @@
 """Second feet of positions, beyond the seams of valleys nearby."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.taut.foot_search import descend
 from bodymeasure.taut.jets import jets
 from bodymeasure.taut.sides import AXIS, VALUE
 from bodymeasure.taut.skin import Feet, Skin
 
-_Array = NDArray[np.float64]
-_Ints = NDArray[np.int64]
-
 # Sine: valleys so shallow between two patches hold no string.
 FLAT = 1e-7
 
 
-def feet_over_valleys(
-    skin: Skin, positions: _Array, feet: Feet, reach: _Array
-) -> tuple[_Ints, Feet]:
+def feet_over_valleys(skin: Skin, positions: Array, feet: Feet, reach: Array) -> tuple[Ints, Feet]:
     """Feet on the other side of valleys between patches that pass within reach of feet.
 
     Parameters
@@ -51,7 +45,7 @@ def feet_over_valleys(
     return row, Feet(to_patch, x, foot, normal, gap, np.maximum(0.0, -gap), bend)
 
 
-def _nearest_sides(skin: Skin, feet: Feet) -> tuple[_Ints, _Array]:
+def _nearest_sides(skin: Skin, feet: Feet) -> tuple[Ints, Array]:
     """The joined side that is nearest to each foot, and about how far it is."""
     s = jets(skin.coefficients[feet.patch], feet.parameters)
     speed = np.linalg.norm(np.stack([s[:, 1, 0], s[:, 0, 1]], axis=1), axis=2)
@@ -61,7 +55,7 @@ def _nearest_sides(skin: Skin, feet: Feet) -> tuple[_Ints, _Array]:
     return side, away[np.arange(len(side)), side]
 
 
-def _rises(skin: Skin, patch: _Ints, seam: _Array, side: _Ints) -> NDArray[np.bool_]:
+def _rises(skin: Skin, patch: Ints, seam: Array, side: Ints) -> NDArray[np.bool_]:
     """Whether the patches over some sides rise from the tangent planes of those before."""
     _, normal, _ = skin.frame(patch, seam)
     to_patch, start = skin.entered(patch, seam, side)

@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
@@ -8,11 +6,11 @@ from grids import grid_atlas, grid_index
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
-from numpy.typing import NDArray
 from quadrics import sphere_nets
 from scipy.spatial.transform import Rotation
 
 from bodymeasure import InputError
+from bodymeasure._typing import Array
 from bodymeasure.atlas import (
     Atlas,
     AtlasPoint,
@@ -27,7 +25,6 @@ from bodymeasure.bezier import elevate, project
 from bodymeasure.measure import body_girth
 from bodymeasure.samples import load_sample, sample_names
 
-Array = NDArray[np.float64]
 ARC = 4 / 3 * (np.sqrt(2) - 1)
 
 

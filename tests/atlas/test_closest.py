@@ -1,7 +1,5 @@
 """Closest points of an atlas."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from numpy.typing import ArrayLike, NDArray

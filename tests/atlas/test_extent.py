@@ -1,7 +1,5 @@
 """Sizes of surfaces."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from quadrics import joined, sphere_nets, torus_nets

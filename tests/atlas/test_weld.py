@@ -1,26 +1,22 @@
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from grids import grid_atlas
 from hypothesis import given
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
 from bodymeasure import Atlas, InputError, Unit, check_atlas
+from bodymeasure._typing import Array
 from bodymeasure.atlas import FindingKind, edge_table, weld
 
-_Array = NDArray[np.float64]
 
-
-def hills(x: _Array, y: _Array) -> _Array:
+def hills(x: Array, y: Array) -> Array:
     return np.stack([x, y, 0.2 * np.sin(x + 2.0 * y)], axis=-1)
 
 
 GRID = grid_atlas(3, 4, hills)
 
 
-def welded(nets: _Array, tolerance: float | None = None) -> Atlas:
+def welded(nets: Array, tolerance: float | None = None) -> Atlas:
     points, index = weld(nets, tolerance)
     assert points.shape == (index.max() + 1, 3)
     return Atlas(points, index, Unit.CM)
@@ -30,7 +26,7 @@ def kinds(atlas: Atlas) -> set[FindingKind]:
     return {finding.kind for finding in check_atlas(atlas)}
 
 
-def turned(nets: _Array, rng: np.random.Generator) -> _Array:
+def turned(nets: Array, rng: np.random.Generator) -> Array:
     """Each patch with its parameters swapped or reversed at random."""
     result = nets.copy()
     for net in result:
@@ -96,7 +92,7 @@ def test_t_junctions_stay_and_are_reported() -> None:
     assert FindingKind.T_JUNCTION in kinds(atlas)
 
 
-def cap(count: int) -> _Array:
+def cap(count: int) -> Array:
     """Sectors of a dome: the edge u = 0 of each is its top."""
     angle = 2.0 * np.pi * np.arange(3 * count + 1) / (3 * count)
     # Seams agree to the last bit.

@@ -1,7 +1,5 @@
 """The independent method that tells the true lengths."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from surfaces import ENNEPER, SURFACES, Surface

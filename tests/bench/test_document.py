@@ -1,7 +1,5 @@
 """The numbers of a small run, and its files."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json

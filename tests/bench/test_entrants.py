@@ -1,7 +1,5 @@
 """Every method that takes part, on lengths in closed form."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from command_line import hide_here

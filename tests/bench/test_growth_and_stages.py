@@ -1,7 +1,5 @@
 """What a batch takes, and where the time of one goes."""
 
-from __future__ import annotations
-
 import pytest
 
 from bodymeasure.bench.growth import measure_growth

@@ -1,7 +1,5 @@
 """Taking turns, counting failures, holding threads."""
 
-from __future__ import annotations
-
 import time
 
 import numpy as np

@@ -13,8 +13,6 @@ Run it by hand: ``python tests/benchmarks/adversarial.py [--problems N] [--first
 half an hour. Problem k is the same however many are run.
 """
 
-from __future__ import annotations
-
 import os
 
 os.environ["OMP_NUM_THREADS"] = "1"
@@ -34,9 +32,11 @@ from bodymeasure.bezier import evaluate
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from benchmarks import reference
 from benchmarks.enlarged import Enlarged, enlarged
-from benchmarks.reference import Array, Problems
+from benchmarks.reference import Problems
 from benchmarks.spline_paths import descend, greville, lengths, refined
 from wicked import SPOILS, random_ends, wicked
+
+from bodymeasure._typing import Array
 
 SEED = 20240301
 SLOW = 1.0

@@ -3,8 +3,6 @@
 python tests/benchmarks/chart.py [BODY ...] [--values]
 """
 
-from __future__ import annotations
-
 import os
 
 os.environ["OMP_NUM_THREADS"] = "1"

@@ -11,8 +11,6 @@ Then each problem is solved alone, as a user would, with the default search: pro
 best of three.
 """
 
-from __future__ import annotations
-
 import os
 
 os.environ["OMP_NUM_THREADS"] = "1"
@@ -30,7 +28,9 @@ import bodymeasure as bm
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from benchmarks import reference
 from benchmarks.polygons import LEVELS, Polygons, shortest_polygons
-from benchmarks.reference import Array, Problems
+from benchmarks.reference import Problems
+
+from bodymeasure._typing import Array
 
 # The bar of the project for paths along edges, relative.
 BAR = 1e-7

@@ -4,8 +4,6 @@ Between points 1e-12 apart, parameters in double precision tell four digits of t
 of the patch about them they tell all, if its control points are those of the patch as given.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
@@ -13,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from bodymeasure._typing import Array
 
 # The part reaches further by this many times the distance of the points, each way, in the patch.
 MARGIN = 2

@@ -16,8 +16,6 @@ computed and with the correction; how many corrected lengths are more than 1e-8 
 stand the worst lengths that are so far off, or whose error is more than the estimate.
 """
 
-from __future__ import annotations
-
 import os
 
 os.environ["OMP_NUM_THREADS"] = "1"
@@ -41,7 +39,9 @@ from bodymeasure.geodesic import Method
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from benchmarks import reference
-from benchmarks.reference import Array, Problems, Reference
+from benchmarks.reference import Problems, Reference
+
+from bodymeasure._typing import Array
 
 # Relative errors below this are rounding; no estimate is sharp there.
 ROUNDING = 1e-15

@@ -7,8 +7,6 @@ also where patches share no vertices; then for the mesh, that of the patches alo
 reading it from an OBJ file. One thread; of three runs the shortest.
 """
 
-from __future__ import annotations
-
 import argparse
 import os
 import sys

@@ -8,8 +8,6 @@ error than `InputError`, took more than a second, left what is no number in the 
 process grow beyond bounds.
 """
 
-from __future__ import annotations
-
 import argparse
 import os
 import resource

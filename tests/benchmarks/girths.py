@@ -5,8 +5,6 @@ and how far sections by random planes are from those of tessellations, which tak
 160 planes of a body. It needs ``PYTHONPATH=tests``, for `mesh_sections`.
 """
 
-from __future__ import annotations
-
 import os
 
 os.environ["OMP_NUM_THREADS"] = "1"

@@ -8,8 +8,6 @@ once more, in an order drawn anew. Prints the processor times, the median over t
 over without, and that of without over without, which is what chance makes of it.
 """
 
-from __future__ import annotations
-
 import argparse
 import os
 import random

@@ -16,9 +16,9 @@ off, and no more than that is the refinement's. Problems without a length have a
 so; they are listed, and are not counted as misses.
 """
 
-from __future__ import annotations
-
 import os
+
+from bodymeasure._typing import Ints
 
 os.environ["OMP_NUM_THREADS"] = "1"
 import argparse
@@ -28,15 +28,14 @@ from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 import bodymeasure as bm
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
-from benchmarks.reference import Array, symmetric, wild_patches
+from benchmarks.reference import symmetric, wild_patches
 from benchmarks.spline_paths import descend, greville, lengths, places, refined
 
-Numbers = NDArray[np.int64]
+from bodymeasure._typing import Array
 
 # Relative; the second for paths along edges.
 MISS, OFF = 1e-6, 1e-7
@@ -92,8 +91,8 @@ def shortest(nets: Array, rng: np.random.Generator) -> tuple[Array, Array]:
     return best, change
 
 
-def _finalists(owners: Numbers, paths: Array, length: Array) -> list[int]:
-    """Numbers of the paths that are worth being refined."""
+def _finalists(owners: Ints, paths: Array, length: Array) -> list[int]:
+    """Ints of the paths that are worth being refined."""
     points = places(paths, TIMES)
     result = []
     for patch in np.unique(owners):
@@ -165,7 +164,7 @@ def compare(kind: str, nets: Array) -> None:
             print(f"    no length: {listed}: {_some(failed)}", flush=True)
 
 
-def _tell(what: str, numbers: Numbers, excess: Array) -> None:
+def _tell(what: str, numbers: Ints, excess: Array) -> None:
     if len(numbers):
         print(f"    {what}: {_some(f'{i} ({excess[i]:.1e})' for i in numbers)}", flush=True)
 

@@ -4,8 +4,6 @@ Run it by hand: ``python tests/benchmarks/oracle_levels.py [SAMPLE] [--patches N
 is `scipy.integrate.solve_bvp` on the geodesic equation, which shares nothing with the oracle.
 """
 
-from __future__ import annotations
-
 import argparse
 import os
 import time
@@ -13,15 +11,13 @@ import warnings
 from unittest import mock
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.integrate import solve_bvp
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier import derivatives
 from bodymeasure.oracle import LEVELS, MeshDistances, mesh_distances
 from bodymeasure.oracle.grid import CELLS_V_PER_U
 from bodymeasure.samples import load_sample
-
-Array = NDArray[np.float64]
 
 START = np.array([(0.0, 0.0), (1.0, 0.0)])
 END = np.array([(1.0, 1.0), (0.0, 1.0)])

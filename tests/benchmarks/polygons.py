@@ -7,17 +7,14 @@ Chords are shorter than the way, by the square of the number of edges: Richardso
 several numbers gives the length, and tells how sure it is. Of bodymeasure's solver nothing is used.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, solveh_banded
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier import derivatives, evaluate
-
-Array = NDArray[np.float64]
 
 EDGES = ("u = 0", "u = 1", "v = 0", "v = 1")
 LEVELS = (128, 256, 512, 1024, 2048, 4096)

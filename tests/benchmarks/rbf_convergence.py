@@ -16,8 +16,6 @@ length, in % (Newton's method or the correction failed, or the path found leaves
 whose error estimate meets the default tolerance, in %; processor time each, in microseconds.
 """
 
-from __future__ import annotations
-
 import os
 
 os.environ["OMP_NUM_THREADS"] = "1"
@@ -38,7 +36,9 @@ from bodymeasure.geodesic.rbf import chebyshev_points, default_centers
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from benchmarks import reference
-from benchmarks.reference import Array, Problems
+from benchmarks.reference import Problems
+
+from bodymeasure._typing import Array
 
 # A body's diagonals and mild patches, each with their true lengths.
 Sets = tuple[tuple[Problems, Array], tuple[Problems, Array]]

@@ -3,10 +3,9 @@
 The reference itself is `bodymeasure.bench.reference`, which `bodymeasure bench` uses too.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
+from bodymeasure._typing import Array
 from bodymeasure.bench.problems import (
     Problems,
     both_diagonals,
@@ -20,7 +19,6 @@ from bodymeasure.bench.reference import (
     GAUSS,
     GUESS_TIMES,
     WEIGHTS,
-    Array,
     Reference,
     geodesics,
 )
@@ -33,7 +31,6 @@ __all__ = [
     "GAUSS",
     "GUESS_TIMES",
     "WEIGHTS",
-    "Array",
     "Problems",
     "Reference",
     "body_diagonals",

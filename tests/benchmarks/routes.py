@@ -10,8 +10,6 @@ Run it by hand: ``python tests/benchmarks/routes.py [BODY ...] [--pairs N] [--fr
 300 pairs by libigl and 100 others take some ten minutes a body.
 """
 
-from __future__ import annotations
-
 import os
 
 os.environ["OMP_NUM_THREADS"] = "1"

@@ -7,8 +7,6 @@ wrong. Then lengths known in closed form. Run it by hand: ``python tests/benchma
 [--patches N]``; 100 patches of each kind take some five minutes.
 """
 
-from __future__ import annotations
-
 import os
 
 os.environ["OMP_NUM_THREADS"] = "1"
@@ -23,8 +21,10 @@ import bodymeasure as bm
 from bodymeasure.oracle import mesh_distances
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
-from benchmarks.reference import Array, symmetric, wild_patches
+from benchmarks.reference import symmetric, wild_patches
 from surfaces import SURFACES
+
+from bodymeasure._typing import Array
 
 # As in the cross-check: the meshes' uncertainty, and what they can tell at all.
 DOUBT, RESOLUTION = 3.0, 1e-6

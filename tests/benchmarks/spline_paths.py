@@ -6,18 +6,14 @@ method with damping minimizes the energy, some coefficients held by their bounds
 projection: D. Bertsekas, SIAM J. Control Optim. 20 (1982) 221-246), on dense matrices.
 """
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier import derivatives
-
-Array = NDArray[np.float64]
 
 DEGREE = 2
 # Gauss points a span: for the energy, and for lengths, which are given out.

@@ -4,8 +4,6 @@ Lengths on the atlas against those on the surface that it was fitted to, of all 
 boundary curves; by default those of the average female, in two minutes on two free cores.
 """
 
-from __future__ import annotations
-
 import os
 import resource
 import sys

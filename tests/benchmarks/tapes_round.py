@@ -4,8 +4,6 @@ Run by hand: ``OMP_NUM_THREADS=1 python tests/benchmarks/tapes_round.py``. Lengt
 seconds of one thread.
 """
 
-from __future__ import annotations
-
 import os
 import time
 from collections.abc import Callable

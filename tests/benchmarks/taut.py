@@ -7,8 +7,6 @@ the centre lines, how far tapes are from the hull of the exact profile. Where a 
 median plane, it is shorter than that hull. It needs ``PYTHONPATH=tests``, for `profiles`.
 """
 
-from __future__ import annotations
-
 import os
 
 os.environ["OMP_NUM_THREADS"] = "1"

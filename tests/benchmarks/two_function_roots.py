@@ -5,8 +5,6 @@ that it finds and that is one in exact arithmetic is looked for among those of `
 it by hand: ``python tests/benchmarks/two_function_roots.py``; it takes a minute.
 """
 
-from __future__ import annotations
-
 import os
 
 os.environ["OMP_NUM_THREADS"] = "1"

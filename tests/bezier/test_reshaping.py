@@ -1,7 +1,5 @@
 """Splitting, restricting and elevating leave the surface where it is."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given

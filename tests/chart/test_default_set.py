@@ -1,7 +1,5 @@
 """The default set: what it names, and what it takes on the sample bodies."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Landmarks that follow by rule on the sample bodies, and on quadrics."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

@@ -1,15 +1,13 @@
 """Where rules put landmarks, on surfaces on which the place is known."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from cut_atlases import wavy_plane
-from numpy.typing import NDArray
 from tubes import QUARTER, joined, tube
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Axes
 from bodymeasure.chart import Derived, derive_landmarks
 from bodymeasure.chart.landmark_rules import (
@@ -23,7 +21,6 @@ from bodymeasure.chart.landmark_rules import (
     Prominent,
 )
 
-_Array = NDArray[np.float64]
 WAISTED = (2.0, 1.0, 1.2, 2.0)
 # Points of the tube's first patch: on the generator through (radius, 0), at parameters v.
 LOW, HIGH = AtlasPoint(0, 0.0, 0.1), AtlasPoint(0, 0.0, 0.9)
@@ -33,7 +30,7 @@ def given(atlas: Atlas, **landmarks: AtlasPoint) -> Atlas:
     return replace(atlas, landmarks=landmarks)
 
 
-def place(atlas: Atlas, rule: LandmarkRule) -> _Array:
+def place(atlas: Atlas, rule: LandmarkRule) -> Array:
     """Where a rule puts its landmark."""
     derived = derive_landmarks(atlas, [rule])
     assert derived.missing == {}
@@ -52,7 +49,7 @@ def turned_about_z(atlas: Atlas, angle: float) -> Atlas:
     return replace(atlas, points=atlas.points @ np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]).T)
 
 
-def quarter_farthest(angle: float) -> _Array:
+def quarter_farthest(angle: float) -> Array:
     """Point of the quarter curve (radius 1) that lies farthest in the direction of an angle."""
     coordinate = QUARTER @ (np.cos(angle), np.sin(angle))
     first, middle, last = np.diff(coordinate)

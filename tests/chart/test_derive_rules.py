@@ -1,7 +1,5 @@
 """Names, order and circles of rules for landmarks; what is missing, and what is a mistake."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Measurements of bodies whose sizes are known in closed form, and their failures."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

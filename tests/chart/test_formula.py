@@ -1,7 +1,5 @@
 """Formulas: what they take, what they give, and how errors go through them."""
 
-from __future__ import annotations
-
 import math
 import re
 

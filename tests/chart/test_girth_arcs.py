@@ -1,7 +1,5 @@
 """Parts of girths: halves of rings, hollows at their ends, and what they refuse."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import cache
 from typing import Literal

@@ -1,7 +1,5 @@
 """Paths laid end to end are the path through all their points."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import pairwise
 

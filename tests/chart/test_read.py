@@ -1,7 +1,5 @@
 """Files of definitions, and what is said of bad ones."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

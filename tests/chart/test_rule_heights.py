@@ -1,7 +1,5 @@
 """Landmarks where a path passes a height."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

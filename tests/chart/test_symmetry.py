@@ -1,7 +1,5 @@
 """Mirrors fitted to bodies, and what is off them; names of landmarks; what measurements lack."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

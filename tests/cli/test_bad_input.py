@@ -1,7 +1,5 @@
 """What a user gets to read for a bad atlas or a bad place: words, exit code 2, nothing written."""
 
-from __future__ import annotations
-
 import errno
 import math
 import os

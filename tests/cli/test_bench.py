@@ -1,7 +1,5 @@
 """`bodymeasure bench`, with few problems."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import msgspec

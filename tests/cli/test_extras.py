@@ -1,7 +1,5 @@
 """Without the packages of the extras."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

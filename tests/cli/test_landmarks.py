@@ -1,7 +1,5 @@
 """`bodymeasure landmarks`: list, add, remove, check."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json

@@ -1,7 +1,5 @@
 """What only shows in a process of its own: signals, pipes, full disks, missing packages."""
 
-from __future__ import annotations
-
 import os
 import signal
 import subprocess

@@ -1,7 +1,5 @@
 """`bodymeasure view --chart`."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """STEP and IGES files, written by Open CASCADE."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,7 +1,5 @@
 """What is wrong with a file is told with its line."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from typing import Any

@@ -1,7 +1,5 @@
 """Damaged files are read or refused, whatever the damage; tests/benchmarks has the long run."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given

@@ -1,30 +1,27 @@
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from format_atlases import UNIT, body_like, read, write
-from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 
 from bodymeasure import Atlas, InputError
+from bodymeasure._typing import Array
 from bodymeasure.atlas import edge_table
 from bodymeasure.bezier import evaluate
 
-_Array = NDArray[np.float64]
 PLAIN = write(body_like(1, 2), "obj").decode()
 
 
-def vertices(points: _Array) -> str:
+def vertices(points: Array) -> str:
     """Lines of vertices, in the order of the format: u fastest."""
     rows = points.swapaxes(0, 1).reshape(-1, points.shape[-1]).tolist()
     return "".join("v " + " ".join(map(repr, row)) + "\n" for row in rows)
 
 
 def surface(
-    points: _Array,
+    points: Array,
     degrees: tuple[int, int],
     kind: str,
-    parameters: tuple[_Array, _Array],
+    parameters: tuple[Array, Array],
     **how: str,
 ) -> str:
     numbers = range(1, points.shape[0] * points.shape[1] + 1)
@@ -37,7 +34,7 @@ def surface(
     )
 
 
-def on_grid(atlas: Atlas, patch: int, places: _Array) -> _Array:
+def on_grid(atlas: Atlas, patch: int, places: Array) -> Array:
     return evaluate(
         atlas.control_points[patch], np.stack(np.meshgrid(places, places, indexing="ij"), -1)
     )

@@ -1,26 +1,23 @@
 """Files that others wrote: the Utah teapot in three formats, a sphere, geomdl's surfaces."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from bodymeasure import Atlas, Status, check_atlas, diagonals, read_atlas
+from bodymeasure._typing import Array
 from bodymeasure.atlas import FindingKind, Severity, edge_table, summarize
 from bodymeasure.bezier import evaluate
 from bodymeasure.measure.cross_check import Verdict, cross_check
 
-_Array = NDArray[np.float64]
 DATA = Path(__file__).parents[1] / "data"
 TEAPOT = read_atlas(DATA / "teapot.bpt", unit="cm")
 
 
-def turns(net: _Array) -> Iterator[_Array]:
+def turns(net: Array) -> Iterator[Array]:
     """A net with its parameters reversed and swapped in all ways."""
     for quarter in range(4):
         turned = np.rot90(net, quarter)

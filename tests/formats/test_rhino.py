@@ -1,7 +1,5 @@
 """Rhino's files, written by rhino3dm."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -1,16 +1,14 @@
-from __future__ import annotations
-
 from itertools import combinations
 
 import numpy as np
 import pytest
 from cut_atlases import cut, random_point, wavy_plane
 from grids import grid_atlas
-from numpy.typing import NDArray
 from surfaces import PARABOLOID
 from tubes import QUARTER, ring_length, tube
 
 import bodymeasure as bm
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 from bodymeasure.atlas.neighbors import Place
 from bodymeasure.bezier import bernstein
@@ -21,7 +19,6 @@ from bodymeasure.geodesic.way_pull import along_way, pulled_way
 # There are no wheels of it for the latest versions of Python.
 pytest.importorskip("pygeodesic")
 
-_Array = NDArray[np.float64]
 PARTS = np.linspace(0.0, 1.0, 33)
 
 
@@ -81,7 +78,7 @@ def test_where_there_is_one_way_only(rng: np.random.Generator) -> None:
         assert path.length == bm.geodesic_between(atlas, start, end).length
 
 
-def bump(x: _Array, y: _Array) -> _Array:
+def bump(x: Array, y: Array) -> Array:
     """A high bump about (1.5, 1.5)."""
     return np.stack([x, y, 3.0 * np.exp(-4.0 * ((x - 1.5) ** 2 + (y - 1.5) ** 2))], axis=-1)
 

@@ -1,21 +1,17 @@
 """Random patches: mild ones against another solver, wicked ones against what must always hold."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 from reference import chebyshev_times, reference_lengths
 from straight_line import from_straight_line
 from wicked import FLAT, SPOILS, Spoil, wicked
 
 from bodymeasure import InputError
+from bodymeasure._typing import Array
 from bodymeasure.bezier import derivatives, evaluate
 from bodymeasure.geodesic import GeodesicSolution, Status, solve_geodesic
-
-Array = NDArray[np.float64]
 
 parameters = st.tuples(st.floats(0.0, 1.0), st.floats(0.0, 1.0))
 seeds = st.integers(0, 2**32 - 1)

@@ -1,7 +1,5 @@
 """Any two points of any patch: near ones, corners, one place twice, patches of all sizes."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from fractions import Fraction
@@ -10,17 +8,15 @@ from typing import Any
 import numpy as np
 import pytest
 from custom_surfaces import Patch, Torus
-from numpy.typing import NDArray
 from reference import reference_lengths
 from scipy.integrate import solve_bvp
 from straight_line import from_straight_line
 from surfaces import ENNEPER, PH_CYLINDER, PLANE, SURFACES
 
 from bodymeasure import InputError
+from bodymeasure._typing import Array
 from bodymeasure.bezier import derivatives
 from bodymeasure.geodesic import PolynomialCollocation, Ritz, Status, solve_geodesic
-
-Array = NDArray[np.float64]
 
 # Distances in u and v, down to where few numbers lie between.
 DISTANCES = 10.0 ** -np.arange(0.0, 17.0)

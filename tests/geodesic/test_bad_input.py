@@ -1,7 +1,5 @@
 """Mistakes in what is given: each message names it, what was expected and what to do."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,14 +1,10 @@
 """Odd-even reduction against dense linear algebra."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.block_tridiagonal import apply, factorize, solve
-
-Array = NDArray[np.float64]
 
 SYSTEMS = 20
 

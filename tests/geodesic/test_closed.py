@@ -1,18 +1,16 @@
 """Closed geodesics: loops that contract, on surfaces whose waists are known."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import astuple, replace
 
 import numpy as np
 import potpourri3d
 import pytest
-from numpy.typing import NDArray
 from quadrics import joined, line, revolved, torus_nets
 from scipy.spatial.transform import Rotation
 from tubes import ring_length, tube
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit, tessellate
 from bodymeasure.atlas.neighbors import Neighbors, Place
 from bodymeasure.bezier import restrict
@@ -23,22 +21,21 @@ from bodymeasure.geodesic.closed_refine import refine_loop
 from bodymeasure.geodesic.closed_route import route_through
 from bodymeasure.section import Plane, plane_section
 
-_Array = NDArray[np.float64]
 WAISTED = (2.0, 1.0, 1.0, 2.0)
 
 
-def at(x: float, y: float, z: float) -> _Array:
+def at(x: float, y: float, z: float) -> Array:
     return np.array([x, y, z])
 
 
-def section(atlas: Atlas, point: _Array, normal: _Array) -> list[AtlasPoint]:
+def section(atlas: Atlas, point: Array, normal: Array) -> list[AtlasPoint]:
     """Points along the plane section through a point."""
     loop = plane_section(atlas, Plane(point, normal)).nearest(point)
     pairs = zip(loop.patch.tolist(), loop.parameters.tolist(), strict=True)
     return [AtlasPoint(patch, *uv) for patch, uv in pairs]
 
 
-def welded(nets: _Array) -> Atlas:
+def welded(nets: Array) -> Atlas:
     """Patches joined where their control points agree to eleven digits."""
     points = nets.reshape(-1, 3)
     _, first, number = np.unique(

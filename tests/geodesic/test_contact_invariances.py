@@ -1,17 +1,14 @@
 """What must not change a path along edges, and what must change it in a known way."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 import bodymeasure as bm
+from bodymeasure._typing import Array
 
-Array = NDArray[np.float64]
 # Edge's axis and value, and where the arc begins and ends along it.
 Arc = tuple[int, float, float, float]
 

@@ -1,7 +1,5 @@
 """Convergence with the number of functions: rates fitted down to a stated floor."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from straight_line import from_straight_line

@@ -1,21 +1,17 @@
 """Surfaces of the user's own, on which geodesics are known: sphere, torus, cylinders."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 
 import numpy as np
 import pytest
 from custom_surfaces import Patch, Torus, product, wave
-from numpy.typing import NDArray
 from straight_line import from_straight_line
 from surfaces import ENNEPER
 
 from bodymeasure import InputError
+from bodymeasure._typing import Array
 from bodymeasure.geodesic import GeodesicSolution, RBFCollocation, Status, solve_geodesic
-
-Array = NDArray[np.float64]
 
 
 def sphere_angle(sphere: Torus, start: Array, end: Array) -> Array:

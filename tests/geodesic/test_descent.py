@@ -1,18 +1,14 @@
 """Polygons that slide down to rest in the box, and off saddles."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.box_steps import box_steps
 from bodymeasure.geodesic.descent import descend
 from bodymeasure.geodesic.polygon_energy import polygon_energy, polygon_lengths
 from bodymeasure.geodesic.saddles import ways_off
 from bodymeasure.geodesic.surface import BezierSurfaces
-
-Array = NDArray[np.float64]
 
 START, END = np.zeros(2), np.ones(2)
 

@@ -1,12 +1,8 @@
-from __future__ import annotations
-
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.elimination import FEW, LARGE, solve_batch, solve_symmetric
-
-Array = NDArray[np.float64]
 
 
 def systems(rng: np.random.Generator, size: int) -> tuple[Array, Array]:

@@ -1,7 +1,5 @@
 """The equations, their Jacobian and the geometry of paths against differences and closed forms."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from surfaces import ENNEPER, PLANE, TANGENT_DEVELOPABLE

@@ -1,7 +1,5 @@
 """What paths are made of that edges hold for a part."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from cut_atlases import cut

@@ -1,18 +1,14 @@
 """What must not change a length, and what must change it in a known way."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 from straight_line import from_straight_line
 from surfaces import ENNEPER, PARABOLOID, PLANE, SURFACES
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier import elevate, restrict
 from bodymeasure.geodesic import GeodesicSolution, RBFCollocation, solve_geodesic
-
-Array = NDArray[np.float64]
 
 NETS = np.stack([surface.control_points for surface in SURFACES])
 STARTS = np.array([surface.start for surface in SURFACES])

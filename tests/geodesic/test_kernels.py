@@ -1,7 +1,5 @@
 """Wu's functions against Wu's own construction, in fractions and in many digits."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from math import comb
 

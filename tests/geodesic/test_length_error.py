@@ -1,20 +1,16 @@
 """The correction of a length, its error estimate, and the proof that a path is a minimum."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from straight_line import from_straight_line
 from surfaces import ENNEPER, PH_CYLINDER, SURFACES, TANGENT_DEVELOPABLE, Surface, bicubic
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic import WU_C2, WU_C4, Kernel, RBFCollocation, solve_geodesic
 from bodymeasure.geodesic.length_error import MeasuredLength, measure_length
 from bodymeasure.geodesic.path_geometry import path_geometry
 from bodymeasure.geodesic.surface import BezierSurfaces
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-Array = NDArray[np.float64]
 
 FINE = RBFCollocation(functions=20, tolerance=1e-9)
 (SPACE,) = FINE.spaces

@@ -1,23 +1,19 @@
 """All methods under one contract, their rates of convergence, and their agreement."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from surfaces import ENNEPER, PLANE, SURFACES, TANGENT_DEVELOPABLE, Surface, bicubic
 
 import bodymeasure as bm
+from bodymeasure._typing import Array
 from bodymeasure.geodesic import Method
 from bodymeasure.geodesic.energy import Functional, expand
 from bodymeasure.geodesic.method import Piece
 from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import JET, BezierSurfaces
-
-Array = NDArray[np.float64]
 
 METHODS: dict[str, Method] = {
     "RBF": bm.RBFCollocation(),

@@ -1,7 +1,5 @@
 """The form with one unknown function: held against calculus and against the other form."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 from typing import Any
 
@@ -9,10 +7,10 @@ import array_api_compat
 import numpy as np
 import pytest
 from benchmarks import reference
-from numpy.typing import NDArray
 from surfaces import ENNEPER, PH_CYLINDER, SURFACES
 
 import bodymeasure as bm
+from bodymeasure._typing import Array
 from bodymeasure.bezier import derivatives, evaluate
 from bodymeasure.geodesic.method import MethodResult
 from bodymeasure.geodesic.offset_equation import linearize, offset_geometry
@@ -20,8 +18,6 @@ from bodymeasure.geodesic.offset_form import solve_offsets
 from bodymeasure.geodesic.offset_maps import FIELDS, offset_map
 from bodymeasure.geodesic.path_geometry import path_geometry
 from bodymeasure.geodesic.surface import BezierSurfaces
-
-Array = NDArray[np.float64]
 
 METHOD = bm.RBFCollocation()
 SPACES = [lambda count=count: METHOD._space(count) for count in (8, 12, 16, 20)]

@@ -1,7 +1,5 @@
 """Control points of another array library, at the one entry."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from benchmarks import reference

@@ -1,16 +1,12 @@
 """Paths from and to an edge that is collapsed to a point, as on triangular patches."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import bodymeasure as bm
+from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
 from bodymeasure.oracle import mesh_distances
-
-Array = NDArray[np.float64]
 
 PARAMETERS = [((0.0, 0.9), (1.0, 0.3)), ((0.0, 0.0), (1.0, 0.5)), ((0.0, 0.5), (0.7, 0.2))]
 # Corners of a triangle in the plane; the first is the pole.

@@ -1,7 +1,5 @@
 """Paths over atlases some of whose sides are collapsed to points."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from cut_atlases import random_point

@@ -1,13 +1,10 @@
 """Rational patches: quadrics and tori, whose geodesics are known."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import scipy
 from numpy.typing import NDArray
 from quadrics import (
-    Array,
     arc_parameter,
     joined,
     line,
@@ -20,6 +17,7 @@ from quadrics import (
 )
 
 import bodymeasure as bm
+from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.rational_surface import RationalSurfaces
 from bodymeasure.geodesic.surface import JET

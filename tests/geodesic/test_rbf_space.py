@@ -1,21 +1,16 @@
 """The trial space against the paper's equations (5) and (6), evaluated in fractions."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from bodymeasure import InputError
 from bodymeasure.geodesic import WU_C2, WU_C4, WU_C6, WU_C10, Kernel, RBFCollocation
 from bodymeasure.geodesic.rbf import LADDER, chebyshev_points, default_centers
 from bodymeasure.geodesic.rbf_space import rbf_coefficients, rbf_space
 from bodymeasure.geodesic.trial_space import TrialSpace
-
-Array = NDArray[np.float64]
 
 KERNELS = [WU_C2, WU_C4, WU_C6, WU_C10]
 POINTS = np.concatenate([np.linspace(0.0, 1.0, 33), [1e-12, 0.349999, 0.35, 0.350001]])

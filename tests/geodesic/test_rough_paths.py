@@ -1,18 +1,14 @@
 """Graphs over grids of patches: distances, and paths that differ."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.custom_surface import CustomSurface
 from bodymeasure.geodesic.grid_graph import LINES, grid_points, shortest_trees
 from bodymeasure.geodesic.polygon_energy import polygon_lengths
 from bodymeasure.geodesic.rough_paths import MOST_PATHS, rough_paths
 from bodymeasure.geodesic.surface import BezierSurfaces
-
-Array = NDArray[np.float64]
 
 # In 16 directions, a way over the grid is longer than the straight one by at most this part.
 WORST_DETOUR = 1.0 / np.cos(0.5 * np.arctan(1.0 / 3.0))

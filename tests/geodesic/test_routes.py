@@ -1,15 +1,13 @@
 """What `geodesic_between` is made of, each against what is known without it."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from cut_atlases import random_point, wavy_plane
 from grids import grid_atlas
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, tessellate
 from bodymeasure.atlas.neighbors import Neighbors, Place
 from bodymeasure.geodesic.box_newton import banded_product, minimize_in_box, solve_free
@@ -25,8 +23,6 @@ from bodymeasure.geodesic.route_start import polyhedral_path
 
 # There are no wheels of it for the latest versions of Python.
 pytest.importorskip("pygeodesic")
-
-_Array = NDArray[np.float64]
 
 
 def place_of(point: AtlasPoint) -> Place:
@@ -139,7 +135,7 @@ def test_no_unknown_moves_the_ends_apart_at_a_seam(
     np.testing.assert_allclose(ends[:-1, 1], ends[1:, 0], atol=1e-14)
 
 
-def banded(matrix: _Array) -> _Array:
+def banded(matrix: Array) -> Array:
     bands = np.zeros_like(matrix)
     for row in range(len(matrix)):
         bands[row, : len(matrix) - row] = np.diagonal(matrix, -row)
@@ -152,7 +148,7 @@ def test_minima_of_quadratics_in_the_box(rng: np.random.Generator) -> None:
         root = rng.normal(size=(6, 6))
         matrix, center = root @ root.T + 0.1 * np.eye(6), rng.uniform(-1.0, 2.0, 6)
 
-        def expand(x: _Array, matrix: _Array = matrix, center: _Array = center) -> SimpleNamespace:
+        def expand(x: Array, matrix: Array = matrix, center: Array = center) -> SimpleNamespace:
             off = x - center
             return SimpleNamespace(
                 value=1.0 + 0.5 * off @ matrix @ off, gradient=matrix @ off, bands=banded(matrix)
@@ -226,7 +222,7 @@ def test_needless_crossings_are_taken_back_and_missing_ones_found() -> None:
 
 def test_a_neighbor_that_a_path_needs_is_found() -> None:
     # The seam bulges into the first patch: the chord leaves that patch.
-    def bulge(x: _Array, y: _Array) -> _Array:
+    def bulge(x: Array, y: Array) -> Array:
         return np.stack([x - 0.5 * np.sin(np.pi * y) * np.sin(np.pi * x / 2.0), y, 0.0 * x], -1)
 
     atlas = grid_atlas(2, 1, bulge)

@@ -1,13 +1,11 @@
 """The shortest path inside a patch: contact with edges, several candidates, saddles."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 import bodymeasure as bm
+from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.contact import solve_contact_path
 from bodymeasure.geodesic.edge_arc import edge_arc
@@ -16,8 +14,6 @@ from bodymeasure.geodesic.polynomial_space import polynomial_space
 from bodymeasure.geodesic.surface import BezierSurfaces
 from bodymeasure.geodesic.tangency import SAFETY, tangency_error
 from bodymeasure.oracle import mesh_distances
-
-Array = NDArray[np.float64]
 
 START, END = np.zeros(2), np.ones(2)
 

@@ -1,7 +1,5 @@
 """Lengths in closed form, what a solution holds, and the paper's equations at its points."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

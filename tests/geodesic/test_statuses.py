@@ -1,16 +1,14 @@
 """Problems that have no length to trust, and how they say so."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from straight_line import from_straight_line
 from surfaces import ENNEPER, PARABOLOID, bicubic
 
 from bodymeasure import ConvergenceError
+from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic import (
     WU_C2,
@@ -20,8 +18,6 @@ from bodymeasure.geodesic import (
     Status,
     solve_geodesic,
 )
-
-Array = NDArray[np.float64]
 
 # In the plane z = 0, a moon: y = v + 3u (1 - u) / 2, so that its lower edge bulges into it by 3/8.
 MOON = bicubic({(1, 0): 2}, {(0, 1): 1, (1, 0): 1.5, (2, 0): -1.5}, {})  # type: ignore[dict-item]

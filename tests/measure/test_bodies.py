@@ -1,7 +1,5 @@
 """All diagonals of the five mannequins, against a solver that shares nothing with the library's."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from reference import chebyshev_times, reference_lengths

@@ -1,16 +1,12 @@
-from __future__ import annotations
-
 from math import comb
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from surfaces import ENNEPER, PARABOLOID, PH_CYLINDER, PLANE
 
 from bodymeasure import Atlas, boundary_lengths
+from bodymeasure._typing import Array
 from bodymeasure.measure.boundary import curve_lengths
-
-Array = NDArray[np.float64]
 
 
 def atlas(*nets: Array) -> Atlas:

@@ -1,7 +1,5 @@
 """Natural waists of the bodies."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from numpy.typing import NDArray

@@ -1,21 +1,17 @@
 """Verdicts on made-up mesh distances, and one real comparison."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
 import pytest
 from benchmarks.reference import wild_patches
-from numpy.typing import NDArray
 from surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID, bicubic
 
 from bodymeasure import Atlas, diagonals, solve_geodesic
+from bodymeasure._typing import Array
 from bodymeasure.measure import cross_check as module
 from bodymeasure.measure.cross_check import DOUBT, RESOLUTION, Verdict
 from bodymeasure.oracle import MeshDistances
-
-Array = NDArray[np.float64]
 
 NETS = np.stack([ENNEPER, PARABOLOID, HYPERBOLIC_PARABOLOID, PARABOLOID])
 ATLAS = Atlas.from_control_points(NETS, "cm")

@@ -1,7 +1,5 @@
 """Girths whose loop is cut at the armpits."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from numpy.typing import NDArray

@@ -1,14 +1,10 @@
-from __future__ import annotations
-
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID, bicubic
 
 from bodymeasure import Atlas, ConvergenceError, InputError, RBFCollocation, diagonals
+from bodymeasure._typing import Array
 from bodymeasure.geodesic import Status, solve_geodesic
-
-Array = NDArray[np.float64]
 
 
 def atlas(*nets: Array) -> Atlas:

@@ -1,7 +1,5 @@
 """Drops: lengths in vertical planes from a place to a level."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from numpy.typing import NDArray

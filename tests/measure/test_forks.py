@@ -1,7 +1,5 @@
 """Forks: saddles that are known, and those of the bodies."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation

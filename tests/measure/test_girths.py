@@ -1,7 +1,5 @@
 """Girths, their search, and straight measures."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

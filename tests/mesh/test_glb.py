@@ -1,7 +1,5 @@
 """GLB files of bodies with paths."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Lengths over plain triangle meshes, and how far they may be off."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 
@@ -10,13 +8,12 @@ import pytest
 from numpy.typing import NDArray
 
 import bodymeasure as bm
+from bodymeasure._typing import Array
 from bodymeasure.mesh.arrays import TriangleMesh
 from bodymeasure.mesh.curved import curved, vertex_normals
 
 pytest.importorskip("igl")
 pytest.importorskip("pygeodesic")
-
-Array = NDArray[np.float64]
 
 
 def grid(side: int) -> TriangleMesh:

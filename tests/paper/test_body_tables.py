@@ -1,7 +1,5 @@
 """Table 5's tables, made of comparisons that are written down here."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from grids import grid_atlas

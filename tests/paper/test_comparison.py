@@ -1,13 +1,11 @@
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import fields
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from wild import wild_patches
 
+from bodymeasure._typing import Array
 from bodymeasure.paper import comparison
 from bodymeasure.paper.comparison import Comparison, compare
 from bodymeasure.paper.ritz_table import solve_ritz
@@ -20,7 +18,6 @@ from bodymeasure.paper.scaling import (
 from bodymeasure.paper.truth import true_diagonals
 from bodymeasure.paper.two_function_solve import solve_two_functions
 
-Array = NDArray[np.float64]
 TIMES = {"rbf_seconds", "ritz_seconds"}
 
 

@@ -1,17 +1,13 @@
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
-from numpy.typing import NDArray
 
 from bodymeasure import InputError, solve_geodesic
+from bodymeasure._typing import Array
 from bodymeasure.paper import normalize
 from bodymeasure.paper.normalization import SIDES, Side
-
-Array = NDArray[np.float64]
 
 # A few roundings of coordinates up to 1000 that are made ones up to 1.
 ROUNDING = 1e-12

@@ -1,7 +1,5 @@
 """Lengths on surfaces whose geodesics are known."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from numpy.typing import NDArray

@@ -1,10 +1,8 @@
-from __future__ import annotations
-
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from bodymeasure import InputError
+from bodymeasure._typing import Array
 from bodymeasure.paper import random_patches
 from bodymeasure.paper.random_patches import (
     HEIGHTS,
@@ -16,8 +14,6 @@ from bodymeasure.paper.random_patches import (
     make_testing_data,
 )
 from bodymeasure.paper.self_intersection import intersects_itself
-
-Array = NDArray[np.float64]
 
 readings = pytest.mark.parametrize("reading", READINGS, ids=lambda reading: reading.name)
 

@@ -1,20 +1,16 @@
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from scipy.integrate import quad
 from surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID, PH_CYLINDER, bicubic
 from wild import wild_patches
 
 from bodymeasure import InputError
+from bodymeasure._typing import Array
 from bodymeasure.paper.ritz_table import solve_ritz
 from bodymeasure.paper.truth import true_diagonals
-
-Array = NDArray[np.float64]
 
 KNOWN = {
     "enneper": (ENNEPER, 5.0 * math.sqrt(2.0) / 3.0),

@@ -1,8 +1,5 @@
-from __future__ import annotations
-
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from root_multistart import distinct, expansion, missed, multistart_roots, sharpened, starts
 from wild import wild_patches
 
@@ -18,8 +15,6 @@ from bodymeasure.paper.two_functions import (
     graph_equations,
     paper_space,
 )
-
-Array = NDArray[np.float64]
 
 
 def test_all_intersections_of_lines_are_found() -> None:

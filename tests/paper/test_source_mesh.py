@@ -1,7 +1,5 @@
 """The quad meshes that come with the samples belong to them."""
 
-from __future__ import annotations
-
 import re
 
 import numpy as np

@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from quad_grids import arc_net, grid_mesh, hilly_net, spline_atlas

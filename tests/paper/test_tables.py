@@ -1,7 +1,5 @@
 """Tables made of results that are written down here, so that every figure can be told."""
 
-from __future__ import annotations
-
 import csv
 import io
 import math

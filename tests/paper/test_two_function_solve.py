@@ -1,13 +1,11 @@
-from __future__ import annotations
-
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 from surfaces import HYPERBOLIC_PARABOLOID, PH_CYLINDER, ph_cylinder_length
 from wild import wild_patches
 
 from bodymeasure import InputError, RBFCollocation, solve_geodesic
+from bodymeasure._typing import Array
 from bodymeasure.geodesic import WU_C2
 from bodymeasure.geodesic.equations import residual_and_jacobian
 from bodymeasure.geodesic.polynomial_space import polynomial_space
@@ -22,8 +20,6 @@ from bodymeasure.paper.two_function_solve import (
     solve_two_functions,
 )
 from bodymeasure.paper.two_functions import even_points, paper_centers, paper_space
-
-Array = NDArray[np.float64]
 
 
 def pyramid(height: float) -> Array:

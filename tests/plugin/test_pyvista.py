@@ -1,7 +1,5 @@
 """bodymeasure inside pyvista."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

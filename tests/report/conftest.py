@@ -1,7 +1,5 @@
 """A small survey with made-up numbers: what is tested is how they are reported."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any

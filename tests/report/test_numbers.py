@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 from itertools import pairwise
 
 import pytest
@@ -7,7 +5,6 @@ import pytest
 from bodymeasure.report.histogram import histogram
 from bodymeasure.report.numbers import (
     at_most,
-    counted,
     length_text,
     millimeters,
     percent,
@@ -15,6 +12,7 @@ from bodymeasure.report.numbers import (
     unbroken,
     with_code,
 )
+from bodymeasure.wording import counted
 
 
 def plain(text: str) -> str:

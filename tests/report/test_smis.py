@@ -1,7 +1,5 @@
 """SeamlyMe's files against the rules of the published schema, individual measurements 0.3.4."""
 
-from __future__ import annotations
-
 import re
 import unicodedata
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Sections of the mannequins, against tessellations of them."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from mesh_sections import richardson_length

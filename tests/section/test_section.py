@@ -1,7 +1,5 @@
 """Sections whose shapes are known, and what must not change them."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

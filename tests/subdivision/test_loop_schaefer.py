@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 from functools import cache
 from pathlib import Path
 
@@ -9,6 +7,7 @@ from numpy.typing import NDArray
 from quad_grids import grid_mesh, hilly_net, spline_atlas
 
 from bodymeasure import InputError
+from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import evaluate
 from bodymeasure.subdivision import (
     PatchNets,
@@ -20,8 +19,6 @@ from bodymeasure.subdivision import (
     subdivide,
 )
 
-_Array = NDArray[np.float64]
-_Index = NDArray[np.int64]
 SAMPLES = Path(__file__).parents[2] / "sample_patches" / "quad_meshes.npz"
 BODIES = ("female_average", "male_average", "female_heavy", "female_full_bust", "female_old")
 NO_CREASES = np.empty((0, 2), dtype=np.int64)
@@ -29,7 +26,7 @@ CUBE = np.array([[x, y, z] for x in (0.0, 2.0) for y in (0.0, 1.0) for z in (0.0
 SIX = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
 
 
-def polygons(mesh: QuadMesh, creases: _Index = NO_CREASES) -> PolygonMesh:
+def polygons(mesh: QuadMesh, creases: Ints = NO_CREASES) -> PolygonMesh:
     return PolygonMesh(
         mesh.vertices, mesh.quads.ravel(), np.full(len(mesh.quads), 4), np.asarray(creases)
     )
@@ -41,7 +38,7 @@ def sample(body: str) -> QuadMesh:
         return QuadMesh(1e-6 * file[body], file["quads"].astype(np.int64))
 
 
-def net(patches: PatchNets) -> _Array:
+def net(patches: PatchNets) -> Array:
     return patches.points[patches.index]
 
 
@@ -53,7 +50,7 @@ def regular_quads(mesh: QuadMesh) -> NDArray[np.bool_]:
     return np.asarray(np.where(inside, quads == 4, quads == 2)[mesh.quads].all(axis=1))
 
 
-def refined(mesh: QuadMesh, steps: int) -> tuple[QuadMesh, _Array]:
+def refined(mesh: QuadMesh, steps: int) -> tuple[QuadMesh, Array]:
     """The mesh after some steps, and (u, v) of each new quad's corners on the quad it is from."""
     square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
     places = np.broadcast_to(square, (len(mesh.quads), 4, 2))
@@ -66,7 +63,7 @@ def refined(mesh: QuadMesh, steps: int) -> tuple[QuadMesh, _Array]:
     return mesh, places
 
 
-def distance_from_limit(mesh: QuadMesh, patches: PatchNets, steps: int) -> _Array:
+def distance_from_limit(mesh: QuadMesh, patches: PatchNets, steps: int) -> Array:
     """How far the patches are from the limit surface at points of each, shape (quads,)."""
     fine, places = refined(mesh, steps)
     limits = limit_positions(fine)[fine.quads].reshape(len(mesh.quads), -1, 3)
@@ -126,7 +123,7 @@ def test_neighbors_share_the_control_points_of_their_edge(body: str) -> None:
         assert len(np.unique(canonical[edges.of_side.ravel() == edge], axis=0)) == 1
 
 
-def cut_along(points: _Array, row: int) -> tuple[QuadMesh, QuadMesh]:
+def cut_along(points: Array, row: int) -> tuple[QuadMesh, QuadMesh]:
     """The two halves of a grid on either side of a row of vertices."""
     return grid_mesh(points[: row + 1]), grid_mesh(points[row:])
 
@@ -205,7 +202,7 @@ def test_creases_and_corners_survive_the_step_to_quads() -> None:
     assert (points.reshape(-1, 3) == 1.0).any()
 
 
-def faces(*corners: list[int], creases: _Index = NO_CREASES) -> PolygonMesh:
+def faces(*corners: list[int], creases: Ints = NO_CREASES) -> PolygonMesh:
     sizes = np.array([len(face) for face in corners])
     points = np.random.default_rng(3).normal(size=(12, 3))
     return PolygonMesh(points, np.concatenate(corners).astype(np.int64), sizes, creases)

@@ -1,5 +1,3 @@
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from drawn_out import HILL, RIDGE, row_of

@@ -1,15 +1,13 @@
 """Which measurement stands for which name in a pattern program."""
 
-from __future__ import annotations
-
 import re
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 
 from bodymeasure.chart import Definitions
-from bodymeasure.chart.nearest import hint
 from bodymeasure.errors import InputError
 from bodymeasure.report.measurements.records import BodyMeasurement
+from bodymeasure.wording import hint
 
 # All measurements of FreeSewing (its config/measurements.mjs), in alphabetical order.
 FREESEWING_KEYS = (

@@ -1,7 +1,5 @@
 """A chart as a measurement set of FreeSewing."""
 
-from __future__ import annotations
-
 import msgspec
 
 from bodymeasure.atlas import Unit, convert_length

@@ -1,7 +1,5 @@
 """A chart's numbers as records: unit converted, numbers that are not finite turned to null."""
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from datetime import UTC, datetime

@@ -1,7 +1,5 @@
 """A chart of body measurements as one self-contained page."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any, Protocol
 

@@ -1,7 +1,5 @@
 """A chart as a measurement file of SeamlyMe and Seamly2D (``.smis``, schema 0.3.4)."""
 
-from __future__ import annotations
-
 import re
 from typing import Final
 from xml.etree import ElementTree

@@ -1,7 +1,5 @@
 """Lengths as a tape shows them: to the millimeter, or in inches and fractions of one."""
 
-from __future__ import annotations
-
 from math import floor
 
 from bodymeasure.report.numbers import MINUS, NONE, SPACE, millimeters

@@ -1,15 +1,14 @@
 """A chart's content, arranged and worded for the page."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 
 from bodymeasure.report.measurements.records import BodyMeasurement, ChartDocument
 from bodymeasure.report.measurements.tape import small_text, tailor_inches, tape_text
-from bodymeasure.report.numbers import NONE, as_bound, counted
+from bodymeasure.report.numbers import NONE, as_bound
 from bodymeasure.report.templating import Image
 from bodymeasure.report.views import UNIT_NAMES
+from bodymeasure.wording import counted
 
 MEASURED = "measured"
 # In the order in which they are shown.
