@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from bodymeasure.atlas import Atlas, Axes, Unit
-from bodymeasure.atlas.closest import closest_points
+from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.formats import write_atlas
 
 from .control_mesh import ControlMesh, limit_positions, read_landmarks, read_mesh

@@ -4,6 +4,7 @@ import ast
 import inspect
 import subprocess
 import sys
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
@@ -36,8 +37,21 @@ LAYERS = (
     ("bench", "report", "viewer"),
     ("compare", "paper"),
     ("cli", "plugin"),
-    ("__main__",),
+    ("__main__", "_build"),
 )
+# The same within a package: a name is a folder or a module. What is not named stands on top, and
+# groups do not import from there.
+ORDERS = {
+    "bench": "problems · entrants · size · records · timing · summary · figure",
+    "cli": "console · options · atlases, landmarks, measuring, study · main",
+    "formats": "groups, json_faults, options, patches, spline_patches, text · atlas_json, bez, bpt,"
+    " foreign, geomdl, mesh_vertices, npz, obj · registry",
+    "geodesic": "across/routes, numerics, status · spaces, surfaces · lengths ·"
+    " across/pieces, solving · contact, graph · across/contact, methods, shortest · across/search",
+    "measure": "patches · body",
+    "scene": "model · clip · camera, colors · lighting · figures · drawing · diagonals · tapes",
+}
+MOST_FILES = 15
 LEVEL = {layer: level for level, layers in enumerate(LAYERS) for layer in layers}
 
 # Who may import what is heavy, optional or talks to the user.
@@ -45,7 +59,7 @@ RESERVED = {
     "igl": {"oracle"},
     "OCP": {"formats"},
     "rhino3dm": {"formats"},
-    "trimesh": {"atlas", "mesh", "oracle"},
+    "trimesh": {"atlas", "formats", "mesh", "oracle"},
     "pyvista": {"scene", "viewer", "plugin"},
     "vtk": {"scene", "viewer", "plugin"},
     "vtkmodules": {"scene", "viewer", "plugin"},
@@ -120,6 +134,48 @@ def test_imports_point_downwards(module: Module) -> None:
         level = LEVEL.get(target, len(LAYERS) - 2)
         allowed = target == module.layer or level < LEVEL[module.layer]
         assert allowed, f"{module.name}, line {line}: {module.layer} must not import {name}"
+
+
+def _group(layer: str, path: str, levels: dict[str, int]) -> str:
+    """The longest name in a package's order that a module's path starts with, or ""."""
+    parts = path.removeprefix(f"bodymeasure.{layer}.").split(".")
+    starts = ("/".join(parts[:count]) for count in range(len(parts), 0, -1))
+    return next((start for start in starts if start in levels), "")
+
+
+def test_the_orders_name_what_there_is() -> None:
+    for layer, order in ORDERS.items():
+        for name in order.replace("·", ",").split(","):
+            path = FOLDERS["bodymeasure"] / layer / name.strip()
+            assert path.is_dir() or path.with_suffix(".py").is_file(), f"{layer}: {name.strip()}"
+
+
+@pytest.mark.parametrize(
+    "module",
+    [module for module in LAYERED if module.layer in ORDERS],
+    ids=lambda module: module.name,
+)
+def test_groups_of_a_package_import_only_those_before_them(module: Module) -> None:
+    levels = {
+        name.strip(): level
+        for level, names in enumerate(ORDERS[module.layer].split("·"))
+        for name in names.split(",")
+    }
+    group = _group(module.layer, module.name, levels)
+    for name, line in module.imports():
+        if not group or not name.startswith(f"bodymeasure.{module.layer}."):
+            continue
+        target = _group(module.layer, name, levels)
+        allowed = target == group or levels.get(target, len(levels)) < levels[group]
+        assert allowed, f"{module.name}, line {line}: {group} must not import {name}"
+
+
+def test_no_folder_holds_more_files_than_a_reader_can_overlook() -> None:
+    folders = [*FOLDERS.values(), ROOT / "tests"]
+    files = [path for folder in folders for path in folder.rglob("*.py")]
+    counts = Counter(path.parent for path in files)
+    crowded = {str(folder): count for folder, count in counts.items() if count > MOST_FILES}
+    assert not crowded
 
 
 @pytest.mark.parametrize("module", MODULES, ids=lambda module: module.name)

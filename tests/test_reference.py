@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from reference import chebyshev_times, reference_lengths
-from surfaces import SURFACES, Surface
+from helpers.oracles.reference import chebyshev_times, reference_lengths
+from helpers.surfaces.surfaces import SURFACES, Surface
 
 
 @pytest.mark.parametrize("surface", SURFACES, ids=lambda surface: surface.name)

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from helpers.surfaces.surfaces import SURFACES, Surface
 from numpy.typing import NDArray
 from scipy.integrate import solve_bvp
-from surfaces import SURFACES, Surface
 
 from bodymeasure.atlas import Atlas, Severity, Unit, check_atlas
 from bodymeasure.bezier import derivatives, evaluate

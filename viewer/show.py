@@ -11,7 +11,7 @@ from bodymeasure.viewer.window import Window, build
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.files import write_bytes
 from bodymeasure.scene import body_overview, png, tapes_overview
-from bodymeasure.scene.choice import SOFTWARE, opengl_trouble
+from bodymeasure.scene.drawing.opengl_check import SOFTWARE, opengl_trouble
 
 if TYPE_CHECKING:
     from bodymeasure.chart import Chart

@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 
 from bodymeasure.scene import SIDES, TapeLine, View, body_views, tapes_scene
 from bodymeasure.scene.colors import BACKGROUND, BODY
+from bodymeasure.scene.drawing.opengl import color_bytes, set_camera, surface_mesh
+from bodymeasure.scene.drawing.opengl_tapes import tube_mesh
+from bodymeasure.scene.drawing.visibility import sight
 from bodymeasure.scene.lighting import AMBIENT, DIFFUSE, LIGHT
-from bodymeasure.scene.opengl import color_bytes, set_camera, surface_mesh
-from bodymeasure.scene.opengl_tapes import tube_mesh
-from bodymeasure.scene.tape_camera import best, measurement_seen
-from bodymeasure.scene.tape_mesh import tape_mesh
-from bodymeasure.scene.visibility import sight
+from bodymeasure.scene.tapes.camera import best, measurement_seen
+from bodymeasure.scene.tapes.mesh import tape_mesh
 
 if TYPE_CHECKING:
     from bodymeasure.chart import Chart

@@ -25,9 +25,9 @@ from bodymeasure.scene.colors import (
     NOT_COMPARED,
     color_map,
 )
+from bodymeasure.scene.drawing.opengl import set_camera, stroke_mesh, surface_mesh
+from bodymeasure.scene.drawing.strokes import dashed
 from bodymeasure.scene.lighting import AMBIENT, DIFFUSE, LIGHT
-from bodymeasure.scene.opengl import set_camera, stroke_mesh, surface_mesh
-from bodymeasure.scene.strokes import dashed
 
 if TYPE_CHECKING:
     from bodymeasure.measure import Survey

@@ -2,14 +2,14 @@
 
 from bodymeasure.atlas.atlas import LARGEST_DEGREE, LEAST_DEGREE, Atlas
 from bodymeasure.atlas.axes import Axes
-from bodymeasure.atlas.check import check_atlas
-from bodymeasure.atlas.finding import Finding, FindingKind, Severity
+from bodymeasure.atlas.check.check import check_atlas
+from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
+from bodymeasure.atlas.check.weld import weld
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, Edge, EdgeTable, edge_table, sides_of
 from bodymeasure.atlas.summary import AtlasSummary, summarize
 from bodymeasure.atlas.tessellation import Tessellation, tessellate
 from bodymeasure.atlas.units import Unit, convert_length
-from bodymeasure.atlas.weld import weld
 
 __all__ = [
     "EDGES",

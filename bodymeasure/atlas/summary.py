@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.extent import size_along
-from bodymeasure.atlas.joins import parts, seams_of
 from bodymeasure.atlas.normals import patch_sizes
+from bodymeasure.atlas.queries.extent import size_along
 from bodymeasure.atlas.seams import edge_table
+from bodymeasure.atlas.topology.joins import parts, seams_of
 from bodymeasure.atlas.units import Unit
 
 

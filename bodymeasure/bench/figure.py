@@ -4,9 +4,9 @@ import io
 from dataclasses import dataclass
 from typing import Any
 
-from bodymeasure.bench.entrants import DEFAULT
+from bodymeasure.bench.entrants.entrants import DEFAULT
 from bodymeasure.bench.records import BenchDocument, Result, SetRecord
-from bodymeasure.scene.chart_style import TEXT_SIZE, chart_style, power_of_ten
+from bodymeasure.scene.figures.chart_style import TEXT_SIZE, chart_style, power_of_ten
 
 CAPTION_INK, GRID = "#57606a", "#d8dee4"
 # Errors are drawn no smaller than this: half the spacing of numbers near 1, below which a relative

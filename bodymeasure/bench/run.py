@@ -5,9 +5,8 @@ import platform
 from collections.abc import Callable
 from datetime import UTC, datetime
 
-from bodymeasure.bench.entrants import entrants
-from bodymeasure.bench.growth import measure_growth
-from bodymeasure.bench.problem_sets import ProblemSet, body_set, mild_set, wild_set
+from bodymeasure.bench.entrants.entrants import entrants
+from bodymeasure.bench.problems.sets import ProblemSet, body_set, mild_set, wild_set
 from bodymeasure.bench.records import (
     FORMAT,
     VERSION,
@@ -17,11 +16,12 @@ from bodymeasure.bench.records import (
     ThreadsRecord,
 )
 from bodymeasure.bench.size import FULL, Size
-from bodymeasure.bench.stages import stage_shares
 from bodymeasure.bench.summary import figures, growth_record, results, set_record
-from bodymeasure.bench.threads import Threads, one_thread
-from bodymeasure.bench.timing import take_turns
-from bodymeasure.bench.whole_body import whole_body
+from bodymeasure.bench.timing.growth import measure_growth
+from bodymeasure.bench.timing.stages import stage_shares
+from bodymeasure.bench.timing.threads import Threads, one_thread
+from bodymeasure.bench.timing.timing import take_turns
+from bodymeasure.bench.timing.whole_body import whole_body
 from bodymeasure.measure import package_versions
 
 PACKAGES = ("bodymeasure", "numpy", "scipy", "libigl", "potpourri3d", "pygeodesic")

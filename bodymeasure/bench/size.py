@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from bodymeasure.bench.entrants import Pace
+from bodymeasure.bench.entrants.entrants import Pace
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from bodymeasure.bench.entrants import (
+from bodymeasure.bench.entrants.entrants import (
     BVP,
     DEFAULT,
     IGL_EXACT,
@@ -13,10 +13,10 @@ from bodymeasure.bench.entrants import (
     points_setting,
     tolerance_setting,
 )
-from bodymeasure.bench.growth import Growth
-from bodymeasure.bench.problem_sets import ProblemSet
+from bodymeasure.bench.problems.sets import ProblemSet
 from bodymeasure.bench.records import Figure, GrowthRecord, Result, SetRecord
-from bodymeasure.bench.timing import Trial
+from bodymeasure.bench.timing.growth import Growth
+from bodymeasure.bench.timing.timing import Trial
 
 MICRO = 1e6
 # Batches from here on are to take the same time a diagonal.

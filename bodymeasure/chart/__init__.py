@@ -1,7 +1,9 @@
 """A chart of body measurements: definitions as data, landmarks by rule, results with statuses."""
 
 from bodymeasure.chart.accuracy import AccuracyClass, accuracy_class
-from bodymeasure.chart.definitions import (
+from bodymeasure.chart.chart import Chart, Measured, Outcome, Tape, TapeKind
+from bodymeasure.chart.evaluate import measure_chart
+from bodymeasure.chart.kinds.definitions import (
     BreadthMeasure,
     ChordMeasure,
     ClosedMeasure,
@@ -21,11 +23,9 @@ from bodymeasure.chart.definitions import (
     TiltedGirthMeasure,
     definitions_schema,
 )
-from bodymeasure.chart.derive import Derived, derive_landmarks
-from bodymeasure.chart.evaluate import measure_chart
-from bodymeasure.chart.measured import Chart, Measured, Outcome, Tape, TapeKind
-from bodymeasure.chart.read import default_set, load_definitions
-from bodymeasure.chart.sides import both_sides
+from bodymeasure.chart.landmarks.derive import Derived, derive_landmarks
+from bodymeasure.chart.reading.read import default_set, load_definitions
+from bodymeasure.chart.reading.sides import both_sides
 
 __all__ = [
     "AccuracyClass",

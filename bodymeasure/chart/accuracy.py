@@ -3,7 +3,7 @@
 import re
 from enum import StrEnum
 
-from bodymeasure.chart.definitions import Measurement
+from bodymeasure.chart.kinds.definitions import Measurement
 
 
 class AccuracyClass(StrEnum):

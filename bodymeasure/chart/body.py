@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.normals import normal_vectors
-from bodymeasure.atlas.outward import outward_sign
+from bodymeasure.atlas.queries.outward import outward_sign
+from bodymeasure.chart.chart import Tape, TapeKind
 from bodymeasure.chart.joined import joined
 from bodymeasure.chart.legs import leg
-from bodymeasure.chart.measured import Tape, TapeKind
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import AtlasPath
 from bodymeasure.measure import Girth, plane_girth

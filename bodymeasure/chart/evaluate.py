@@ -4,10 +4,12 @@ import time
 from collections.abc import Callable
 
 from bodymeasure.atlas import Atlas
-from bodymeasure.chart.arithmetic import measure_formula
 from bodymeasure.chart.body import Body, MissingLandmarkError
-from bodymeasure.chart.complete import completed
-from bodymeasure.chart.definitions import (
+from bodymeasure.chart.chart import Chart, Measured, Outcome
+from bodymeasure.chart.formula.checks import evaluation_order
+from bodymeasure.chart.formula.parse import parse_formula
+from bodymeasure.chart.kinds.arithmetic import measure_formula
+from bodymeasure.chart.kinds.definitions import (
     BreadthMeasure,
     ChordMeasure,
     ClosedMeasure,
@@ -25,26 +27,24 @@ from bodymeasure.chart.definitions import (
     PathMeasure,
     TiltedGirthMeasure,
 )
-from bodymeasure.chart.formula import parse_formula
-from bodymeasure.chart.formula_checks import evaluation_order
-from bodymeasure.chart.lengths import measure_closed, measure_drop, measure_path
-from bodymeasure.chart.measured import Chart, Measured, Outcome
-from bodymeasure.chart.over import measure_over
-from bodymeasure.chart.read import load_definitions
-from bodymeasure.chart.rounds import (
+from bodymeasure.chart.kinds.lengths import measure_closed, measure_drop, measure_path
+from bodymeasure.chart.kinds.over import measure_over
+from bodymeasure.chart.kinds.rounds import (
     measure_extreme_girth,
     measure_girth,
     measure_girth_arc,
     measure_limb_girth,
     measure_tilted_girth,
 )
-from bodymeasure.chart.sides import both_sides
-from bodymeasure.chart.straight import (
+from bodymeasure.chart.kinds.straight import (
     measure_breadth,
     measure_chord,
     measure_depth,
     measure_height,
 )
+from bodymeasure.chart.landmarks.complete import completed
+from bodymeasure.chart.reading.read import load_definitions
+from bodymeasure.chart.reading.sides import both_sides
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.measure import package_versions
 

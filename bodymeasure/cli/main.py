@@ -12,20 +12,20 @@ from typing import Any
 
 import click
 
-from bodymeasure.cli.bench import bench
-from bodymeasure.cli.chart import chart
-from bodymeasure.cli.check import check
-from bodymeasure.cli.compare import compare
+from bodymeasure.cli.atlases.check import check
+from bodymeasure.cli.atlases.convert import convert
+from bodymeasure.cli.atlases.info import info
+from bodymeasure.cli.atlases.samples import samples
 from bodymeasure.cli.console import print_error, print_note
-from bodymeasure.cli.convert import convert
-from bodymeasure.cli.diagonals import diagonals
-from bodymeasure.cli.info import info
-from bodymeasure.cli.landmarks import landmarks
+from bodymeasure.cli.landmarks.group import landmarks
+from bodymeasure.cli.measuring.chart import chart
+from bodymeasure.cli.measuring.compare import compare
+from bodymeasure.cli.measuring.diagonals import diagonals
+from bodymeasure.cli.measuring.report import report
+from bodymeasure.cli.measuring.view import view
 from bodymeasure.cli.options import EXIT_CODES
-from bodymeasure.cli.paper import paper
-from bodymeasure.cli.report import report
-from bodymeasure.cli.samples import samples
-from bodymeasure.cli.view import view
+from bodymeasure.cli.study.bench import bench
+from bodymeasure.cli.study.paper import paper
 from bodymeasure.errors import BodymeasureError
 
 EXIT_BAD_INPUT = 2

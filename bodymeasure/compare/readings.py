@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from bodymeasure.atlas import Unit, convert_length
 from bodymeasure.compare.names import Known
 from bodymeasure.errors import InputError
-from bodymeasure.report.measurements.records import DEGREES, ChartDocument
+from bodymeasure.report.body.records import DEGREES, ChartDocument
 
 
 @dataclass(frozen=True)

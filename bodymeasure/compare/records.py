@@ -4,7 +4,7 @@ from typing import Annotated, Any, Final, Literal
 
 from msgspec import Meta, Struct
 
-from bodymeasure.report.measurements.records import LengthUnit, ValueUnit
+from bodymeasure.report.body.records import LengthUnit, ValueUnit
 from bodymeasure.report.serial import csv_bytes, json_bytes, struct_schema
 
 SCHEMA: Final = "bodymeasure comparison"

@@ -1,7 +1,7 @@
 """Differences as people read them, on the page and in the terminal."""
 
 from bodymeasure.compare.records import Agreement, Difference
-from bodymeasure.report.measurements.tape import TAPE_DECIMALS, small_text
+from bodymeasure.report.body.tape import TAPE_DECIMALS, small_text
 from bodymeasure.report.numbers import MINUS, NONE, SPACE
 
 # A tenth of a millimeter and its like: differences are means of many readings.

@@ -9,21 +9,13 @@ from typing import NamedTuple
 from bodymeasure.atlas import Atlas, Axes
 from bodymeasure.errors import InputError, ReadWarning
 from bodymeasure.files import read_bytes, write_bytes
-from bodymeasure.formats import (
-    bez,
-    bpt,
-    cad,
-    geomdl,
-    native,
-    npz,
-    obj,
-    obj_mesh,
-    obj_surfaces,
-    patches,
-    rhino,
-)
+from bodymeasure.formats import atlas_json, bez, bpt, geomdl, npz, patches
+from bodymeasure.formats.foreign import cad, rhino
 from bodymeasure.formats.groups import select_groups
-from bodymeasure.formats.obj_mesh import Faces
+from bodymeasure.formats.obj import mesh as obj_mesh
+from bodymeasure.formats.obj import read as obj
+from bodymeasure.formats.obj import surfaces as obj_surfaces
+from bodymeasure.formats.obj.mesh import Faces
 from bodymeasure.formats.options import ReadOptions
 from bodymeasure.formats.patches import ReadPatches
 
@@ -57,7 +49,7 @@ class Format(NamedTuple):
 
 ALL = frozenset({"unit", "names", "regions", "landmarks"})
 FORMATS = {
-    "atlas": Format("a bodymeasure atlas", (".atlas",), native.read, native.write, ALL),
+    "atlas": Format("a bodymeasure atlas", (".atlas",), atlas_json.read, atlas_json.write, ALL),
     "npz": Format("an .npz file", (".npz",), npz.read, npz.write, ALL),
     "bpt": Format("a BPT file", (".bpt",), bpt.read, bpt.write),
     "bez": Format("a Geomview Bezier file", (".bez", ".bbp"), bez.read, bez.write),

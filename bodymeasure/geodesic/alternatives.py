@@ -6,17 +6,17 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.neighbors import Neighbors, Place
 from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.topology.neighbors import Neighbors, Place
 from bodymeasure.errors import ConvergenceError, InputError
-from bodymeasure.geodesic.atlas_ends import checked_places, topology
-from bodymeasure.geodesic.atlas_leg import join_legs, leg_along, shortest_leg
-from bodymeasure.geodesic.atlas_path import AtlasPath
-from bodymeasure.geodesic.patch_graph import patch_graph
-from bodymeasure.geodesic.route_reading import route_along
-from bodymeasure.geodesic.route_search import SHORTER
-from bodymeasure.geodesic.via_pairs import via_pairs
-from bodymeasure.geodesic.way_pull import along_way, pulled_way
+from bodymeasure.geodesic.across.pieces.path import AtlasPath
+from bodymeasure.geodesic.across.routes.graph import patch_graph
+from bodymeasure.geodesic.across.routes.reading import route_along
+from bodymeasure.geodesic.across.routes.straightened import along_way, pulled_way
+from bodymeasure.geodesic.across.routes.via_pairs import via_pairs
+from bodymeasure.geodesic.across.search.ends import checked_places, topology
+from bodymeasure.geodesic.across.search.leg import join_legs, leg_along, shortest_leg
+from bodymeasure.geodesic.across.search.route_search import SHORTER
 
 # Two paths are one if they are nowhere further apart, at equal parts of their lengths, than this
 # part of the shorter one. Ways a few micrometers to the left and right of a seam are no choice for
@@ -64,12 +64,10 @@ def geodesic_alternatives(
     MissingExtraError
         If pygeodesic is not installed.
 
-    Notes
-    -----
-    Looked for are paths each third of which is the shortest between its own ends, as in
-    `bodymeasure.geodesic.via_pairs`: about a limb, those on either side and those that go round
-    little more than once. Each is pulled straight on the mesh and refined as by `geodesic_between`.
-    That none was missed is not proven.
+    Notes ----- Looked for are paths each third of which is the shortest between its own ends, as in
+    `bodymeasure.geodesic.across.routes.via_pairs`: about a limb, those on either side and those
+    that go round little more than once. Each is pulled straight on the mesh and refined as by
+    `geodesic_between`. That none was missed is not proven.
 
     Examples
     --------

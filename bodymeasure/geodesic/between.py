@@ -7,9 +7,9 @@ from typing import Literal
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.errors import ConvergenceError, InputError
-from bodymeasure.geodesic.atlas_ends import checked_places, topology
-from bodymeasure.geodesic.atlas_leg import join_legs, shortest_leg
-from bodymeasure.geodesic.atlas_path import AtlasPath
+from bodymeasure.geodesic.across.pieces.path import AtlasPath
+from bodymeasure.geodesic.across.search.ends import checked_places, topology
+from bodymeasure.geodesic.across.search.leg import join_legs, shortest_leg
 
 
 def geodesic_between(

@@ -10,11 +10,11 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import ConvergenceError, InputError
-from bodymeasure.geodesic.atlas_ends import checked_places, topology
-from bodymeasure.geodesic.atlas_path import AtlasPath, PathPiece, SeamCrossing
-from bodymeasure.geodesic.closed_error import LoopKind
-from bodymeasure.geodesic.closed_route import route_through
-from bodymeasure.geodesic.closed_search import FoundLoop, contracted
+from bodymeasure.geodesic.across.pieces.closed_error import LoopKind
+from bodymeasure.geodesic.across.pieces.path import AtlasPath, PathPiece, SeamCrossing
+from bodymeasure.geodesic.across.routes.closed_route import route_through
+from bodymeasure.geodesic.across.search.closed_search import FoundLoop, contracted
+from bodymeasure.geodesic.across.search.ends import checked_places, topology
 from bodymeasure.geodesic.status import Status
 
 FEWEST = 3

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
-from bodymeasure.geodesic.method import Piece
+from bodymeasure.geodesic.solving.protocol import Piece
 from bodymeasure.geodesic.status import have_length
 
 
@@ -30,7 +30,7 @@ class GeodesicSolution:
     raw_length : ndarray or float
         Length of the computed path itself, whatever the status.
     error_estimate : ndarray or float
-        Estimated error of `length`, in the same unit (see `bodymeasure.geodesic.length_error`).
+        Estimated error of `length`, in the same unit (see `bodymeasure.geodesic.lengths.measure`).
         Infinite where nothing is known.
     residual : ndarray or float
         Largest geodesic curvature between the collocation points, times the length; 0 for an exact

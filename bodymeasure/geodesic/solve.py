@@ -7,18 +7,18 @@ from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.errors import ConvergenceError, InputError
-from bodymeasure.geodesic.control_points import checked_control_points, of_size_one
-from bodymeasure.geodesic.custom_surface import CustomSurface
-from bodymeasure.geodesic.jacobi import UNKNOWN
-from bodymeasure.geodesic.method import Method, MethodResult
-from bodymeasure.geodesic.near import solve_near_and_far
-from bodymeasure.geodesic.one_place import distances_in_one_place
-from bodymeasure.geodesic.rbf import RBFCollocation
-from bodymeasure.geodesic.search import SEARCHES, Search, is_outside, search_further
+from bodymeasure.geodesic.lengths.coincident import distances_in_one_place
+from bodymeasure.geodesic.lengths.jacobi import UNKNOWN
+from bodymeasure.geodesic.methods.rbf_collocation import RBFCollocation
+from bodymeasure.geodesic.shortest.search import SEARCHES, Search, is_outside, search_further
 from bodymeasure.geodesic.solution import GeodesicSolution
+from bodymeasure.geodesic.solving.magnified import solve_near_and_far
+from bodymeasure.geodesic.solving.protocol import Method, MethodResult
 from bodymeasure.geodesic.status import Status, have_length
-from bodymeasure.geodesic.surface import Surface
-from bodymeasure.geodesic.surfaces_of import surfaces_of
+from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.control_points import checked_control_points, of_size_one
+from bodymeasure.geodesic.surfaces.custom import CustomSurface
+from bodymeasure.geodesic.surfaces.surfaces_of import surfaces_of
 
 # What the smallest lengths are rounded to.
 SMALLEST = float(np.finfo(np.float64).smallest_subnormal)
@@ -72,10 +72,10 @@ def solve_geodesic(
         `RBFCollocation()` by default.
     search : {"quick", "thorough", "straight"}, optional
         Whether to look for the shortest path beyond what the method finds from the straight line in
-        (u, v); see `bodymeasure.geodesic.search`. Quick: where the method fails, above all where
-        the geodesic leaves the patch. Thorough: always, since a shorter path may run elsewhere on a
-        strongly curved patch. Straight: never. By default quick; but straight if a method is given,
-        so that what is returned is what that method finds.
+        (u, v); see `bodymeasure.geodesic.shortest.search`. Quick: where the method fails, above all
+        where the geodesic leaves the patch. Thorough: always, since a shorter path may run
+        elsewhere on a strongly curved patch. Straight: never. By default quick; but straight if a
+        method is given, so that what is returned is what that method finds.
     on_failure : {"raise", "status"}
         What to do if a problem has no length that can be trusted: raise, or say so in its status,
         with NaN for a length.

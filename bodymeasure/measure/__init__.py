@@ -1,15 +1,15 @@
 """Measurements of an atlas: diagonals and boundary curves of patches, girths, straight measures."""
 
-from bodymeasure.measure.boundary import BoundaryLengths, boundary_lengths
-from bodymeasure.measure.closed_girth import closed_geodesic
-from bodymeasure.measure.diagonals import diagonals
-from bodymeasure.measure.drops import Drop, drop
-from bodymeasure.measure.extreme_girth import ExtremeGirth, Extremum, extreme_girth
-from bodymeasure.measure.forks import fork
-from bodymeasure.measure.girth_arcs import GirthArc, girth_arc
-from bodymeasure.measure.girths import Girth, body_girth, limb_girth, plane_girth
-from bodymeasure.measure.straight import breadth, chord, depth, height
-from bodymeasure.measure.survey import Survey, measure_atlas, package_versions
+from bodymeasure.measure.body.closed_girth import closed_geodesic
+from bodymeasure.measure.body.drops import Drop, drop
+from bodymeasure.measure.body.extreme_girth import ExtremeGirth, Extremum, extreme_girth
+from bodymeasure.measure.body.forks import fork
+from bodymeasure.measure.body.girth_arcs import GirthArc, girth_arc
+from bodymeasure.measure.body.girths import Girth, body_girth, limb_girth, plane_girth
+from bodymeasure.measure.body.straight import breadth, chord, depth, height
+from bodymeasure.measure.patches.boundary import BoundaryLengths, boundary_lengths
+from bodymeasure.measure.patches.diagonals import diagonals
+from bodymeasure.measure.patches.survey import Survey, measure_atlas, package_versions
 
 __all__ = [
     "BoundaryLengths",

@@ -17,8 +17,8 @@ from bodymeasure.oracle.libigl import ROUND_OFF, exact_distance, heat_distances,
 from bodymeasure.oracle.validate import validate_mesh
 from bodymeasure.oracle.workers import map_in_processes
 
-# Chosen with tests/benchmarks/oracle_levels.py: the extrapolated length is within 4e-7 of the
-# smooth one in the median over a body's diagonals, for 30 ms of one core each.
+# Chosen with tests/benchmarks/patches/oracle_levels.py: the extrapolated length is within 4e-7 of
+# the smooth one in the median over a body's diagonals, for 30 ms of one core each.
 LEVELS = (5, 10, 15, 20)
 
 # Patches a worker measures at a time: some tenths of a second.

@@ -4,9 +4,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 # Calibrated on the 1490 diagonals of two bodies that stay in their patches
-# (tests/benchmarks/oracle_levels.py), and on 480 pairs of random points of three others: 99.9 % and
-# 99.4 % of the errors are covered by an uncertainty 17 times the error in the median. The spread
-# alone misses those whose extrapolations agree by chance; the share of the correction is for them.
+# (tests/benchmarks/patches/oracle_levels.py), and on 480 pairs of random points of three others:
+# 99.9 % and 99.4 % of the errors are covered by an uncertainty 17 times the error in the median.
+# The spread alone misses those whose extrapolations agree by chance; the share of the correction is
+# for them.
 SPREAD_FACTOR = 2.0
 CORRECTION_SHARE = 0.02
 

@@ -9,19 +9,8 @@ import numpy as np
 
 from bodymeasure.errors import InputError
 from bodymeasure.measure import package_versions
-from bodymeasure.paper.bars import accuracy_bars, speed_bars
-from bodymeasure.paper.beyond import COUNTS, FEW_COUNTS, beyond_table, known_diagonals, settings
-from bodymeasure.paper.body_tables import (
-    body_distribution,
-    by_two_functions,
-    curve_tables,
-    spread_of_table_5,
-    table_5,
-)
-from bodymeasure.paper.comparison import compare, in_chunks
-from bodymeasure.paper.medians import medians_table
-from bodymeasure.paper.normalization import normalize
-from bodymeasure.paper.random_patches import (
+from bodymeasure.paper.data.comparison import compare, in_chunks
+from bodymeasure.paper.data.random_patches import (
     GROUP_SIZE,
     GROUPS,
     READINGS,
@@ -29,13 +18,30 @@ from bodymeasure.paper.random_patches import (
     Reading,
     make_testing_data,
 )
-from bodymeasure.paper.readings import closest_table, events_table
-from bodymeasure.paper.scaling import measure_scaling, scaling_table
-from bodymeasure.paper.speed import BATCH, speed_table
-from bodymeasure.paper.spreads import distribution_table, roots_table
-from bodymeasure.paper.table import Table
-from bodymeasure.paper.table5 import table5
-from bodymeasure.paper.tables import (
+from bodymeasure.paper.method.normalization import normalize
+from bodymeasure.paper.surface.table5 import table5
+from bodymeasure.paper.tables.aims import accuracy_bars, speed_bars
+from bodymeasure.paper.tables.beyond import (
+    COUNTS,
+    FEW_COUNTS,
+    beyond_table,
+    known_diagonals,
+    settings,
+)
+from bodymeasure.paper.tables.medians import medians_table
+from bodymeasure.paper.tables.readings import closest_table, events_table
+from bodymeasure.paper.tables.scaling import measure_scaling, scaling_table
+from bodymeasure.paper.tables.speed import BATCH, speed_table
+from bodymeasure.paper.tables.spreads import distribution_table, roots_table
+from bodymeasure.paper.tables.table import Table
+from bodymeasure.paper.tables.table_5 import (
+    body_distribution,
+    by_two_functions,
+    curve_tables,
+    spread_of_table_5,
+    table_5,
+)
+from bodymeasure.paper.tables.tables_3_and_4 import (
     ReadingResult,
     key,
     table_3,

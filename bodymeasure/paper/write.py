@@ -6,10 +6,10 @@ from typing import Final
 import msgspec
 
 from bodymeasure.files import make_folder, write_all
-from bodymeasure.paper.page import render_page
+from bodymeasure.paper.page.page import render_page
+from bodymeasure.paper.page.summary import render_summary
 from bodymeasure.paper.reproduce import Reproduction
-from bodymeasure.paper.summary import render_summary
-from bodymeasure.paper.table import to_csv, to_record
+from bodymeasure.paper.tables.table import to_csv, to_record
 
 SCHEMA: Final = "bodymeasure paper"
 VERSION: Final = 1

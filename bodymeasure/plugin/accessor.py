@@ -7,11 +7,11 @@ import numpy as np
 import pyvista as pv
 
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
-from bodymeasure.atlas.closest import closest_points
+from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.errors import BodymeasureError, InputError
 from bodymeasure.geodesic import geodesic_between
 from bodymeasure.measure import body_girth
-from bodymeasure.measure.places import landmark_of
+from bodymeasure.measure.body.places import landmark_of
 from bodymeasure.mesh import measure_mesh
 from bodymeasure.mesh.points import points_of
 from bodymeasure.plugin.drawn import drawn_path, shown

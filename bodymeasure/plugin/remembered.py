@@ -9,7 +9,7 @@ import pyvista as pv
 from bodymeasure.atlas import Atlas, tessellate
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError
-from bodymeasure.formats import native
+from bodymeasure.formats import atlas_json
 
 # Steps along a patch's side: on a mannequin, the mesh is within a few tenths of a millimeter.
 SEGMENTS = 8
@@ -49,7 +49,7 @@ def mesh_of(atlas: Atlas, *, unit_known: bool = True, segments: int = SEGMENTS) 
     mesh.point_data[PATCH] = found.patch
     mesh.point_data[PARAMETERS] = found.parameters
     mesh.cell_data[PATCH] = found.face_patch
-    mesh.field_data[ATLAS] = [native.write(atlas).decode()]
+    mesh.field_data[ATLAS] = [atlas_json.write(atlas).decode()]
     mesh.field_data[UNIT] = [atlas.unit.value if unit_known else ""]
     mesh.set_active_scalars(None)
     return mesh
@@ -84,7 +84,7 @@ def unit_of(mesh: pv.PolyData) -> str:
 
 @lru_cache(maxsize=4)
 def _read(text: str) -> Atlas:
-    return native.read(text.encode(), "the atlas that the mesh remembers")
+    return atlas_json.read(text.encode(), "the atlas that the mesh remembers")
 
 
 def _check_place(mesh: pv.PolyData, atlas: Atlas) -> None:

@@ -3,17 +3,17 @@
 Importing this does not load jinja2; rendering a page does.
 """
 
-from bodymeasure.report.from_survey import measurement_records, survey_document
-from bodymeasure.report.html import Pictures, render_html
-from bodymeasure.report.ranking import closeup_patches, disagreements
-from bodymeasure.report.records import (
+from bodymeasure.report.patches.from_survey import measurement_records, survey_document
+from bodymeasure.report.patches.page import Pictures, render_html
+from bodymeasure.report.patches.ranking import closeup_patches, disagreements
+from bodymeasure.report.patches.records import (
     Document,
     Measurement,
     json_schema,
     to_csv,
     to_json,
 )
-from bodymeasure.report.write import write_report
+from bodymeasure.report.patches.write import write_report
 
 __all__ = [
     "Document",

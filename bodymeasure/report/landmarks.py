@@ -7,12 +7,12 @@ from msgspec import Struct
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas, Unit, convert_length
-from bodymeasure.chart.definitions import Definitions
-from bodymeasure.chart.derive import Derived, derive_landmarks
-from bodymeasure.chart.landmark_names import other_side, suggested_name
-from bodymeasure.chart.needed import lacking, names_in
-from bodymeasure.chart.rule_words import rule_words
-from bodymeasure.chart.symmetry import SymmetryCheck, check_symmetry
+from bodymeasure.chart.kinds.definitions import Definitions
+from bodymeasure.chart.kinds.needed import lacking, names_in
+from bodymeasure.chart.landmarks.derive import Derived, derive_landmarks
+from bodymeasure.chart.landmarks.names import other_side, suggested_name
+from bodymeasure.chart.landmarks.symmetry import SymmetryCheck, check_symmetry
+from bodymeasure.chart.landmarks.words import rule_words
 from bodymeasure.report.serial import csv_bytes
 
 # In metres: experienced measurers find a landmark on a body again within about that.

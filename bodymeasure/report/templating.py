@@ -8,6 +8,7 @@ from typing import Any, TypedDict, TypeVar
 
 from bodymeasure.errors import MissingExtraError
 from bodymeasure.report import numbers
+from bodymeasure.wording import counted
 
 Key = TypeVar("Key")
 
@@ -63,6 +64,7 @@ def render_page(
         loader=jinja2.FunctionLoader(lambda name: _text("bodymeasure.report", name)),
     )
     environment.filters.update({**FILTERS, **(filters or {})})
+    environment.globals["counted"] = counted
     css = [_text("bodymeasure.report", name) for name in ("report.css", *styles)]
     page = environment.from_string(_text(package, template))
     return page.render(**context, css="\n".join(css)).encode()

@@ -3,12 +3,13 @@
 Importing this loads neither VTK nor matplotlib; drawing does.
 """
 
-from bodymeasure.scene.build import body_scene, patch_scene
 from bodymeasure.scene.camera import SIDES, View, body_views, cut_away, patch_view
-from bodymeasure.scene.charts import color_bar, histogram
-from bodymeasure.scene.choice import Choice, choose_renderer
 from bodymeasure.scene.colors import ColorScale
-from bodymeasure.scene.gallery import Pictures, pictures, png
+from bodymeasure.scene.diagonals.build import body_scene, patch_scene
+from bodymeasure.scene.diagonals.gallery import Pictures, pictures, png
+from bodymeasure.scene.diagonals.overview import body_overview
+from bodymeasure.scene.drawing.opengl_check import Choice, choose_renderer
+from bodymeasure.scene.figures.color_bar import color_bar, histogram
 from bodymeasure.scene.model import (
     BodyScene,
     Label,
@@ -19,9 +20,8 @@ from bodymeasure.scene.model import (
     TapeLine,
     TapeScene,
 )
-from bodymeasure.scene.overview import body_overview
-from bodymeasure.scene.tape_gallery import TapePictures, tape_pictures, tapes_overview
-from bodymeasure.scene.tapes import tapes_scene
+from bodymeasure.scene.tapes.build import tapes_scene
+from bodymeasure.scene.tapes.gallery import TapePictures, tape_pictures, tapes_overview
 
 __all__ = [
     "SIDES",

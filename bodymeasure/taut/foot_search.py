@@ -3,7 +3,7 @@
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.taut.jets import jets
+from bodymeasure.bezier.power_form import jets
 
 # Newton's steps for a foot on one patch, halvings included. From a sample beside it, four serve.
 MAX_STEPS = 40
@@ -25,7 +25,7 @@ def descend(coefficients: Array, targets: Array, start: Array) -> tuple[Array, A
     Parameters
     ----------
     coefficients : ndarray, shape (k, m + 1, m + 1, 3 or 4)
-        See `bodymeasure.taut.jets`.
+        See `bodymeasure.bezier.power_form`.
     targets : ndarray, shape (k, 3)
     start : ndarray, shape (k, 2)
 
@@ -36,10 +36,9 @@ def descend(coefficients: Array, targets: Array, start: Array) -> tuple[Array, A
     squared : ndarray, shape (k,)
         Squared distances.
 
-    Notes
-    -----
-    Newton's method in the box as in `bodymeasure.atlas.closest`, tuned for starts that need no
-    care: a step is evaluated where the next one needs it anyway, and halved if it led away.
+    Notes ----- Newton's method in the box as in `bodymeasure.atlas.queries.closest`, tuned for
+    starts that need no care: a step is evaluated where the next one needs it anyway, and halved if
+    it led away.
     """
     x, trial = start.copy(), start.copy()
     value = np.full(len(x), np.inf)

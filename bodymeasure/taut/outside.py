@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.components import connected_components
-from bodymeasure.atlas.joins import parts, round_of_side, seams_of, turned_patches
 from bodymeasure.atlas.seams import EdgeTable
+from bodymeasure.atlas.topology.joins import parts, round_of_side, seams_of, turned_patches
 from bodymeasure.errors import InputError
 
 Outside = Literal["told", "along normals", "against normals"]

@@ -10,8 +10,8 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.seams import edge_table
 from bodymeasure.bezier import evaluate
+from bodymeasure.bezier.power_form import power_coefficients
 from bodymeasure.taut.foot_search import descend
-from bodymeasure.taut.jets import power_coefficients
 from bodymeasure.taut.outside import Outside, outward_signs
 from bodymeasure.taut.sides import entered, on_sides, over_sides
 from bodymeasure.taut.tangents import normals_and_bends

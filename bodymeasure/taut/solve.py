@@ -19,7 +19,7 @@ NEGLIGIBLE = 1e-10
 # Takeoffs fall on the points of a string by chance, so that two strings now and then agree better
 # than either is right. The change from one to the next and what segments have in doubt count so
 # often; what the one before had in doubt, and this part of the length are added. On bodies that
-# covers the changes to strings of four times as many points: `tests/benchmarks/taut.py`.
+# covers the changes to strings of four times as many points: `tests/benchmarks/bodies/taut.py`.
 SAFETY = 3.0
 CHANCE = 5e-8
 

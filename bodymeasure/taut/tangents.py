@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
-from bodymeasure.taut.jets import jets
+from bodymeasure.bezier.power_form import jets
 
 # Sine: tangents closer than this span no plane, and the normal is taken a little aside.
 DEGENERATE = 1e-9

@@ -4,8 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure._typing import Array, Ints
+from bodymeasure.bezier.power_form import jets
 from bodymeasure.taut.foot_search import descend
-from bodymeasure.taut.jets import jets
 from bodymeasure.taut.sides import AXIS, VALUE
 from bodymeasure.taut.skin import Feet, Skin
 

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from grids import grid_atlas
+from helpers.surfaces.grids import grid_atlas
 
 from bodymeasure import Atlas, AtlasPoint, InputError, Unit
 

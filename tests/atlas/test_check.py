@@ -2,11 +2,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from grids import grid_atlas, grid_index
+from helpers.surfaces.grids import grid_atlas, grid_index
+from helpers.surfaces.quadrics import sphere_nets
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
-from quadrics import sphere_nets
 from scipy.spatial.transform import Rotation
 
 from bodymeasure import InputError

@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
+from helpers.surfaces.surfaces import SURFACES, Surface
 from numpy.typing import ArrayLike, NDArray
-from surfaces import SURFACES, Surface
 
 from bodymeasure import Atlas, InputError, Unit
-from bodymeasure.atlas.closest import closest_points
+from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.bezier import derivatives, evaluate
 
 

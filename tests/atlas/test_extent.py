@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from quadrics import joined, sphere_nets, torus_nets
+from helpers.surfaces.quadrics import joined, sphere_nets, torus_nets
 
 from bodymeasure.atlas import Atlas, summarize, tessellate
-from bodymeasure.atlas.extent import size_along
+from bodymeasure.atlas.queries.extent import size_along
 from bodymeasure.samples import load_sample
 
 

@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
-from grids import grid_atlas
+from helpers.surfaces.grids import grid_atlas
 
 from bodymeasure.atlas import Atlas, Unit
-from bodymeasure.atlas.neighbors import Neighbors, Place
+from bodymeasure.atlas.topology.neighbors import Neighbors, Place
 from bodymeasure.bezier import evaluate
 
 

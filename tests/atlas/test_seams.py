@@ -1,5 +1,5 @@
 import numpy as np
-from grids import grid_index
+from helpers.surfaces.grids import grid_index
 
 from bodymeasure.atlas import EDGES, edge_table
 

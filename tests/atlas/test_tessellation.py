@@ -4,10 +4,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from grids import grid_atlas
+from helpers.surfaces.grids import grid_atlas
+from helpers.surfaces.surfaces import PARABOLOID
 from numpy.typing import NDArray
 from scipy.integrate import dblquad
-from surfaces import PARABOLOID
 
 from bodymeasure.atlas import Atlas, Tessellation, Unit, tessellate
 from bodymeasure.bezier import evaluate

@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from grids import grid_atlas
+from helpers.surfaces.grids import grid_atlas
 from hypothesis import given
 from hypothesis import strategies as st
 

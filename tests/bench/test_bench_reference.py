@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
-from surfaces import ENNEPER, SURFACES, Surface
+from helpers.surfaces.surfaces import ENNEPER, SURFACES, Surface
 
 from bodymeasure import load_sample
-from bodymeasure.bench.problem_sets import body_set, mild_set, wild_set
-from bodymeasure.bench.problems import Problems, both_diagonals, mild_patches, wild_patches
-from bodymeasure.bench.reference import GUESS_TIMES, geodesics
+from bodymeasure.bench.problems.patches import Problems, both_diagonals, mild_patches, wild_patches
+from bodymeasure.bench.problems.reference import GUESS_TIMES, geodesics
+from bodymeasure.bench.problems.sets import body_set, mild_set, wild_set
 
 
 def one(surface: Surface) -> Problems:

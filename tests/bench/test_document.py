@@ -10,7 +10,7 @@ from pathlib import Path
 
 import msgspec
 import pytest
-from small_benchmark import PROGRESS, SMALL, small_benchmark
+from helpers.charts.small_benchmark import PROGRESS, SMALL, small_benchmark
 
 from bodymeasure.bench import (
     BenchDocument,
@@ -20,7 +20,7 @@ from bodymeasure.bench import (
     to_json,
     write_benchmark,
 )
-from bodymeasure.bench.entrants import DEFAULT, entrants
+from bodymeasure.bench.entrants.entrants import DEFAULT, entrants
 from bodymeasure.bench.records import Result
 from bodymeasure.errors import InputError
 

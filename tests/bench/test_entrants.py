@@ -2,15 +2,15 @@
 
 import numpy as np
 import pytest
-from command_line import hide_here
-from surfaces import PLANE, SURFACES, plane_length
+from helpers.command_line import hide_here
+from helpers.surfaces.surfaces import PLANE, SURFACES, plane_length
 
-from bodymeasure.bench import mesh_paths
-from bodymeasure.bench.boundary_value import BoundaryValueProblem
-from bodymeasure.bench.entrants import Entrant, entrants
+from bodymeasure.bench.entrants import mesh_paths
+from bodymeasure.bench.entrants.boundary_value import BoundaryValueProblem
+from bodymeasure.bench.entrants.entrants import Entrant, entrants
+from bodymeasure.bench.entrants.mesh_paths import MeshedPatch, igl_exact
 from bodymeasure.bench.figure import LOOKS
-from bodymeasure.bench.mesh_paths import MeshedPatch, igl_exact
-from bodymeasure.bench.problems import Problems
+from bodymeasure.bench.problems.patches import Problems
 from bodymeasure.errors import InputError
 
 ENTRANTS = {entrant.label: entrant for entrant in entrants()}

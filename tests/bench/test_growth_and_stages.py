@@ -2,9 +2,9 @@
 
 import pytest
 
-from bodymeasure.bench.growth import measure_growth
-from bodymeasure.bench.problem_sets import mild_set, wild_set
-from bodymeasure.bench.stages import REST, STAGES, stage_shares
+from bodymeasure.bench.problems.sets import mild_set, wild_set
+from bodymeasure.bench.timing.growth import measure_growth
+from bodymeasure.bench.timing.stages import REST, STAGES, stage_shares
 
 
 def test_memory_is_followed_and_nothing_fails() -> None:

@@ -4,16 +4,16 @@ import time
 
 import numpy as np
 import pytest
-from small_benchmark import SMALL
+from helpers.charts.small_benchmark import SMALL
 from threadpoolctl import threadpool_info, threadpool_limits
 
-from bodymeasure.bench.entrants import Entrant, Pace
-from bodymeasure.bench.problem_sets import ProblemSet
-from bodymeasure.bench.problems import Problems, first_diagonals
+from bodymeasure.bench.entrants.entrants import Entrant, Pace
+from bodymeasure.bench.problems.patches import Problems, first_diagonals
+from bodymeasure.bench.problems.sets import ProblemSet
 from bodymeasure.bench.size import FULL, Size
 from bodymeasure.bench.summary import results
-from bodymeasure.bench.threads import one_thread
-from bodymeasure.bench.timing import take_turns
+from bodymeasure.bench.timing.threads import one_thread
+from bodymeasure.bench.timing.timing import take_turns
 
 COUNT = 5
 

@@ -7,8 +7,8 @@ from functools import cache
 
 import numpy as np
 import pytest
+from helpers.files.pattern_names import FREESEWING, SEAMLY
 from msgspec.structs import replace as replaced
-from pattern_names import FREESEWING, SEAMLY
 
 from bodymeasure.atlas import Atlas, Axes
 from bodymeasure.chart import (

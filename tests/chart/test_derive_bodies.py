@@ -5,14 +5,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from helpers.surfaces.quadrics import joined, sphere_nets, stretched
 from numpy.typing import NDArray
-from quadrics import joined, sphere_nets, stretched
 
 from bodymeasure import load_sample
 from bodymeasure.atlas import Atlas, Axes
 from bodymeasure.bezier import evaluate
 from bodymeasure.chart import Derived, derive_landmarks, load_definitions
-from bodymeasure.chart.landmark_rules import (
+from bodymeasure.chart.landmarks.rules import (
     Boundary,
     Fork,
     LandmarkRule,

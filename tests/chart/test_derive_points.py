@@ -4,13 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from cut_atlases import wavy_plane
-from tubes import QUARTER, joined, tube
+from helpers.surfaces.cut_atlases import wavy_plane
+from helpers.surfaces.tubes import QUARTER, joined, tube
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Axes
 from bodymeasure.chart import Derived, derive_landmarks
-from bodymeasure.chart.landmark_rules import (
+from bodymeasure.chart.landmarks.rules import (
     Between,
     Boundary,
     GirthLevel,

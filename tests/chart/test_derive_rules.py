@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tubes import tube
+from helpers.surfaces.tubes import tube
 
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.chart import derive_landmarks, load_definitions
-from bodymeasure.chart.landmark_rules import (
+from bodymeasure.chart.landmarks.rules import (
     Boundary,
     GirthLevel,
     LandmarkRule,
@@ -16,7 +16,7 @@ from bodymeasure.chart.landmark_rules import (
     Median,
     Prominent,
 )
-from bodymeasure.chart.rule_words import rule_words
+from bodymeasure.chart.landmarks.words import rule_words
 from bodymeasure.errors import InputError
 
 PICKED = {"crotch point": AtlasPoint(0, 0.25, 0.25), "back neck point": AtlasPoint(2, 0.5, 0.75)}

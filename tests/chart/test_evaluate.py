@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from cut_atlases import corner_of, wavy_plane
-from tubes import joined, ring_length, tube
+from helpers.surfaces.cut_atlases import corner_of, wavy_plane
+from helpers.surfaces.tubes import joined, ring_length, tube
 
 from bodymeasure.atlas import Atlas, AtlasPoint, Axes
 from bodymeasure.chart import (
@@ -30,7 +30,7 @@ from bodymeasure.chart import (
     TiltedGirthMeasure,
     measure_chart,
 )
-from bodymeasure.chart.landmark_rules import Between, LandmarkRule
+from bodymeasure.chart.landmarks.rules import Between, LandmarkRule
 from bodymeasure.errors import InputError
 
 RADIUS = 1.5

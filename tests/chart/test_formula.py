@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bodymeasure.chart.formula import FUNCTIONS, LONGEST, parse_formula
-from bodymeasure.chart.formula_quantity import Quantity, quantity_of
-from bodymeasure.chart.formula_value import Estimate, evaluate_formula
+from bodymeasure.chart.formula.parse import FUNCTIONS, LONGEST, parse_formula
+from bodymeasure.chart.formula.quantity import Quantity, quantity_of
+from bodymeasure.chart.formula.value import Estimate, evaluate_formula
 from bodymeasure.errors import InputError
 
 A, B = Estimate(7.5, 1e-3), Estimate(-2.0, 3e-3)

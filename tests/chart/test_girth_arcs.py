@@ -6,8 +6,8 @@ from typing import Literal
 
 import numpy as np
 import pytest
+from helpers.surfaces.tubes import joined, ring_length, tube
 from msgspec.structs import replace as replaced
-from tubes import joined, ring_length, tube
 
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.chart import (

@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from cut_atlases import random_point, wavy_plane
+from helpers.surfaces.cut_atlases import random_point, wavy_plane
 
 from bodymeasure.chart.joined import joined
 from bodymeasure.geodesic import Status, geodesic_between

@@ -19,7 +19,7 @@ from bodymeasure.chart import (
     definitions_schema,
     load_definitions,
 )
-from bodymeasure.chart.read import DEFAULT, definitions_from
+from bodymeasure.chart.reading.read import DEFAULT, definitions_from
 from bodymeasure.errors import InputError
 
 HEAD = 'format = "bodymeasure measurements"\nversion = 1\nname = "Mine"\n'

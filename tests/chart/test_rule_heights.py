@@ -3,11 +3,11 @@
 from dataclasses import replace
 
 import numpy as np
-from tubes import joined, tube
+from helpers.surfaces.tubes import joined, tube
 
 from bodymeasure.atlas import AtlasPoint
 from bodymeasure.chart import derive_landmarks
-from bodymeasure.chart.landmark_rules import AtHeight
+from bodymeasure.chart.landmarks.rules import AtHeight
 
 # Round the tube, where u = 0 on its patches.
 LEFT, FRONT = 0, 3

@@ -4,29 +4,29 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from helpers.surfaces.tubes import tube
 from scipy.spatial.transform import Rotation
-from tubes import tube
 
 from bodymeasure import load_sample
 from bodymeasure.atlas import Atlas, AtlasPoint
-from bodymeasure.atlas.closest import closest_points
+from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.chart import load_definitions
-from bodymeasure.chart.definitions import (
+from bodymeasure.chart.kinds.definitions import (
     ChordMeasure,
     FormulaMeasure,
     GirthMeasure,
     LimbGirthMeasure,
     PathMeasure,
 )
-from bodymeasure.chart.landmark_names import (
+from bodymeasure.chart.kinds.needed import lacking, landmarks_of, names_in
+from bodymeasure.chart.landmarks.names import (
     KNOWN_NAMES,
     SYNONYMS,
     other_side,
     side_of,
     suggested_name,
 )
-from bodymeasure.chart.needed import lacking, landmarks_of, names_in
-from bodymeasure.chart.symmetry import check_symmetry
+from bodymeasure.chart.landmarks.symmetry import check_symmetry
 
 
 @pytest.fixture(scope="module")

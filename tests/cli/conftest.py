@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from command_line import Edited, Ran, Run, part_of_a_body
-from grids import grid_atlas
+from helpers.command_line import Edited, Ran, Run, part_of_a_body
+from helpers.surfaces.grids import grid_atlas
 
 from bodymeasure import write_atlas
 from bodymeasure.cli import main

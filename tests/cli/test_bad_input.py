@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from command_line import Edited, Run
-from grids import grid_atlas
+from helpers.command_line import Edited, Run
+from helpers.surfaces.grids import grid_atlas
 
 from bodymeasure import Atlas, write_atlas
 from bodymeasure.samples import sample_path
@@ -180,7 +180,7 @@ def test_a_report_that_cannot_be_written_is_not_begun(
     if place.startswith("/proc") and not Path("/proc/self").exists():
         pytest.skip("this system has no /proc")
     (tmp_path / "file").write_bytes(b"mine")
-    monkeypatch.setattr("bodymeasure.cli.report.measure_atlas", no_work)
+    monkeypatch.setattr("bodymeasure.cli.measuring.report.measure_atlas", no_work)
     output = tmp_path / place
     ran = run("report", "enneper", "-o", output, *REPORT)
     assert (ran.code, ran.out) == (2, "")
@@ -194,7 +194,7 @@ def test_a_folder_without_permission_is_told_first(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     tmp_path.chmod(0o500)
-    monkeypatch.setattr("bodymeasure.cli.report.measure_atlas", no_work)
+    monkeypatch.setattr("bodymeasure.cli.measuring.report.measure_atlas", no_work)
     for output in (tmp_path, tmp_path / "new"):
         ran = run("report", "enneper", "-o", output, *REPORT)
         assert (ran.code, ran.out) == (2, "")
@@ -213,7 +213,7 @@ def test_a_screenshot_that_cannot_be_written_is_not_begun(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, reason: str
 ) -> None:
     (tmp_path / "folder.png").mkdir()
-    monkeypatch.setattr("bodymeasure.cli.view.measure_atlas", no_work)
+    monkeypatch.setattr("bodymeasure.cli.measuring.view.measure_atlas", no_work)
     ran = run("view", "enneper", "--screenshot", tmp_path / name)
     assert (ran.code, ran.out) == (2, "")
     assert ran.err.startswith(f"Error: {tmp_path / name}: ")
@@ -224,9 +224,10 @@ def test_a_window_that_cannot_be_opened_is_not_begun(
     run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(
-        "bodymeasure.scene.choice.opengl_trouble", lambda *, window: f"window={window}"
+        "bodymeasure.scene.drawing.opengl_check.opengl_trouble",
+        lambda *, window: f"window={window}",
     )
-    monkeypatch.setattr("bodymeasure.cli.view.measure_atlas", no_work)
+    monkeypatch.setattr("bodymeasure.cli.measuring.view.measure_atlas", no_work)
     ran = run("view", "enneper")
     assert (ran.code, ran.out) == (2, "")
     assert ran.err == (

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import msgspec
 import pytest
-from command_line import Run, hide_here, run_apart
-from small_benchmark import SMALL, small_benchmark
+from helpers.charts.small_benchmark import SMALL, small_benchmark
+from helpers.command_line import Run, hide_here, run_apart
 
 import bodymeasure.bench
 from bodymeasure.bench import BenchDocument, Size

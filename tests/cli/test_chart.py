@@ -8,8 +8,8 @@ from typing import Any
 
 import jsonschema
 import pytest
-from command_line import Run, hide_here, recorded_bars
-from hand_made_chart import tape_pictures
+from helpers.charts.hand_made_chart import tape_pictures
+from helpers.command_line import Run, hide_here, recorded_bars
 
 FILES = [
     "chart.html",
@@ -123,7 +123,7 @@ def test_an_atlas_without_landmarks_is_no_success(run: Run) -> None:
 def test_pictures_and_progress(
     run: Run, definitions: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    bars = recorded_bars(monkeypatch, "chart")
+    bars = recorded_bars(monkeypatch, "measuring.chart")
 
     def draw(_chart: Any, *, advance: Any) -> Any:
         for name in range(5):

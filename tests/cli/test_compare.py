@@ -3,12 +3,12 @@ import re
 from pathlib import Path
 
 import pytest
-from command_line import Run
-from hand_made_chart import hand_made_chart
+from helpers.charts.hand_made_chart import hand_made_chart
+from helpers.command_line import Run
 
-from bodymeasure.cli.compare import MINIMUM_SUBJECTS
+from bodymeasure.cli.measuring.compare import MINIMUM_SUBJECTS
 from bodymeasure.compare import MINIMUM_SUBJECTS as STANDARD
-from bodymeasure.report.measurements import chart_document, chart_to_csv, chart_to_json
+from bodymeasure.report.body import chart_document, chart_to_csv, chart_to_json
 
 
 @pytest.fixture

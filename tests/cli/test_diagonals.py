@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from command_line import Run
+from helpers.command_line import Run
 
 from bodymeasure import (
     Atlas,
@@ -92,7 +92,9 @@ def test_the_table_explains_why_there_is_no_length(
         status[0, 1], length[0, 1] = Status.LEAVES_PATCH, math.nan
         return replace(solution, status=status, length=length)
 
-    monkeypatch.setattr("bodymeasure.measure.survey.diagonals", lambda atlas, **_: left(atlas))
+    monkeypatch.setattr(
+        "bodymeasure.measure.patches.survey.diagonals", lambda atlas, **_: left(atlas)
+    )
     ran = run("diagonals", "enneper")
     assert (ran.code, ran.err) == (0, "")
     table, *sentences = ran.out.split("\n\n")

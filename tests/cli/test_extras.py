@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from command_line import Run, hide, hide_here, run_apart
+from helpers.command_line import Run, hide, hide_here, run_apart
 
 DRAWING = ("igl", "trimesh", "pyvista", "vtkmodules", "matplotlib", "PIL")
 

@@ -2,7 +2,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from command_line import Run
+from helpers.command_line import Run
 
 from bodymeasure import load_sample, read_atlas
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_line import Run, hide_here
+from helpers.command_line import Run, hide_here
 
 from bodymeasure import load_sample, read_atlas, write_atlas
 from bodymeasure.atlas import AtlasPoint, Unit

@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from command_line import Run, hide_here, recorded_bars
+from helpers.command_line import Run, hide_here, recorded_bars
 
 from bodymeasure.paper import reproduce
-from bodymeasure.paper.random_patches import READINGS
-from bodymeasure.paper.tables import key
+from bodymeasure.paper.data.random_patches import READINGS
+from bodymeasure.paper.tables.tables_3_and_4 import key
 
 FEW = READINGS[1:3]
 OTHER = next(r.name for r in FEW if r.name != reproduce.CHOSEN)
@@ -60,7 +60,7 @@ class Loads(HTMLParser):
 def test_every_table_and_the_page(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    bars = recorded_bars(monkeypatch, "paper")
+    bars = recorded_bars(monkeypatch, "study.paper")
     folder = tmp_path / "new" / "paper"
     ran = run("paper", "-o", folder, "--quick", "--seed", 5, "--processes", 2)
     assert (ran.code, ran.err) == (0, "")

@@ -8,7 +8,7 @@ import time
 from pathlib import Path
 
 import pytest
-from command_line import part_of_a_body, run_apart, start
+from helpers.command_line import part_of_a_body, run_apart, start
 
 from bodymeasure import write_atlas
 
@@ -17,7 +17,7 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals and gro
 # Says on stdout when the comparison has come some way.
 TELL_PROGRESS = """
 from contextlib import contextmanager
-import bodymeasure.cli.report as module
+import bodymeasure.cli.measuring.report as module
 @contextmanager
 def bar(label, total):
     yield lambda done: print(label, done, flush=True)

@@ -7,11 +7,11 @@ from typing import Any
 
 import jsonschema
 import pytest
-from command_line import Run, hide_here, recorded_bars
+from helpers.command_line import Run, hide_here, recorded_bars
 
 from bodymeasure import read_atlas
 from bodymeasure.oracle import MeshDistances, mesh_distances
-from bodymeasure.scene.choice import opengl_trouble
+from bodymeasure.scene.drawing.opengl_check import opengl_trouble
 
 FILES = ["report.html", "measurements.json", "measurements.csv", "measurements.schema.json"]
 
@@ -52,7 +52,7 @@ def test_a_part_of_a_body(run: Run, part: Path, tmp_path: Path) -> None:
 def test_a_single_patch_with_pictures_and_progress(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    bars = recorded_bars(monkeypatch, "report")
+    bars = recorded_bars(monkeypatch, "measuring.report")
     # Which draws faster here, and has something to say.
     hide_here(monkeypatch, "pyvista")
     opengl_trouble.cache_clear()
@@ -88,7 +88,7 @@ def test_lengths_that_disagree_are_told(
         true = mesh_distances(*arguments, **options)
         return replace(true, exact=0.9 * true.exact)
 
-    monkeypatch.setattr("bodymeasure.measure.cross_check.mesh_distances", wrong)
+    monkeypatch.setattr("bodymeasure.measure.patches.cross_check.mesh_distances", wrong)
     ran = run("report", "enneper", "-o", tmp_path, "--no-pictures", "--processes", 1)
     assert ran.code == 1
     assert "2 longer than the mesh distance" in ran.out

@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from command_line import Run, run_apart, start
+from helpers.command_line import Run, run_apart, start
 
 from bodymeasure import read_atlas, sample_names
 

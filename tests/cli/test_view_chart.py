@@ -3,10 +3,10 @@
 from pathlib import Path
 
 import pytest
-from command_line import Run
+from helpers.command_line import Run
 from PIL import Image
 
-from bodymeasure.scene import choice
+from bodymeasure.scene.drawing import opengl_check as choice
 
 DEFINITIONS = """\
 format = "bodymeasure measurements"

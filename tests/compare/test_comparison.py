@@ -7,8 +7,8 @@ from dataclasses import replace
 import jsonschema
 import numpy as np
 import pytest
-from hand_made_chart import hand_made_chart
-from page import Page
+from helpers.charts.hand_made_chart import hand_made_chart
+from helpers.files.page import Page
 from scipy.stats import t as student
 
 from bodymeasure.compare import (
@@ -26,7 +26,7 @@ from bodymeasure.compare import (
 )
 from bodymeasure.compare.iso20685 import confidence_interval
 from bodymeasure.errors import InputError
-from bodymeasure.report.measurements import chart_document
+from bodymeasure.report.body import chart_document
 
 KNOWN = (
     Known("bust_girth", "Bust girth", "large girth"),

@@ -1,11 +1,11 @@
 from pathlib import Path
 
 import pytest
-from hand_made_chart import hand_made_chart
+from helpers.charts.hand_made_chart import hand_made_chart
 
 from bodymeasure.compare import read_readings
 from bodymeasure.errors import InputError
-from bodymeasure.report.measurements import chart_document, chart_to_csv, chart_to_json
+from bodymeasure.report.body import chart_document, chart_to_csv, chart_to_json
 
 
 def written(tmp_path: Path, text: str | bytes, name: str = "hand.csv") -> Path:

@@ -166,7 +166,7 @@ def test_what_cannot_be_read_is_refused(kind: str, content: bytes, tmp_path: Pat
 def test_a_file_that_takes_too_long_is_given_up(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from bodymeasure.formats import cad
+    from bodymeasure.formats.foreign import cad
 
     path = written(tmp_path / "a.step", sphere())
     monkeypatch.setattr(cad, "LONGEST", 1e-3)

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from format_atlases import TEXT, body_like, read, write
+from helpers.files.format_atlases import TEXT, body_like, read, write
 
 from bodymeasure import InputError
 

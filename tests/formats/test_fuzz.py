@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
+from helpers.files.mutations import mutated, read_or_refused, valid_files
 from hypothesis import given
 from hypothesis import strategies as st
-from mutations import mutated, read_or_refused, valid_files
 
 FILES = valid_files()
 MUTATIONS = 150

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from format_atlases import body_like, read, write
+from helpers.files.format_atlases import body_like, read, write
+from helpers.files.mutations import read_or_refused
 from hypothesis import given
 from hypothesis import strategies as st
-from mutations import read_or_refused
 
 from bodymeasure import (
     AtlasPoint,

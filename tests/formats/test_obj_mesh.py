@@ -2,8 +2,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from format_atlases import UNIT, read
-from quad_grids import grid_mesh, hilly_net, spline_atlas
+from helpers.files.format_atlases import UNIT, read
+from helpers.surfaces.quad_grids import grid_mesh, hilly_net, spline_atlas
 
 from bodymeasure import Axes, InputError, Unit, check_atlas
 from bodymeasure.atlas import FindingKind, edge_table

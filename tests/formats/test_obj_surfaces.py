@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from format_atlases import UNIT, body_like, read, write
+from helpers.files.format_atlases import UNIT, body_like, read, write
 from scipy.interpolate import BSpline
 
 from bodymeasure import Atlas, InputError

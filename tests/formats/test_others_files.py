@@ -11,7 +11,7 @@ from bodymeasure import Atlas, Status, check_atlas, diagonals, read_atlas
 from bodymeasure._typing import Array
 from bodymeasure.atlas import FindingKind, Severity, edge_table, summarize
 from bodymeasure.bezier import evaluate
-from bodymeasure.measure.cross_check import Verdict, cross_check
+from bodymeasure.measure.patches.cross_check import Verdict, cross_check
 
 DATA = Path(__file__).parents[1] / "data"
 TEAPOT = read_atlas(DATA / "teapot.bpt", unit="cm")

@@ -1,7 +1,7 @@
 from pathlib import Path
 
 import pytest
-from grids import grid_atlas
+from helpers.surfaces.grids import grid_atlas
 
 from bodymeasure import InputError, read_atlas, write_atlas
 

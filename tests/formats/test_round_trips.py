@@ -3,7 +3,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from format_atlases import TEXT, UNIT, atlases, body_like, read, write
+from helpers.files.format_atlases import TEXT, UNIT, atlases, body_like, read, write
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray

@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
+from helpers.oracles.reference import chebyshev_times, reference_lengths
+from helpers.oracles.straight_line import from_straight_line
+from helpers.surfaces.adversarial_patches import FLAT, SPOILS, Spoil, wicked
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from reference import chebyshev_times, reference_lengths
-from straight_line import from_straight_line
-from wicked import FLAT, SPOILS, Spoil, wicked
 
 from bodymeasure import InputError
 from bodymeasure._typing import Array

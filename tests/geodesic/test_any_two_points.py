@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from custom_surfaces import Patch, Torus
-from reference import reference_lengths
+from helpers.oracles.reference import reference_lengths
+from helpers.oracles.straight_line import from_straight_line
+from helpers.surfaces.custom_surfaces import Patch, Torus
+from helpers.surfaces.surfaces import ENNEPER, PH_CYLINDER, PLANE, SURFACES
 from scipy.integrate import solve_bvp
-from straight_line import from_straight_line
-from surfaces import ENNEPER, PH_CYLINDER, PLANE, SURFACES
 
 from bodymeasure import InputError
 from bodymeasure._typing import Array

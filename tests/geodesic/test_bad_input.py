@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from surfaces import ENNEPER
+from helpers.surfaces.surfaces import ENNEPER
 
 from bodymeasure import InputError
 from bodymeasure.geodesic import WU_C10, RBFCollocation, solve_geodesic

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
+from helpers.oracles.straight_line import from_straight_line
+from helpers.surfaces.surfaces import ENNEPER, PARABOLOID, PLANE, SURFACES
 from scipy.spatial.transform import Rotation
-from straight_line import from_straight_line
-from surfaces import ENNEPER, PARABOLOID, PLANE, SURFACES
 
 from bodymeasure._typing import Array
 from bodymeasure.bezier import elevate, restrict

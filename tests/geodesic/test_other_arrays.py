@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from benchmarks import reference
+from benchmarks.independent import reference
 from numpy.typing import NDArray
 
 import bodymeasure as bm

@@ -4,7 +4,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-from surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PLANE, SURFACES, Surface, plane_length
+from helpers.surfaces.surfaces import (
+    ENNEPER,
+    HYPERBOLIC_PARABOLOID,
+    PLANE,
+    SURFACES,
+    Surface,
+    plane_length,
+)
 
 from bodymeasure.bezier import derivatives, evaluate
 from bodymeasure.geodesic import (
@@ -18,7 +25,7 @@ from bodymeasure.geodesic import (
     Status,
     solve_geodesic,
 )
-from bodymeasure.geodesic.rbf_space import rbf_coefficients
+from bodymeasure.geodesic.spaces.rbf import rbf_coefficients
 
 KERNELS = [WU_C2, WU_C4, WU_C6, WU_C10]
 

@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from straight_line import from_straight_line
-from surfaces import ENNEPER, PARABOLOID, bicubic
+from helpers.oracles.straight_line import from_straight_line
+from helpers.surfaces.surfaces import ENNEPER, PARABOLOID, bicubic
 
 from bodymeasure import ConvergenceError
 from bodymeasure._typing import Array

@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
-from reference import chebyshev_times, reference_lengths
+from helpers.oracles.reference import chebyshev_times, reference_lengths
 
 from bodymeasure import load_sample
 from bodymeasure.geodesic import GeodesicSolution, Status, solve_geodesic
-from bodymeasure.measure.cross_check import Verdict, cross_check
-from bodymeasure.measure.diagonals import DIAGONAL_ENDS, DIAGONAL_STARTS, diagonals
+from bodymeasure.measure.patches.cross_check import Verdict, cross_check
+from bodymeasure.measure.patches.diagonals import DIAGONAL_ENDS, DIAGONAL_STARTS, diagonals
 
 MANNEQUINS = ["female_average", "female_full_bust", "female_heavy", "female_old", "male_average"]
 

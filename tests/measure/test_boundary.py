@@ -2,11 +2,11 @@ from math import comb
 
 import numpy as np
 import pytest
-from surfaces import ENNEPER, PARABOLOID, PH_CYLINDER, PLANE
+from helpers.surfaces.surfaces import ENNEPER, PARABOLOID, PH_CYLINDER, PLANE
 
 from bodymeasure import Atlas, boundary_lengths
 from bodymeasure._typing import Array
-from bodymeasure.measure.boundary import curve_lengths
+from bodymeasure.measure.patches.boundary import curve_lengths
 
 
 def atlas(*nets: Array) -> Atlas:

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
+from helpers.surfaces.tubes import ring_length, tube
 from numpy.typing import NDArray
-from tubes import ring_length, tube
 
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import LoopKind, Status

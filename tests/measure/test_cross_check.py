@@ -4,13 +4,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from benchmarks.reference import wild_patches
-from surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID, bicubic
+from benchmarks.independent.reference import wild_patches
+from helpers.surfaces.surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID, bicubic
 
 from bodymeasure import Atlas, diagonals, solve_geodesic
 from bodymeasure._typing import Array
-from bodymeasure.measure import cross_check as module
-from bodymeasure.measure.cross_check import DOUBT, RESOLUTION, Verdict
+from bodymeasure.measure.patches import cross_check as module
+from bodymeasure.measure.patches.cross_check import DOUBT, RESOLUTION, Verdict
 from bodymeasure.oracle import MeshDistances
 
 NETS = np.stack([ENNEPER, PARABOLOID, HYPERBOLIC_PARABOLOID, PARABOLOID])

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
+from helpers.surfaces.tubes import tube
 from numpy.typing import NDArray
 from scipy import optimize
 from scipy.spatial import ConvexHull
-from tubes import tube
 
 from bodymeasure.errors import InputError
 from bodymeasure.measure import body_girth, breadth, fork

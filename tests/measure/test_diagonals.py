@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID, bicubic
+from helpers.surfaces.surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID, bicubic
 
 from bodymeasure import Atlas, ConvergenceError, InputError, RBFCollocation, diagonals
 from bodymeasure._typing import Array

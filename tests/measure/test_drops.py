@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
+from helpers.surfaces.tubes import tube
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
-from tubes import tube
 
 from bodymeasure.atlas import AtlasPoint
 from bodymeasure.errors import InputError

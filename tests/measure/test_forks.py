@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
+from helpers.surfaces.two_valleys import Knot, cubics, smooth, valleys
 from scipy.spatial.transform import Rotation
-from valleys import Knot, cubics, smooth, valleys
 
 from bodymeasure.atlas import Atlas, Axes
 from bodymeasure.errors import InputError

@@ -5,9 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from helpers.surfaces.tubes import joined, ring_length, tube
 from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
-from tubes import joined, ring_length, tube
 
 from bodymeasure.atlas import Atlas, AtlasPoint, Axes, Unit
 from bodymeasure.errors import InputError

@@ -3,7 +3,7 @@ import sys
 
 import numpy as np
 import pytest
-from surfaces import ENNEPER, PARABOLOID
+from helpers.surfaces.surfaces import ENNEPER, PARABOLOID
 
 from bodymeasure import (
     Atlas,

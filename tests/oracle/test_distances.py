@@ -4,9 +4,17 @@ from typing import Any
 
 import numpy as np
 import pytest
+from helpers.surfaces.surfaces import (
+    ENNEPER,
+    PARABOLOID,
+    PH_CYLINDER,
+    PLANE,
+    SURFACES,
+    Surface,
+    plane_length,
+)
+from helpers.surfaces.surfaces import ph_cylinder_length as cylinder_length
 from numpy.typing import NDArray
-from surfaces import ENNEPER, PARABOLOID, PH_CYLINDER, PLANE, SURFACES, Surface, plane_length
-from surfaces import ph_cylinder_length as cylinder_length
 
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.oracle import LEVELS, mesh_distances

@@ -1,10 +1,10 @@
 import numpy as np
 import pytest
-from wild import wild_patches
+from helpers.surfaces.random_patches import wild_patches
 
 from bodymeasure import load_sample
-from bodymeasure.paper.beyond import beyond_table, known_diagonals, settings
-from bodymeasure.paper.table import Table
+from bodymeasure.paper.tables.beyond import beyond_table, known_diagonals, settings
+from bodymeasure.paper.tables.table import Table
 
 
 @pytest.fixture(scope="module")

@@ -2,24 +2,24 @@
 
 import numpy as np
 import pytest
-from grids import grid_atlas
+from helpers.surfaces.grids import grid_atlas
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Unit
-from bodymeasure.paper import published
-from bodymeasure.paper.bars import speed_bars
-from bodymeasure.paper.body_tables import (
+from bodymeasure.paper.data import published
+from bodymeasure.paper.surface.curves import diagonal_curves
+from bodymeasure.paper.surface.surface_comparison import Comparison
+from bodymeasure.paper.surface.table5 import Table5
+from bodymeasure.paper.tables.aims import speed_bars
+from bodymeasure.paper.tables.speed import OUR_METHODS, OUR_RITZ
+from bodymeasure.paper.tables.table import Column, Table
+from bodymeasure.paper.tables.table_5 import (
     body_distribution,
     by_two_functions,
     curve_tables,
     spread_of_table_5,
     table_5,
 )
-from bodymeasure.paper.curves import diagonal_curves
-from bodymeasure.paper.speed import OUR_METHODS, OUR_RITZ
-from bodymeasure.paper.surface_comparison import Comparison
-from bodymeasure.paper.table import Column, Table
-from bodymeasure.paper.table5 import Table5
 
 PHYSICAL = np.array([0.13, 0.0625, 0.1025, 0.0875, 0.2])
 ERROR = np.array([0.001, -0.002, 0.0, 0.001, np.nan])

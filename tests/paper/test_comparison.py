@@ -3,20 +3,20 @@ from dataclasses import fields
 
 import numpy as np
 import pytest
-from wild import wild_patches
+from helpers.surfaces.random_patches import wild_patches
 
 from bodymeasure._typing import Array
-from bodymeasure.paper import comparison
-from bodymeasure.paper.comparison import Comparison, compare
-from bodymeasure.paper.ritz_table import solve_ritz
-from bodymeasure.paper.scaling import (
+from bodymeasure.paper.data import comparison
+from bodymeasure.paper.data.comparison import Comparison, compare
+from bodymeasure.paper.data.truth import true_diagonals
+from bodymeasure.paper.method.ritz_table import solve_ritz
+from bodymeasure.paper.method.two_function_solve import solve_two_functions
+from bodymeasure.paper.tables.scaling import (
     measure_scaling,
     same_to_the_bit,
     scaling_table,
     solve_distributed,
 )
-from bodymeasure.paper.truth import true_diagonals
-from bodymeasure.paper.two_function_solve import solve_two_functions
 
 TIMES = {"rbf_seconds", "ritz_seconds"}
 

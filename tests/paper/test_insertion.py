@@ -4,7 +4,7 @@ from numpy.typing import NDArray
 
 from bodymeasure.oracle import validate_mesh
 from bodymeasure.oracle.libigl import exact_distance
-from bodymeasure.paper.insertion import insert_point
+from bodymeasure.paper.surface.insertion import insert_point
 from bodymeasure.subdivision import triangles
 
 # Four by four squares of side 1 in a plane, each cut in two along its diagonal.

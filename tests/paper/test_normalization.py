@@ -7,7 +7,7 @@ from hypothesis.extra.numpy import arrays
 from bodymeasure import InputError, solve_geodesic
 from bodymeasure._typing import Array
 from bodymeasure.paper import normalize
-from bodymeasure.paper.normalization import SIDES, Side
+from bodymeasure.paper.method.normalization import SIDES, Side
 
 # A few roundings of coordinates up to 1000 that are made ones up to 1.
 ROUNDING = 1e-12

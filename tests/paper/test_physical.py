@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
+from helpers.surfaces.quad_grids import arc_net, cylinder_net, grid_mesh, hilly_net, spline_matrix
 from numpy.typing import NDArray
-from quad_grids import arc_net, cylinder_net, grid_mesh, hilly_net, spline_matrix
 from scipy.integrate import quad
 from scipy.optimize import minimize
 
@@ -11,12 +11,12 @@ from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError
 from bodymeasure.measure import diagonals
 from bodymeasure.oracle.libigl import exact_distance
-from bodymeasure.paper.corridor import Corridors, shortest_way_out
-from bodymeasure.paper.fine_surface import QUICK_LEVELS, closest_limit_points, fine_surface
-from bodymeasure.paper.insertion import insert_point
-from bodymeasure.paper.laid import lay_curves
-from bodymeasure.paper.physical import physical_lengths
-from bodymeasure.paper.source_mesh import load_source_mesh
+from bodymeasure.paper.surface.corridor import Corridors, shortest_way_out
+from bodymeasure.paper.surface.fine_surface import QUICK_LEVELS, closest_limit_points, fine_surface
+from bodymeasure.paper.surface.insertion import insert_point
+from bodymeasure.paper.surface.laid import lay_curves
+from bodymeasure.paper.surface.physical import physical_lengths
+from bodymeasure.paper.surface.source_mesh import load_source_mesh
 from bodymeasure.samples import load_sample
 from bodymeasure.subdivision import part, quads_within, triangles
 

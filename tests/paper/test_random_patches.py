@@ -3,8 +3,8 @@ import pytest
 
 from bodymeasure import InputError
 from bodymeasure._typing import Array
-from bodymeasure.paper import random_patches
-from bodymeasure.paper.random_patches import (
+from bodymeasure.paper.data import random_patches
+from bodymeasure.paper.data.random_patches import (
     HEIGHTS,
     INCREMENT,
     READINGS,
@@ -13,7 +13,7 @@ from bodymeasure.paper.random_patches import (
     fault,
     make_testing_data,
 )
-from bodymeasure.paper.self_intersection import intersects_itself
+from bodymeasure.paper.data.self_intersection import intersects_itself
 
 readings = pytest.mark.parametrize("reading", READINGS, ids=lambda reading: reading.name)
 

@@ -3,14 +3,20 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from helpers.surfaces.random_patches import wild_patches
+from helpers.surfaces.surfaces import (
+    ENNEPER,
+    HYPERBOLIC_PARABOLOID,
+    PARABOLOID,
+    PH_CYLINDER,
+    bicubic,
+)
 from scipy.integrate import quad
-from surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID, PH_CYLINDER, bicubic
-from wild import wild_patches
 
 from bodymeasure import InputError
 from bodymeasure._typing import Array
-from bodymeasure.paper.ritz_table import solve_ritz
-from bodymeasure.paper.truth import true_diagonals
+from bodymeasure.paper.data.truth import true_diagonals
+from bodymeasure.paper.method.ritz_table import solve_ritz
 
 KNOWN = {
     "enneper": (ENNEPER, 5.0 * math.sqrt(2.0) / 3.0),

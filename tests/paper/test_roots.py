@@ -1,14 +1,21 @@
 import numpy as np
 import pytest
-from root_multistart import distinct, expansion, missed, multistart_roots, sharpened, starts
-from wild import wild_patches
+from helpers.oracles.root_multistart import (
+    distinct,
+    expansion,
+    missed,
+    multistart_roots,
+    sharpened,
+    starts,
+)
+from helpers.surfaces.random_patches import wild_patches
 
-from bodymeasure.geodesic.equations import residual_and_jacobian
-from bodymeasure.geodesic.surface import BezierSurfaces
-from bodymeasure.paper.polynomial_pair import PolynomialPair
-from bodymeasure.paper.roots import all_roots, counted, real_roots
-from bodymeasure.paper.system_roots import GENERAL_COUNT, GRAPH_COUNT, system_roots
-from bodymeasure.paper.two_functions import (
+from bodymeasure.geodesic.lengths.equations import residual_and_jacobian
+from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
+from bodymeasure.paper.method.polynomial_pair import PolynomialPair
+from bodymeasure.paper.method.roots import all_roots, counted, real_roots
+from bodymeasure.paper.method.system_roots import GENERAL_COUNT, GRAPH_COUNT, system_roots
+from bodymeasure.paper.method.two_functions import (
     MIDDLE,
     collocation_equations,
     graph_directions,

@@ -5,9 +5,9 @@ import re
 import numpy as np
 import pytest
 
-from bodymeasure.atlas.closest import closest_points
+from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.errors import InputError
-from bodymeasure.paper.source_mesh import load_source_mesh
+from bodymeasure.paper.surface.source_mesh import load_source_mesh
 from bodymeasure.samples import load_sample
 from bodymeasure.subdivision import limit_positions, quads_within
 

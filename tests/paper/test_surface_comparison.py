@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from bodymeasure.atlas import Unit
-from bodymeasure.paper.surface_comparison import Comparison, distribution, explain
+from bodymeasure.paper.surface.surface_comparison import Comparison, distribution, explain
 
 FOUR = Comparison(
     unit=Unit.CM,

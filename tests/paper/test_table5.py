@@ -1,14 +1,14 @@
 import numpy as np
 import pytest
-from quad_grids import arc_net, grid_mesh, hilly_net, spline_atlas
+from helpers.surfaces.quad_grids import arc_net, grid_mesh, hilly_net, spline_atlas
 
 from bodymeasure.atlas import Unit
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import WU_C2, RBFCollocation
 from bodymeasure.measure import boundary_lengths, diagonals
-from bodymeasure.paper import published
-from bodymeasure.paper.surface_comparison import Comparison
-from bodymeasure.paper.table5 import Table5, compare_with_surface, table5
+from bodymeasure.paper.data import published
+from bodymeasure.paper.surface.surface_comparison import Comparison
+from bodymeasure.paper.surface.table5 import Table5, compare_with_surface, table5
 from bodymeasure.samples import load_sample
 from bodymeasure.subdivision import QuadMesh
 

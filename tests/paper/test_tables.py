@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from bodymeasure.paper import published
-from bodymeasure.paper.bars import accuracy_bars
-from bodymeasure.paper.comparison import Comparison
-from bodymeasure.paper.random_patches import READINGS, RandomPatches
-from bodymeasure.paper.readings import closest_table, events_table
-from bodymeasure.paper.spreads import distribution_table, roots_table
-from bodymeasure.paper.table import Column, Table, plain, rows_of, to_csv, to_record
-from bodymeasure.paper.tables import (
+from bodymeasure.paper.data import published
+from bodymeasure.paper.data.comparison import Comparison
+from bodymeasure.paper.data.random_patches import READINGS, RandomPatches
+from bodymeasure.paper.tables.aims import accuracy_bars
+from bodymeasure.paper.tables.readings import closest_table, events_table
+from bodymeasure.paper.tables.spreads import distribution_table, roots_table
+from bodymeasure.paper.tables.table import Column, Table, plain, rows_of, to_csv, to_record
+from bodymeasure.paper.tables.tables_3_and_4 import (
     ReadingResult,
     signed_difference,
     table_3,

@@ -1,25 +1,25 @@
 import numpy as np
 import pytest
+from helpers.surfaces.random_patches import wild_patches
+from helpers.surfaces.surfaces import HYPERBOLIC_PARABOLOID, PH_CYLINDER, ph_cylinder_length
 from scipy.optimize import brentq
-from surfaces import HYPERBOLIC_PARABOLOID, PH_CYLINDER, ph_cylinder_length
-from wild import wild_patches
 
 from bodymeasure import InputError, RBFCollocation, solve_geodesic
 from bodymeasure._typing import Array
 from bodymeasure.geodesic import WU_C2
-from bodymeasure.geodesic.equations import residual_and_jacobian
-from bodymeasure.geodesic.polynomial_space import polynomial_space
-from bodymeasure.geodesic.surface import BezierSurfaces
-from bodymeasure.paper.arc_length import arc_lengths, inside_patch
-from bodymeasure.paper.system_roots import system_roots
-from bodymeasure.paper.two_function_solve import (
+from bodymeasure.geodesic.lengths.equations import residual_and_jacobian
+from bodymeasure.geodesic.spaces.polynomials import polynomial_space
+from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
+from bodymeasure.paper.method.arc_length import arc_lengths, inside_patch
+from bodymeasure.paper.method.system_roots import system_roots
+from bodymeasure.paper.method.two_function_solve import (
     COLLOCATION_POINTS,
     RULES,
     Rule,
     nodal_values,
     solve_two_functions,
 )
-from bodymeasure.paper.two_functions import even_points, paper_centers, paper_space
+from bodymeasure.paper.method.two_functions import even_points, paper_centers, paper_space
 
 
 def pyramid(height: float) -> Array:

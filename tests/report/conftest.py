@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from bodymeasure.atlas import Atlas
-from bodymeasure.atlas.finding import Finding, FindingKind, Severity
+from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
 from bodymeasure.geodesic import EdgeContact, Status
-from bodymeasure.measure.cross_check import Verdict
+from bodymeasure.measure.patches.cross_check import Verdict
 
 HOSTILE = '<script>alert("x")</script> & \u00c4rmel, "links"'
 NAMES = ("torso front left 1-1", HOSTILE, "=cmd, \u80f8", "arm right 1-1")

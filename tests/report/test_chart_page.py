@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hand_made_chart import HOSTILE, MEASURED, hand_made_chart, tape_pictures
-from page import Page
+from helpers.charts.hand_made_chart import HOSTILE, MEASURED, hand_made_chart, tape_pictures
+from helpers.files.page import Page
 
 from bodymeasure.errors import InputError, MissingExtraError
-from bodymeasure.report.measurements import chart_document, render_chart, write_chart
+from bodymeasure.report.body import chart_document, render_chart, write_chart
 
 
 def page_of(unit: str = "cm", pictures: Any = None, **changes: Any) -> Page:

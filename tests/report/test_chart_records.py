@@ -6,9 +6,9 @@ from datetime import UTC, datetime
 
 import jsonschema
 import pytest
-from hand_made_chart import BUST, HOSTILE, MEASURED, hand_made_chart
+from helpers.charts.hand_made_chart import BUST, HOSTILE, MEASURED, hand_made_chart
 
-from bodymeasure.report.measurements import (
+from bodymeasure.report.body import (
     chart_document,
     chart_schema,
     chart_to_csv,

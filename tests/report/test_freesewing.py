@@ -3,11 +3,11 @@ import re
 
 import msgspec
 import pytest
-from hand_made_chart import BUST, SLOPE, hand_made_chart
+from helpers.charts.hand_made_chart import BUST, SLOPE, hand_made_chart
 
 from bodymeasure.chart import Definitions, Measurement
 from bodymeasure.errors import InputError
-from bodymeasure.report.measurements import (
+from bodymeasure.report.body import (
     FREESEWING_KEYS,
     chart_document,
     check_codes,

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from page import Page
+from helpers.files.page import Page
 
 from bodymeasure.errors import MissingExtraError
 from bodymeasure.geodesic.status import Status

@@ -2,7 +2,6 @@ from itertools import pairwise
 
 import pytest
 
-from bodymeasure.report.histogram import histogram
 from bodymeasure.report.numbers import (
     at_most,
     length_text,
@@ -12,6 +11,7 @@ from bodymeasure.report.numbers import (
     unbroken,
     with_code,
 )
+from bodymeasure.report.patches.histogram import histogram
 from bodymeasure.wording import counted
 
 

@@ -9,11 +9,11 @@ from xml.etree import ElementTree
 
 import msgspec
 import pytest
-from hand_made_chart import BUST, MEASURED, hand_made_chart
+from helpers.charts.hand_made_chart import BUST, MEASURED, hand_made_chart
 
 from bodymeasure.chart import Measured, Outcome
 from bodymeasure.errors import InputError
-from bodymeasure.report.measurements import chart_document, to_smis
+from bodymeasure.report.body import chart_document, to_smis
 
 Check = Callable[[str], bool]
 

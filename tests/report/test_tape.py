@@ -2,8 +2,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bodymeasure.report.measurements import tailor_inches, tape_text
-from bodymeasure.report.measurements.tape import small_text
+from bodymeasure.report.body import tailor_inches, tape_text
+from bodymeasure.report.body.tape import small_text
 
 
 def plain(text: str) -> str:

@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from hand_charts import (
+from helpers.charts.hand_charts import (
     chart_of,
     chord_between,
     girth_at,

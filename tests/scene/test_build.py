@@ -1,5 +1,5 @@
 import numpy as np
-from straight_survey import straight_survey
+from helpers.charts.straight_survey import straight_survey
 
 from bodymeasure.atlas import Atlas, edge_table
 from bodymeasure.scene import PathKind, body_scene, patch_scene

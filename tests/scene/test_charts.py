@@ -3,7 +3,7 @@ import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 import pytest
-from straight_survey import straight_survey
+from helpers.charts.straight_survey import straight_survey
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError

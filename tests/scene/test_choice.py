@@ -3,7 +3,8 @@ from collections.abc import Iterator
 import pytest
 
 from bodymeasure.errors import InputError
-from bodymeasure.scene import choice, choose_renderer
+from bodymeasure.scene import choose_renderer
+from bodymeasure.scene.drawing import opengl_check as choice
 
 
 @pytest.fixture(autouse=True)

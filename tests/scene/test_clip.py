@@ -1,5 +1,5 @@
 import numpy as np
-from straight_survey import straight_survey
+from helpers.charts.straight_survey import straight_survey
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.scene import Surface, body_scene

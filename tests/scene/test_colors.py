@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from straight_survey import straight_survey
+from helpers.charts.straight_survey import straight_survey
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.scene import ColorScale, body_scene

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from bodymeasure.scene.label_layout import PITCH, Columns, Layout, place_labels
+from bodymeasure.scene.tapes.label_layout import PITCH, Columns, Layout, place_labels
 
 COLUMNS = Columns(left=100.0, right=900.0, top=0.0, bottom=1000.0, label_height=26.0)
 # Leaders may touch where their anchors coincide; crossings are deeper than this, in pixels squared.

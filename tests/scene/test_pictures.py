@@ -4,17 +4,17 @@ import sys
 
 import numpy as np
 import pytest
+from helpers.charts.straight_survey import straight_survey
 from PIL import Image
-from straight_survey import straight_survey
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError
 from bodymeasure.scene import body_overview, body_views, pictures
-from bodymeasure.scene.build import body_scene
+from bodymeasure.scene.diagonals.build import body_scene
 
 
 def test_all_pictures_of_a_small_atlas(square: Atlas, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("bodymeasure.scene.gallery.BODY_PIXELS", 200)
+    monkeypatch.setattr("bodymeasure.scene.diagonals.gallery.BODY_PIXELS", 200)
     seen: list[str] = []
     shots = pictures(straight_survey(square), [0], renderer="software", advance=seen.append)
     assert seen == ["front", "back", "left", "right", "patch 0"]

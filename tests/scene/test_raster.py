@@ -1,6 +1,6 @@
 import numpy as np
 
-from bodymeasure.scene.raster import rasterize
+from bodymeasure.scene.drawing.raster import rasterize
 
 
 def test_a_triangle_covers_the_pixels_whose_centers_it_holds(rng: np.random.Generator) -> None:

@@ -2,14 +2,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from helpers.charts.straight_survey import straight_survey
 from numpy.typing import NDArray
-from straight_survey import straight_survey
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.scene import ColorScale, body_scene, body_views, cut_away, patch_scene, patch_view
-from bodymeasure.scene.choice import PYVISTA, SOFTWARE, opengl_trouble
-from bodymeasure.scene.gallery import RENDERERS
-from bodymeasure.scene.strokes import BODY_STYLE, CLOSEUP_STYLE
+from bodymeasure.scene.diagonals.gallery import RENDERERS
+from bodymeasure.scene.drawing.opengl_check import PYVISTA, SOFTWARE, opengl_trouble
+from bodymeasure.scene.drawing.strokes import BODY_STYLE, CLOSEUP_STYLE
 
 PIXELS = 300
 

@@ -2,7 +2,7 @@ import io
 
 import numpy as np
 import pytest
-from hand_charts import chart_of, missing
+from helpers.charts.hand_charts import chart_of, missing
 from numpy.typing import NDArray
 from PIL import Image
 
@@ -10,15 +10,15 @@ from bodymeasure.atlas import Atlas
 from bodymeasure.chart import Chart, TapeKind
 from bodymeasure.errors import InputError
 from bodymeasure.scene import SIDES, TapeScene, tape_pictures
-from bodymeasure.scene.choice import PYVISTA, SOFTWARE, opengl_trouble
-from bodymeasure.scene.label_layout import Columns
-from bodymeasure.scene.tape_camera import sights
-from bodymeasure.scene.tape_closeup import SIZE, closeup
-from bodymeasure.scene.tape_gallery import SESSIONS, body_picture, roomy_views
-from bodymeasure.scene.tape_labels import numbered
-from bodymeasure.scene.tape_mesh import BAND, COLORS, forward, tape_mesh
-from bodymeasure.scene.tape_text import column_texts
-from bodymeasure.scene.visibility import Sight, sight
+from bodymeasure.scene.drawing.opengl_check import PYVISTA, SOFTWARE, opengl_trouble
+from bodymeasure.scene.drawing.visibility import Sight, sight
+from bodymeasure.scene.tapes.camera import sights
+from bodymeasure.scene.tapes.closeup import SIZE, closeup
+from bodymeasure.scene.tapes.gallery import SESSIONS, body_picture, roomy_views
+from bodymeasure.scene.tapes.label_layout import Columns
+from bodymeasure.scene.tapes.labels import numbered
+from bodymeasure.scene.tapes.mesh import BAND, COLORS, forward, tape_mesh
+from bodymeasure.scene.tapes.text import column_texts
 
 PIXELS = 420
 # How much darker or redder a pixel may be for what is mixed into it at a tube's edge.
@@ -85,8 +85,8 @@ def test_contact_taut_and_straight_look_different(
 def test_numbers_stand_beside_the_body(
     scene: TapeScene, chart: Chart, renderer: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("bodymeasure.scene.tape_gallery.BODY_PIXELS", 600)
-    monkeypatch.setattr("bodymeasure.scene.tape_gallery.LABEL_PIXELS", 14)
+    monkeypatch.setattr("bodymeasure.scene.tapes.gallery.BODY_PIXELS", 600)
+    monkeypatch.setattr("bodymeasure.scene.tapes.gallery.LABEL_PIXELS", 14)
     views = roomy_views(scene, chart)
     for side in ("front", "left"):
         seen = sight(scene.surface, views[side])
@@ -137,7 +137,7 @@ def test_labels_are_clear_of_the_silhouette_and_of_each_other(
 
 
 def test_all_pictures_of_a_chart(chart: Chart, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("bodymeasure.scene.tape_gallery.BODY_PIXELS", 300)
+    monkeypatch.setattr("bodymeasure.scene.tapes.gallery.BODY_PIXELS", 300)
     told: list[str] = []
     # Without a value, girth of the waist, nape to waist.
     few = chart_of(chart.atlas, [chart.measured[number] for number in (0, 2, 5)])

@@ -5,17 +5,17 @@ from bodymeasure.atlas import Atlas
 from bodymeasure.atlas.normals import normal_vectors
 from bodymeasure.chart import Chart, TapeKind
 from bodymeasure.scene import TapeScene
-from bodymeasure.scene.tape_camera import (
+from bodymeasure.scene.drawing.visibility import Sight, sight
+from bodymeasure.scene.tapes.build import evenly_spaced, smoothed, without_gaps
+from bodymeasure.scene.tapes.camera import (
     best,
     closeup_directions,
     closeup_view,
     seen_length,
     sights,
 )
-from bodymeasure.scene.tape_gallery import roomy_views, shown_sides
-from bodymeasure.scene.tape_mesh import BAND, COLORS, forward, tape_colors, tape_mesh
-from bodymeasure.scene.tapes import evenly_spaced, smoothed, without_gaps
-from bodymeasure.scene.visibility import Sight, sight
+from bodymeasure.scene.tapes.gallery import roomy_views, shown_sides
+from bodymeasure.scene.tapes.mesh import BAND, COLORS, forward, tape_colors, tape_mesh
 
 
 @pytest.fixture(scope="module")

@@ -4,7 +4,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from bodymeasure.scene.tubes import SIDES, Mesh, ball, frames, joined, tangents, tube
+from bodymeasure.mesh.tubes import SIDES, Mesh, ball, frames, joined, tangents, tube
 
 WHITE = np.ones(3)
 coordinates = st.integers(-5, 5)

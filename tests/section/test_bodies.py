@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from mesh_sections import richardson_length
+from helpers.oracles.mesh_sections import richardson_length
 
 from bodymeasure.errors import InputError
 from bodymeasure.samples import load_sample

@@ -4,12 +4,12 @@ import math
 
 import numpy as np
 import pytest
-from grids import grid_atlas, grid_index
+from helpers.surfaces.grids import grid_atlas, grid_index
+from helpers.surfaces.quadrics import torus_nets
+from helpers.surfaces.surfaces import ENNEPER, PARABOLOID, PH_CYLINDER, PLANE
 from numpy.typing import ArrayLike, NDArray
-from quadrics import torus_nets
 from scipy.spatial.transform import Rotation
 from scipy.special import ellipe
-from surfaces import ENNEPER, PARABOLOID, PH_CYLINDER, PLANE
 
 from bodymeasure.atlas import Atlas, Unit
 from bodymeasure.bezier import bernstein, elevate, restrict, split

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
+from helpers.surfaces.quad_grids import grid_mesh, hilly_net, spline_matrix
 from numpy.typing import NDArray
-from quad_grids import grid_mesh, hilly_net, spline_matrix
 from scipy.interpolate import BSpline
 
 from bodymeasure.errors import InputError

@@ -3,8 +3,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from helpers.surfaces.quad_grids import grid_mesh, hilly_net, spline_atlas
 from numpy.typing import NDArray
-from quad_grids import grid_mesh, hilly_net, spline_atlas
 
 from bodymeasure import InputError
 from bodymeasure._typing import Array, Ints

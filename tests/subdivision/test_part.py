@@ -1,5 +1,5 @@
 import numpy as np
-from quad_grids import grid_mesh, hilly_net
+from helpers.surfaces.quad_grids import grid_mesh, hilly_net
 
 from bodymeasure.subdivision import (
     children,

@@ -2,15 +2,15 @@ import math
 
 import numpy as np
 import pytest
-from cut_atlases import cut
-from drawn_out import CUBIC, HILL, RIDGE, ROOF, at, parabola_arc, row_of
-from quadrics import sphere_nets
+from helpers.surfaces.cut_atlases import cut
+from helpers.surfaces.extruded_surfaces import CUBIC, HILL, RIDGE, ROOF, at, parabola_arc, row_of
+from helpers.surfaces.quadrics import sphere_nets
+from helpers.surfaces.surfaces import bicubic
 from scipy.integrate import quad
-from surfaces import bicubic
 
 import bodymeasure as bm
 from bodymeasure.atlas import weld
-from bodymeasure.atlas.closest import closest_points
+from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.bezier import elevate, project
 from bodymeasure.taut import TautStatus
 

@@ -1,13 +1,13 @@
 import numpy as np
 import pytest
-from drawn_out import HILL, RIDGE, row_of
+from helpers.surfaces.extruded_surfaces import HILL, RIDGE, row_of
 from numpy.typing import NDArray
 
 import bodymeasure as bm
 from bodymeasure.atlas import edge_table, weld
-from bodymeasure.atlas.closest import closest_points
+from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.bezier import derivatives, elevate, evaluate
-from bodymeasure.taut.jets import jets, power_coefficients
+from bodymeasure.bezier.power_form import jets, power_coefficients
 from bodymeasure.taut.outside import _caps, outward_signs
 from bodymeasure.taut.skin import Skin, skin_of
 

@@ -3,8 +3,8 @@ from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
-from drawn_out import CUBIC, RIDGE, at, row_of
-from profiles import profile_hull
+from helpers.oracles.profiles import profile_hull
+from helpers.surfaces.extruded_surfaces import CUBIC, RIDGE, at, row_of
 
 import bodymeasure as bm
 from bodymeasure.taut import string

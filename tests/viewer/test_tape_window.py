@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from bodymeasure.viewer import controls, describe_measured, view_chart
 from bodymeasure.viewer import tape_window as tape_window_module
-from hand_charts import chart_of, chord_between, girth_at, height_of, missing
+from helpers.charts.hand_charts import chart_of, chord_between, girth_at, height_of, missing
 from PIL import Image
 
 from bodymeasure.chart import Chart
 from bodymeasure.errors import InputError
 from bodymeasure.samples import load_sample
-from bodymeasure.scene import choice
+from bodymeasure.scene.drawing import opengl_check as choice
 
 
 @pytest.fixture(scope="module")

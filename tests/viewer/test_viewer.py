@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from bodymeasure.viewer import controls, describe, view
 from bodymeasure.viewer import window as window_module
+from helpers.charts.straight_survey import straight_survey
 from PIL import Image
-from straight_survey import straight_survey
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.samples import load_sample
-from bodymeasure.scene import choice
+from bodymeasure.scene.drawing import opengl_check as choice
 
 
 @pytest.fixture(scope="module")

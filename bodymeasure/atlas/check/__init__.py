@@ -1,0 +1,1 @@
+"""The check of an atlas: gaps, folds, collapsed edges, kinks; and the welding of gaps."""

@@ -1,0 +1,166 @@
+"""Patches that fold over: whose normal turns round abruptly inside."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.check.degeneracy import CORNERS, Degeneracy
+from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
+from bodymeasure.atlas.normals import normal_vectors
+from bodymeasure.bezier import split
+
+# Cells of a 2**-6-th of the patch's side, sampled with half a cell around them: a fold may run
+# along their border, where each by itself shows only half the turn.
+FINEST_LEVEL = 6
+_AROUND = 0.5
+# A patch is folded if its normal turns by more than 90 degrees within a 32nd of its side. On a
+# patch of 10 cm that is a bend of radius 2 mm. One that bends evenly turns by 6 degrees there if it
+# is a half cylinder, by 11 if it closes to a tube.
+_WITHIN = round(2**FINEST_LEVEL / (1 + 2 * _AROUND))
+# Cosine of the angle to the mean normal under which a cell is proven: any two of its normals are
+# then within 90 degrees.
+_CONE = np.sqrt(0.5)
+# Of a patch's largest normal: rounding of coordinates leaves less, so that a smaller normal has no
+# direction to be trusted.
+NO_NORMAL = 1e-9
+# Points a side at which a cell without proof is sampled.
+_SAMPLES = 5
+# Patches treated at once, which bounds the memory: a patch has at most 4**6 cells of 864 bytes.
+_BLOCK = 64
+
+
+def fold_findings(
+    atlas: Atlas, normals: NDArray[np.float64], degeneracy: Degeneracy
+) -> list[Finding]:
+    """The findings on folded patches, and on single points without a normal inside a patch.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    normals : ndarray, shape (patches, k, k, 3)
+        Coefficients of the normal field.
+    degeneracy : Degeneracy
+        What is known to collapse, and is not reported again.
+
+    Notes
+    -----
+    The Bernstein coefficients of the normal field bound it. Where all of them lie in a narrow cone,
+    the patch has no fold; else it is split into four, and each cell is looked at again.
+    Few cells stay without proof at the finest level, and those are sampled.
+    """
+    largest = np.linalg.norm(normals, axis=-1).max(axis=(1, 2), initial=0.0)
+    scaled = normals / np.where(largest > 0.0, largest, 1.0)[:, None, None, None]
+    sound = np.flatnonzero(~degeneracy.patches)
+    # Most patches are proven whole; only the rest is worth blocks and cells.
+    unproven = sound[~_regular(scaled[sound])]
+    findings = []
+    for first in range(0, len(unproven), _BLOCK):
+        block = unproven[first : first + _BLOCK]
+        numbers, corners = _unproven_cells(scaled[block])
+        findings += _judge(atlas, block[numbers], corners, largest, degeneracy)
+    return findings
+
+
+def _regular(coefficients: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Whether all coefficients of each cell lie in a cone round their mean, clear of zero."""
+    mean = coefficients.mean(axis=(-3, -2))
+    length = np.linalg.norm(mean, axis=-1, keepdims=True)
+    direction = mean / np.where(length > 0.0, length, 1.0)
+    heights = np.einsum("...ijc,...c->...ij", coefficients, direction)
+    lengths = np.linalg.norm(coefficients, axis=-1)
+    inside = (heights > NO_NORMAL) & (heights >= _CONE * lengths)
+    return np.asarray(inside.all(axis=(-2, -1)))
+
+
+def _unproven_cells(
+    coefficients: NDArray[np.float64],
+) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Cells at the finest level without proof: each one's patch and its lowest (u, v)."""
+    numbers = np.arange(len(coefficients))
+    corners = np.zeros((len(coefficients), 2))
+    quadrants = np.stack(np.meshgrid([0.0, 1.0], [0.0, 1.0], indexing="ij"), axis=-1)
+    for level in range(1, FINEST_LEVEL + 1):
+        parts = split(coefficients).reshape(-1, *coefficients.shape[1:])
+        numbers = np.repeat(numbers, 4)
+        corners = (corners[:, None, None] + quadrants * 0.5**level).reshape(-1, 2)
+        unproven = ~_regular(parts)
+        coefficients, numbers, corners = parts[unproven], numbers[unproven], corners[unproven]
+    return numbers, corners
+
+
+def _judge(
+    atlas: Atlas,
+    patches: NDArray[np.int64],
+    corners: NDArray[np.float64],
+    largest: NDArray[np.float64],
+    degeneracy: Degeneracy,
+) -> list[Finding]:
+    """Findings from the normals sampled in each unproven cell."""
+    width = 0.5**FINEST_LEVEL
+    steps = np.linspace(-_AROUND, 1.0 + _AROUND, _SAMPLES) * width
+    offsets = np.stack(np.meshgrid(steps, steps, indexing="ij"), axis=-1).reshape(-1, 2)
+    nets = atlas.control_points[patches]
+    places = np.clip(corners[:, None] + offsets, 0.0, 1.0)
+    normals = normal_vectors(nets, places)
+    lengths = np.linalg.norm(normals, axis=-1, keepdims=True)
+    vanishing = lengths <= NO_NORMAL * largest[patches, None, None]
+    directions = np.where(vanishing, 0.0, normals / np.where(vanishing, 1.0, lengths))
+    # Normals that vanish have cosine 0 with every other, which is no reversal.
+    cosine = (directions @ np.swapaxes(directions, -1, -2)).min(axis=(1, 2))
+    # Where an edge or corner collapses but for rounding, the normal has any direction.
+    explained = _near_known(patches, corners, width, degeneracy)
+    cosine[explained] = 1.0
+
+    findings = []
+    for patch in np.unique(patches):
+        mine = np.flatnonzero(patches == patch)
+        worst = mine[np.argmin(cosine[mine])]
+        if cosine[worst] < 0.0:
+            findings.append(_folded(atlas, int(patch), corners[worst] + width / 2, cosine[worst]))
+            continue
+        singular = mine[vanishing[mine].any(axis=(1, 2)) & ~explained[mine]]
+        if len(singular):
+            findings.append(_singular(atlas, int(patch), corners[singular[0]] + width / 2))
+    return findings
+
+
+def _near_known(
+    patches: NDArray[np.int64],
+    corners: NDArray[np.float64],
+    width: float,
+    degeneracy: Degeneracy,
+) -> NDArray[np.bool_]:
+    """Whether a cell touches an edge or corner that is known to collapse."""
+    near = np.zeros(len(patches), dtype=np.bool_)
+    touches = np.concatenate([corners <= 0.0, corners + width >= 1.0], axis=1)
+    # Columns of `touches` are u = 0, v = 0, u = 1, v = 1; EDGES has both of u first.
+    for side, column in enumerate((0, 2, 1, 3)):
+        near |= degeneracy.edges[patches, side] & touches[:, column]
+    for number, (i, j) in enumerate(CORNERS):
+        column_u, column_v = (0, 2)[i], (1, 3)[j]
+        near |= degeneracy.corners[patches, number] & touches[:, column_u] & touches[:, column_v]
+    return near
+
+
+def _folded(atlas: Atlas, patch: int, place: NDArray[np.float64], cosine: float) -> Finding:
+    angle = np.degrees(np.arccos(max(cosine, -1.0)))
+    return Finding(
+        Severity.ERROR,
+        FindingKind.FOLDED_PATCH,
+        (patch,),
+        f"patch {atlas.patch_names[patch]!r} folds over: its normal turns by {angle:.0f} degrees "
+        f"within 1/{_WITHIN} of the patch near (u, v) = ({place[0]:.2f}, {place[1]:.2f}); "
+        "expected a surface that bends gradually; spread the control points there, or fit the "
+        "patch again with more fairness",
+    )
+
+
+def _singular(atlas: Atlas, patch: int, place: NDArray[np.float64]) -> Finding:
+    return Finding(
+        Severity.WARNING,
+        FindingKind.SINGULAR_POINT,
+        (patch,),
+        f"patch {atlas.patch_names[patch]!r} has no normal near "
+        f"(u, v) = ({place[0]:.2f}, {place[1]:.2f}), where its tangents vanish or are parallel; "
+        "expected a regular surface; spread the control points there",
+    )

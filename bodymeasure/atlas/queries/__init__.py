@@ -1,0 +1,1 @@
+"""Closest, outermost and farthest points of an atlas, and its outside."""

@@ -1,0 +1,1 @@
+"""What lies beyond an edge or a corner of a patch."""

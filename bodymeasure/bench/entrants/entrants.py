@@ -1,0 +1,165 @@
+"""Who takes part: bodymeasure's methods, a general solver, and mesh libraries."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from importlib.util import find_spec
+from typing import Literal
+
+import numpy as np
+
+from bodymeasure._typing import Array
+from bodymeasure.bench.entrants.boundary_value import BoundaryValueProblem
+from bodymeasure.bench.entrants.mesh_paths import (
+    MeshedPatch,
+    edge_flips,
+    igl_exact,
+    igl_heat,
+    pygeodesic_exact,
+)
+from bodymeasure.bench.problems.patches import Problems
+from bodymeasure.geodesic import (
+    WU_C2,
+    Method,
+    PolynomialCollocation,
+    RBFCollocation,
+    Relaxation,
+    Ritz,
+    Shooting,
+    solve_geodesic,
+)
+
+Solve = Callable[[], Array]
+Prepare = Callable[[Problems], Solve]
+Family = Literal["bodymeasure", "scipy", "mesh"]
+# How many problems a method is given, and how often; see `bodymeasure.bench.size`.
+Pace = Literal["batch", "fast", "slow", "very slow"]
+
+DEFAULT = "RBF, fast form"
+BVP = "solve_bvp"
+IGL_EXACT = "libigl exact"
+TOLERANCES = (1e-3, 1e-6, 1e-8)
+POINTS_A_SIDE = (17, 33, 65)
+MESH_METHODS = {
+    IGL_EXACT: igl_exact,
+    "pygeodesic exact": pygeodesic_exact,
+    "potpourri3d edge flips": edge_flips,
+    "libigl heat": igl_heat,
+}
+# By these a library says that it cannot measure a problem; that is counted.
+FAILURES = (ArithmeticError, RuntimeError, ValueError)
+
+
+@dataclass(frozen=True)
+class Entrant:
+    """A method with its settings.
+
+    Parameters
+    ----------
+    method : str
+        Its name.
+    setting : str
+        What is varied, in words; may be empty.
+    family : {"bodymeasure", "scipy", "mesh"}
+    pace : {"batch", "fast", "slow", "very slow"}
+        How many problems it can be given.
+    prepare : callable
+        Takes problems and returns the call that is timed, which gives their lengths, shape (p,),
+        NaN where there is none.
+    """
+
+    method: str
+    setting: str
+    family: Family
+    pace: Pace
+    prepare: Prepare
+
+    @property
+    def label(self) -> str:
+        """Method and setting."""
+        return f"{self.method}, {self.setting}" if self.setting else self.method
+
+
+def tolerance_setting(tolerance: float) -> str:
+    """How a tolerance of solve_bvp is called."""
+    return f"tol {tolerance:.0e}".replace("e-0", "e-")
+
+
+def points_setting(points: int) -> str:
+    """How a mesh is called."""
+    return f"{points} points a side"
+
+
+def entrants() -> tuple[Entrant, ...]:
+    """All who take part, bodymeasure's default first; pygeodesic only where it is installed."""
+    ours: tuple[tuple[str, Method, Pace], ...] = (
+        (DEFAULT, RBFCollocation(), "batch"),
+        ("RBF, full form", RBFCollocation(form="full"), "batch"),
+        ("RBF, 8 of Wu's C2", RBFCollocation(WU_C2, 8), "batch"),
+        ("polynomial collocation", PolynomialCollocation(), "batch"),
+        ("Ritz", Ritz(), "batch"),
+        ("relaxation", Relaxation(), "fast"),
+        ("shooting", Shooting(), "very slow"),
+    )
+    result = [
+        Entrant(name, "", "bodymeasure", pace, _solver(method)) for name, method, pace in ours
+    ]
+    pace: Pace
+    for tolerance in TOLERANCES:
+        one = partial(BoundaryValueProblem, tolerance=tolerance)
+        prepare = _one_by_one(one)
+        result.append(Entrant(BVP, tolerance_setting(tolerance), "scipy", "slow", prepare))
+    for name, length in MESH_METHODS.items():
+        if length is pygeodesic_exact and find_spec("pygeodesic") is None:
+            continue
+        for points in POINTS_A_SIDE:
+            pace = "slow" if points < max(POINTS_A_SIDE) else "very slow"
+            prepare = _one_by_one(_on_mesh(length, points))
+            result.append(Entrant(name, points_setting(points), "mesh", pace, prepare))
+    return tuple(result)
+
+
+def _solver(method: Method) -> Prepare:
+    """One of bodymeasure's own methods, on all problems in one batch."""
+
+    def prepare(problems: Problems) -> Solve:
+        def solve() -> Array:
+            solution = solve_geodesic(
+                problems.nets,
+                problems.start,
+                problems.end,
+                method=method,
+                search="straight",
+                on_failure="status",
+            )
+            return np.asarray(solution.length)
+
+        return solve
+
+    return prepare
+
+
+def _one_by_one(make: Callable[[Array, Array, Array], Callable[[], float]]) -> Prepare:
+    """A method that takes one problem at a time."""
+
+    def prepare(problems: Problems) -> Solve:
+        calls = [make(*one) for one in zip(*problems, strict=True)]
+        return lambda: np.array([_length_or_nan(call) for call in calls])
+
+    return prepare
+
+
+def _length_or_nan(call: Callable[[], float]) -> float:
+    try:
+        return call()
+    except FAILURES:
+        return np.nan
+
+
+def _on_mesh(
+    length: Callable[[MeshedPatch], float], points: int
+) -> Callable[[Array, Array, Array], Callable[[], float]]:
+    def make(net: Array, start: Array, end: Array) -> Callable[[], float]:
+        return partial(length, MeshedPatch.of(net, start, end, points))
+
+    return make

@@ -1,0 +1,1 @@
+"""The problems that the benchmark solves, and their true lengths."""

@@ -1,0 +1,124 @@
+"""The three sets of problems on which methods are compared, and the true lengths."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure._typing import Array
+from bodymeasure.bench.problems.patches import (
+    Problems,
+    both_diagonals,
+    first_diagonals,
+    mild_patches,
+    wild_patches,
+)
+from bodymeasure.bench.problems.reference import DEGREES, FINEST, GUESS_TIMES, geodesics
+from bodymeasure.samples import load_sample
+
+SEED = 2007
+BODY = "female_average"
+# Heights of mild patches on the unit square, half of the patches each.
+MILD_HEIGHTS = (0.15, 0.3)
+# The paper's heights over a square of side 1.
+WILD_SIDE = 1.0
+# How far paths are bent to either side, to look for another geodesic that is shorter.
+BOWS = (-0.25, 0.25)
+
+
+@dataclass(frozen=True)
+class ProblemSet:
+    """Problems of one kind whose true length is known, in random order.
+
+    Parameters
+    ----------
+    name, title : str
+        In a word, and in a few.
+    problems : Problems
+    truth : ndarray, shape (p,)
+        Lengths by an independent method; see `bodymeasure.bench.problems.reference`.
+    drawn : int
+        How many there were at first.
+    leaving : int
+        Of these, how many are left out because their geodesic leaves the patch.
+    unresolved : int
+        And how many because the independent method's two resolutions do not agree.
+    """
+
+    name: str
+    title: str
+    problems: Problems
+    truth: Array
+    drawn: int
+    leaving: int
+    unresolved: int
+
+    def __len__(self) -> int:
+        return len(self.truth)
+
+
+def mild_set(count: int) -> ProblemSet:
+    """Random patches that are flat rather than curved."""
+    rng = np.random.default_rng(SEED)
+    parts = [
+        mild_patches(rng, part, height)
+        for part, height in zip((count // 2, count - count // 2), MILD_HEIGHTS, strict=True)
+    ]
+    problems = first_diagonals(np.concatenate(parts))
+    return _known("mild", "mild random patches", problems, _straight_only(problems), rng)
+
+
+def wild_set(count: int) -> ProblemSet:
+    """Random patches as curved as the paper's; the truth is the shortest of several geodesics."""
+    rng = np.random.default_rng(SEED)
+    problems = first_diagonals(wild_patches(rng, count, WILD_SIDE))
+    return _known("wild", "wild random patches", problems, _shortest(problems), rng)
+
+
+def body_set(count: int) -> ProblemSet:
+    """Diagonals of a body's patches, all or a random choice."""
+    rng = np.random.default_rng(SEED)
+    body = both_diagonals(load_sample(BODY))
+    problems = body.take(rng.permutation(len(body.nets))[:count])
+    return _known("body", f"patches of a body ({BODY})", problems, _straight_only(problems), rng)
+
+
+def _straight_only(problems: Problems) -> tuple[Array, NDArray[np.bool_]]:
+    known = geodesics(problems, pairs=FINEST)
+    return known.length, known.leaves
+
+
+def _shortest(problems: Problems) -> tuple[Array, NDArray[np.bool_]]:
+    """Lengths of the shortest geodesic from the straight start and from bent ones."""
+    length, leaves = _straight_only(problems)
+    straight = (
+        problems.start[:, None] + (problems.end - problems.start)[:, None] * (GUESS_TIMES[:, None])
+    )
+    bow = (4.0 * GUESS_TIMES * (1.0 - GUESS_TIMES))[:, None] * np.array([1.0, -1.0])
+    for height in BOWS:
+        # In the first degrees alone: a path that they don't resolve is no loss here.
+        other = geodesics(problems, guess=straight + height * bow, pairs=DEGREES[:1]).length
+        length = np.where(np.isnan(length), np.nan, np.fmin(length, other))
+    return length, leaves
+
+
+def _known(
+    name: str,
+    title: str,
+    problems: Problems,
+    reference: tuple[Array, NDArray[np.bool_]],
+    rng: np.random.Generator,
+) -> ProblemSet:
+    length, leaves = reference
+    # Slow methods take the first few, which must be no special ones.
+    rows = rng.permutation(np.flatnonzero(np.isfinite(length)))
+    unresolved = len(length) - len(rows) - int(leaves.sum())
+    return ProblemSet(
+        name,
+        title,
+        problems.take(rows),
+        length[rows],
+        len(length),
+        int(leaves.sum()),
+        unresolved,
+    )

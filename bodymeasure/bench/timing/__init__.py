@@ -1,0 +1,1 @@
+"""Processor times, growth, stages, and a whole body."""

@@ -1,0 +1,70 @@
+"""Processor times of calls that take turns."""
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+from bodymeasure._typing import Array
+from bodymeasure.bench.entrants.entrants import Entrant
+from bodymeasure.bench.problems.sets import ProblemSet
+from bodymeasure.bench.size import Size
+
+
+@dataclass
+class Trial:
+    """How one method did on the first problems of a set.
+
+    Parameters
+    ----------
+    entrant : Entrant
+    count : int
+        How many problems.
+    length : ndarray, shape (count,)
+        NaN where there is none.
+    seconds : list of float
+        Processor time of all of them together, each time.
+    """
+
+    entrant: Entrant
+    count: int
+    length: Array
+    seconds: list[float] = field(default_factory=list)
+
+
+def processor_seconds(call: Callable[[], object]) -> float:
+    """Processor time of a call, of all its threads."""
+    begin = time.process_time()
+    call()
+    return time.process_time() - begin
+
+
+def take_turns(
+    entrants: Sequence[Entrant], problem_set: ProblemSet, size: Size, advance: Callable[[], object]
+) -> list[Trial]:
+    """Time every method on a set of problems, all once in each round.
+
+    So a spell in which the machine is slow does not fall on one method alone. A first call of each
+    goes before and is not timed: it gives the lengths, fills caches and loads libraries.
+
+    Parameters
+    ----------
+    entrants : sequence of Entrant
+    problem_set : ProblemSet
+    size : Size
+    advance : callable
+        Called after each round and after the first calls.
+    """
+    trials, calls = [], []
+    for entrant in entrants:
+        limit = size.limits.get(entrant.pace, len(problem_set))
+        problems = problem_set.problems.take(slice(limit))
+        call = entrant.prepare(problems)
+        trials.append(Trial(entrant, len(problems.nets), call()))
+        calls.append(call)
+    advance()
+    for number in range(size.rounds):
+        for trial, call in zip(trials, calls, strict=True):
+            if trial.entrant.pace != "very slow" or number % 2 == 0:
+                trial.seconds.append(processor_seconds(call))
+        advance()
+    return trials

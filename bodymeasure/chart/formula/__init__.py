@@ -1,0 +1,1 @@
+"""Formulas of measurements: parsing, quantities, values, checks."""

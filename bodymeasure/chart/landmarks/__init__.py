@@ -1,0 +1,1 @@
+"""Landmarks: rules that derive them, their names, picks, and symmetry."""

@@ -1,0 +1,1 @@
+"""Picked landmarks: putting them on an atlas, and files of picked positions."""

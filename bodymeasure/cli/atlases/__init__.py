@@ -1,0 +1,1 @@
+"""Commands about an atlas: check, convert, info, samples."""

@@ -1,0 +1,1 @@
+"""`bodymeasure landmarks` and its commands."""

@@ -1,0 +1,1 @@
+"""Commands that measure: diagonals, report, chart, compare, view."""

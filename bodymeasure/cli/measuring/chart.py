@@ -1,0 +1,272 @@
+"""`bodymeasure chart`."""
+
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+from rich.table import Table
+from rich.text import Text
+
+from bodymeasure.cli.console import RESULTS, print_note, print_table, progress_bar
+from bodymeasure.cli.options import (
+    CHART_PAGE,
+    CHART_PICTURES,
+    EXIT_CODES,
+    ROUTES,
+    definitions_option,
+    despite_errors_option,
+    load_sound_atlas,
+    optional_atlas_argument,
+    require,
+    unit_option,
+)
+from bodymeasure.errors import InputError
+from bodymeasure.files import output_folder
+
+if TYPE_CHECKING:
+    from bodymeasure.atlas import Atlas
+    from bodymeasure.chart import Chart, Definitions
+    from bodymeasure.report.body import ChartDocument, TapePictures
+
+EXIT_NOT_MEASURED = 1
+# What an atlas without a landmark leads to. Of the default set, no body has all.
+ABSENT = ("missing landmark", "missing operand")
+SIDES = 4
+# Of what could not be measured; the page has all.
+NAMED = 6
+
+
+def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) -> None:
+    if not wanted or ctx.resilient_parsing:
+        return
+    from bodymeasure.chart import default_set
+
+    click.echo(default_set(), nl=False)
+    ctx.exit()
+
+
+@click.command(short_help="Chart the body measurements of a body.", epilog=EXIT_CODES)
+@optional_atlas_argument
+@definitions_option
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path, file_okay=True),
+    metavar="FOLDER",
+    help="Folder for chart.html, measurements.csv, measurements.json and its schema, a .smis file "
+    "for SeamlyMe, and freesewing.json; made if it is not there. Without it, the chart is printed.",
+)
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["table", "csv", "json"]),
+    help="How to print the chart where no folder is given.  [default: table]",
+)
+@click.option(
+    "--print-set",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_print_set,
+    help="Print the default set, to be copied and changed, and exit.",
+)
+@unit_option
+@click.option("--no-pictures", is_flag=True, help="Leave out the pictures.")
+@despite_errors_option
+def chart(
+    atlas: str,
+    definitions: Path | None,
+    output: Path | None,
+    form: str | None,
+    unit: str,
+    no_pictures: bool,
+    despite_errors: bool,
+) -> int:
+    """Take the body measurements of ATLAS: girths, lengths over the skin, heights.
+
+    Along the smooth surface across its patches, with the tape drawn taut where that is asked for.
+    ATLAS is the average female sample if not given.
+
+    What is measured is data: the default set (--print-set), or a file of yours. Where both
+    sides are measured, the files for pattern programs hold the wearer's right one.
+
+    Of the default set, what lacks a landmark is told, but is no fault (exit code 0) unless nothing
+    is left; of a set of yours, it is (1).
+    """
+    if output is not None and form is not None:
+        raise click.UsageError("--format is for printing; with -o, all formats are written.")
+    begin = time.perf_counter()
+    pictures_wanted = output is not None and not no_pictures
+    require(
+        ROUTES,
+        *((CHART_PAGE,) if output is not None else ()),
+        *((CHART_PICTURES,) if pictures_wanted else ()),
+    )
+    # Not needed by `--help` and the like, and slow to load.
+    from bodymeasure.chart import load_definitions
+    from bodymeasure.report.body import chart_document, check_codes, write_chart
+
+    loaded_definitions = load_definitions(definitions)
+    check_codes(loaded_definitions)
+    body = load_sound_atlas(atlas, despite_errors=despite_errors)
+    if output is None:
+        document = chart_document(measured_chart(body, loaded_definitions), unit)
+        _print(document, form or "table")
+        return _exit_code(document, definitions)
+    with output_folder(output):
+        measured = measured_chart(body, loaded_definitions)
+        pictures = _pictures(measured) if pictures_wanted else None
+        document = chart_document(measured, unit)
+        files = write_chart(document, output, stem=Path(atlas).stem, pictures=pictures)
+    print_table(_summary(document, time.perf_counter() - begin))
+    for path in files:
+        style = "bold" if path.suffix == ".html" else ""
+        RESULTS.print(Text(str(path), style), soft_wrap=True)
+    if pictures is not None and pictures.note:
+        print_note(pictures.note)
+    code = _exit_code(document, definitions)
+    if code:
+        print_note("Some measurements could not be taken; see “Not measured” in chart.html.")
+    return code
+
+
+def measured_chart(atlas: "Atlas", definitions: "Definitions") -> "Chart":
+    """Measure a body, with a progress bar.
+
+    Raises
+    ------
+    InputError
+        If the set of definitions is empty.
+    """
+    from bodymeasure.chart import both_sides, measure_chart
+
+    total = len(both_sides(definitions.measurement))
+    if not total:
+        raise InputError(f"the set {definitions.name!r} defines no measurement; add one to it")
+    with progress_bar("measuring", total) as progress:
+        return measure_chart(atlas, definitions, progress=lambda done, _total: progress(done))
+
+
+def _pictures(chart: "Chart") -> "TapePictures":
+    from bodymeasure.scene import tape_pictures
+
+    drawn = [item for item in chart.measured if item.tapes]
+    # Not all sides of all groups are drawn, so the bar may end early.
+    most = SIDES * len({item.definition.group for item in drawn}) + len(drawn)
+    done = 0
+    with progress_bar("drawing", most) as progress:
+
+        def advance(_name: str) -> None:
+            nonlocal done
+            done += 1
+            progress(done)
+
+        return tape_pictures(chart, advance=advance)
+
+
+def _exit_code(document: "ChartDocument", definitions: Path | None) -> int:
+    """1 if a measurement could not be taken though its landmarks are there, or none was taken.
+
+    Whoever gives a set of their own asked for all of it.
+    """
+    outcomes = [record.outcome for record in document.measurements]
+    harmless = ("measured", *(ABSENT if definitions is None else ()))
+    wanting = "measured" not in outcomes or any(each not in harmless for each in outcomes)
+    return EXIT_NOT_MEASURED if wanting else 0
+
+
+def _print(document: "ChartDocument", form: str) -> None:
+    from bodymeasure.report.body import chart_to_csv, chart_to_json
+
+    # As bytes: these are UTF-8 whatever the terminal speaks.
+    if form == "json":
+        click.echo(chart_to_json(document), nl=False)
+    elif form == "csv":
+        click.echo(chart_to_csv(document.measurements), nl=False)
+    else:
+        print_table(_table(document))
+        reasons = [
+            f"{record.name}: {record.reason}" for record in document.measurements if record.reason
+        ]
+        if reasons:
+            RESULTS.print(Text("\n".join(["", *reasons])), soft_wrap=True)
+
+
+def _table(document: "ChartDocument") -> Table:
+    from bodymeasure.report.body import tailor_inches, tape_text
+
+    inches = document.unit == "inch"
+    table = Table(box=None, pad_edge=False)
+    table.add_column("measurement", overflow="fold")
+    table.add_column(document.unit, justify="right", no_wrap=True)
+    if inches:
+        table.add_column("fraction", justify="right", no_wrap=True)
+    for heading in ("along skin", "taut", "error"):
+        table.add_column(heading, justify="right", no_wrap=True)
+    table.add_column("status", overflow="fold")
+    group = ""
+    for record in document.measurements:
+        if record.group != group:
+            group = record.group
+            table.add_row(Text(group, "bold"))
+        error = record.error_estimate
+        angle = record.unit != document.unit
+
+        def shown(value: float | None, unit: str = record.unit, error: float | None = error) -> str:
+            return "" if value is None else tape_text(value, unit, error)
+
+        value = f"{shown(record.value)}°" if angle and record.value is not None else None
+        fraction = "" if angle or record.value is None else tailor_inches(record.value, error)
+        good = record.outcome == "measured"
+        table.add_row(
+            Text(record.name),
+            value or shown(record.value),
+            *((fraction,) if inches else ()),
+            shown(record.contact),
+            shown(record.taut),
+            "" if error is None or record.value is None else f"{error:.0e}",
+            Text(record.outcome, "" if good else "yellow"),
+        )
+    return table
+
+
+def _summary(document: "ChartDocument", seconds: float) -> Table:
+    """What a reader wants to know first."""
+    from bodymeasure.report.body import FREESEWING_KEYS, missing_freesewing
+
+    table = Table(
+        title=Text(document.name), title_justify="left", title_style="bold", show_header=False
+    )
+    table.box = None
+    table.add_column(style="dim")
+    table.add_column(overflow="fold")
+    total, measured = len(document.measurements), document.outcomes.get("measured", 0)
+    table.add_row("set", Text(document.definitions))
+    table.add_row(
+        "measured", Text(f"{measured:,} of {total:,}", "green" if measured == total else "yellow")
+    )
+    for outcome in document.outcomes:
+        if outcome != "measured":
+            table.add_row("", Text(f"{outcome}: {_named(document, outcome)}", "yellow"))
+    if document.missing_landmarks:
+        missing = [landmark.name for landmark in document.missing_landmarks]
+        table.add_row("landmarks", Text(f"missing: {_first(missing)}", "yellow"))
+    absent = missing_freesewing(document)
+    given = len(FREESEWING_KEYS) - len(absent)
+    table.add_row("FreeSewing", f"{given} of {len(FREESEWING_KEYS)} keys")
+    if absent:
+        table.add_row("", Text(f"missing: {', '.join(absent)}"))
+    table.add_row("time", f"{seconds:.1f} s")
+    return table
+
+
+def _named(document: "ChartDocument", outcome: str) -> str:
+    return _first([record.name for record in document.measurements if record.outcome == outcome])
+
+
+def _first(names: list[str]) -> str:
+    """Some names, and how many more there are."""
+    more = len(names) - NAMED
+    # Names have commas in them.
+    return "; ".join(names[:NAMED]) + (f"; and {more} more" if more > 0 else "")

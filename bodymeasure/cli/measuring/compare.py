@@ -1,0 +1,232 @@
+"""`bodymeasure compare`."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+from rich.table import Table
+from rich.text import Text
+
+from bodymeasure.atlas import Unit
+from bodymeasure.cli.console import RESULTS, print_note, print_table
+from bodymeasure.cli.measuring.chart import measured_chart
+from bodymeasure.cli.options import (
+    CHART_PAGE,
+    EXIT_CODES,
+    ROUTES,
+    definitions_option,
+    despite_errors_option,
+    load_sound_atlas,
+    require,
+)
+from bodymeasure.errors import InputError
+from bodymeasure.files import require_writable, write_bytes
+
+if TYPE_CHECKING:
+    from bodymeasure.chart import Definitions
+    from bodymeasure.compare import Comparison, Readings
+
+EXIT_EXCEEDS = 1
+# Of ISO 20685-1, without loading the comparison for it; a test holds the two together.
+MINIMUM_SUBJECTS = 40
+# Files that are read as they are; anything else is an atlas.
+READ_SUFFIXES = (".csv", ".json")
+WRITTEN_SUFFIXES = (".csv", ".json", ".html")
+COLORS = {"within": "green", "exceeds": "red", "too few subjects": "yellow"}
+
+
+@click.command(
+    short_help="Compare two bodies, or a chart with hand measurements.", epilog=EXIT_CODES
+)
+@click.argument("first", metavar="A")
+@click.argument("second", metavar="B")
+@definitions_option
+@click.option(
+    "--unit",
+    type=click.Choice([unit.value for unit in Unit]),
+    help="Unit of the lengths.  [default: that of A, or cm]",
+)
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Write the differences to FILE: .csv, .json or .html.",
+)
+@click.option(
+    "--minimum-subjects",
+    type=click.IntRange(min=2),
+    metavar="N",
+    default=MINIMUM_SUBJECTS,
+    show_default=True,
+    help="Subjects that a verdict takes; the default is ISO 20685-1's.",
+)
+@despite_errors_option
+def compare(
+    first: str,
+    second: str,
+    definitions: Path | None,
+    unit: str | None,
+    output: Path | None,
+    minimum_subjects: int,
+    despite_errors: bool,
+) -> int:
+    """Compare the measurements of A with those of B; a difference is A - B.
+
+    Each is an atlas or a sample, which is measured; a chart's measurements.json or
+    measurements.csv; or a CSV file typed by hand, with the columns measurement (key or name),
+    value, unit (m, cm, mm, inch, deg) and, if there are several, subject.
+
+    Of several subjects, the mean difference of each measurement is judged as ISO 20685-1 asks: its
+    95 % confidence interval has to lie within the maximum allowable error.
+    """
+    writer = _writer(output)
+    if any(not _is_file_of_values(name) for name in (first, second)):
+        require(ROUTES)
+    # Not needed by `--help` and the like, and slow to load.
+    from bodymeasure.chart import both_sides, load_definitions
+    from bodymeasure.compare import compare as compared
+    from bodymeasure.compare import known_from
+
+    loaded = load_definitions(definitions)
+    readings = [_readings(name, loaded, despite_errors=despite_errors) for name in (first, second)]
+    if readings[0].name == readings[1].name:
+        # Two charts of one body, say: then their files tell them apart.
+        readings = [
+            replace(each, name=name) for each, name in zip(readings, (first, second), strict=True)
+        ]
+    comparison = compared(
+        *readings,
+        known=known_from(both_sides(loaded.measurement)),
+        unit=unit,
+        minimum_subjects=minimum_subjects,
+    )
+    if output is not None:
+        write_bytes(output, writer(comparison))
+    _print(comparison)
+    if output is not None:
+        RESULTS.print(Text(str(output), "bold"), soft_wrap=True)
+    exceeding = any(each.verdict == "exceeds" for each in comparison.agreements)
+    return EXIT_EXCEEDS if exceeding else 0
+
+
+def _writer(output: Path | None) -> "Callable[[Comparison], bytes]":
+    """What makes the file's content; refuses what could not be written, before the work."""
+    if output is not None:
+        suffix = output.suffix.lower()
+        if suffix not in WRITTEN_SUFFIXES:
+            raise InputError(f"{output}: give a name that ends in {', '.join(WRITTEN_SUFFIXES)}")
+        if suffix == ".html":
+            require(CHART_PAGE)
+        require_writable(output)
+
+    def write(comparison: "Comparison") -> bytes:
+        from bodymeasure import compare
+
+        assert output is not None
+        writers = {
+            ".csv": compare.comparison_to_csv,
+            ".json": compare.comparison_to_json,
+            ".html": compare.render_comparison,
+        }
+        return writers[output.suffix.lower()](comparison)
+
+    return write
+
+
+def _is_file_of_values(name: str) -> bool:
+    return Path(name).suffix.lower() in READ_SUFFIXES
+
+
+def _readings(name: str, definitions: "Definitions", *, despite_errors: bool) -> "Readings":
+    from bodymeasure.compare import read_readings, readings_of
+    from bodymeasure.report.body import chart_document
+
+    if _is_file_of_values(name):
+        return read_readings(Path(name))
+    atlas = load_sound_atlas(name, despite_errors=despite_errors)
+    document = chart_document(measured_chart(atlas, definitions), Unit.CM)
+    return readings_of(document)
+
+
+def _print(comparison: "Comparison") -> None:
+    several = len(comparison.subjects) > 1
+    title = f"A {comparison.a}, B {comparison.b}, in {comparison.unit}"
+    RESULTS.print(Text(title), soft_wrap=True)
+    print_table(_agreements(comparison) if several else _differences(comparison))
+    if several:
+        RESULTS.print("\nISO 20685-1")
+        print_table(_classes(comparison))
+        if len(comparison.subjects) < comparison.minimum_subjects:
+            print_note(
+                f"{len(comparison.subjects)} subjects are not enough for a verdict of ISO 20685-1, "
+                f"which takes {comparison.minimum_subjects}."
+            )
+    for note in comparison.notes:
+        print_note(note)
+
+
+def _new_table(*columns: str) -> Table:
+    table = Table(box=None, pad_edge=False)
+    for number, column in enumerate(columns):
+        table.add_column(
+            column, justify="right" if number else "left", overflow="fold", no_wrap=number > 0
+        )
+    return table
+
+
+def _differences(comparison: "Comparison") -> Table:
+    from bodymeasure.compare.shown import error_text, signed
+    from bodymeasure.report.body import tape_text
+    from bodymeasure.report.numbers import percent
+
+    table = _new_table(
+        *("measurement", "A", "B", "A - B", "relative", "combined error"),
+    )
+    for each in comparison.differences:
+        degrees = "°" if each.unit == "deg" else ""
+        table.add_row(
+            Text(each.name),
+            tape_text(each.a, each.unit) + degrees,
+            tape_text(each.b, each.unit) + degrees,
+            signed(each.difference, each.unit) + degrees,
+            percent(each.relative),
+            error_text(each),
+        )
+    return table
+
+
+def _agreements(comparison: "Comparison") -> Table:
+    from bodymeasure.compare.shown import interval, signed
+
+    table = _new_table(
+        *("measurement", "subjects", "mean A - B", "95 % interval", "largest", "class", "verdict"),
+    )
+    for each in comparison.agreements:
+        table.add_row(
+            Text(each.name),
+            str(each.subjects),
+            signed(each.mean, each.unit),
+            interval(each),
+            signed(each.largest, each.unit),
+            each.accuracy_class or "",
+            Text(each.verdict, COLORS.get(each.verdict, "")),
+        )
+    return table
+
+
+def _classes(comparison: "Comparison") -> Table:
+    from bodymeasure.compare.shown import signed
+
+    table = _new_table("class", f"allowed, {comparison.unit}", "measurements", "within", "verdict")
+    for each in comparison.classes:
+        table.add_row(
+            each.accuracy_class,
+            signed(each.maximum_error, comparison.unit).lstrip("+"),
+            str(each.measurements),
+            str(each.within),
+            Text(each.verdict, COLORS.get(each.verdict, "")),
+        )
+    return table

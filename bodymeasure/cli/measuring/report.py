@@ -1,0 +1,160 @@
+"""`bodymeasure report`."""
+
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+from rich.table import Table
+from rich.text import Text
+
+from bodymeasure.cli.console import RESULTS, print_note, print_table, progress_bar
+from bodymeasure.cli.options import (
+    COMPARISON,
+    EXIT_CODES,
+    PAGE,
+    PICTURES,
+    despite_errors_option,
+    load_sound_atlas,
+    no_cross_check_option,
+    optional_atlas_argument,
+    processes_option,
+    require,
+    unit_option,
+)
+from bodymeasure.files import output_folder
+from bodymeasure.measure import Survey, measure_atlas
+from bodymeasure.wording import counted
+
+if TYPE_CHECKING:
+    from bodymeasure.report import Pictures
+    from bodymeasure.report.patches.records import Document
+
+EXIT_DISAGREES = 1
+# Verdicts in the words of the table, and their colors. Under the red ones a length and the mesh
+# contradict each other.
+VERDICTS = {
+    "agrees": ("agree", "green"),
+    "not_compared": ("not compared", ""),
+    "longer": ("longer than the mesh distance", "red"),
+    "shorter": ("shorter than the mesh distance", "red"),
+}
+# Statuses with a length that deserve a word.
+STATUSES = {"on_boundary": "of them run along an edge of their patch"}
+BODY_PICTURES = 4
+
+
+@click.command(short_help="Measure a body, check the lengths, write a report.", epilog=EXIT_CODES)
+@optional_atlas_argument
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path, file_okay=True),
+    metavar="FOLDER",
+    default=Path("report"),
+    show_default=True,
+    help="Folder for report.html, measurements.csv, measurements.json and its schema; made if "
+    "it is not there.",
+)
+@unit_option
+@no_cross_check_option
+@click.option("--no-pictures", is_flag=True, help="Leave out the pictures.")
+@processes_option
+@despite_errors_option
+def report(
+    atlas: str,
+    output: Path,
+    unit: str,
+    no_cross_check: bool,
+    no_pictures: bool,
+    processes: int,
+    despite_errors: bool,
+) -> int:
+    """Measure ATLAS, check the lengths against libigl, and write a report.
+
+    ATLAS is the average female sample if not given.
+    """
+    begin = time.perf_counter()
+    require(PAGE, *(() if no_cross_check else (COMPARISON,)), *(() if no_pictures else (PICTURES,)))
+    loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
+    with output_folder(output):
+        # Not needed by `--help` and the like, and slow to load.
+        from bodymeasure.report import disagreements, survey_document, write_report
+
+        with progress_bar("comparing with libigl", 2 * len(loaded)) as progress:
+            survey = measure_atlas(
+                loaded, compare=not no_cross_check, processes=processes, progress=progress
+            )
+        pictures = None if no_pictures else _pictures(survey)
+        document = survey_document(survey, unit)
+        files = write_report(document, output, pictures=pictures)
+    print_table(_table(document, time.perf_counter() - begin))
+    for path in files:
+        style = "bold" if path.suffix == ".html" else ""
+        RESULTS.print(Text(str(path), style), soft_wrap=True)
+    if pictures is not None and pictures.note:
+        print_note(pictures.note)
+    wrong = disagreements(document)
+    if wrong:
+        verb = "disagrees" if wrong == 1 else "disagree"
+        print_note(f"{counted(wrong, 'length')} {verb} with the mesh; see report.html.")
+    return EXIT_DISAGREES if wrong else 0
+
+
+def _pictures(survey: Survey) -> "Pictures":
+    from bodymeasure.report import closeup_patches
+    from bodymeasure.scene import pictures as draw
+
+    closeups = closeup_patches(survey)
+    done = 0
+    with progress_bar("drawing", BODY_PICTURES + len(closeups)) as progress:
+
+        def advance(_name: str) -> None:
+            nonlocal done
+            done += 1
+            progress(done)
+
+        return draw(survey, closeups, advance=advance)
+
+
+def _table(document: "Document", seconds: float) -> Table:
+    """What a reader wants to know first."""
+    summary, unit = document.summary, document.unit
+    table = Table(
+        title=Text(document.name), title_justify="left", title_style="bold", show_header=False
+    )
+    table.box = None
+    table.add_column(style="dim")
+    table.add_column(overflow="fold")
+    table.add_row("patches", f"{summary.patches:,}")
+    color = "green" if summary.measured == summary.diagonals else "yellow"
+    measured = f"{summary.measured:,} of {summary.diagonals:,}"
+    table.add_row("diagonals measured", Text(measured, color))
+    for status, count in summary.by_status.items():
+        if status != "converged":
+            words = STATUSES.get(status, status.replace("_", " "))
+            table.add_row("", Text(f"{count:,} {words}", "" if status in STATUSES else "yellow"))
+    spread = summary.length
+    if spread.median is not None:
+        table.add_row(
+            "lengths",
+            f"{spread.minimum:.2f} to {spread.maximum:.2f} {unit}, median {spread.median:.2f} "
+            f"{unit}",
+        )
+        table.add_row("largest error estimate", f"{summary.error_estimate.maximum:.0e} {unit}")
+    label = "compared with libigl"
+    for verdict, (words, color) in VERDICTS.items():
+        if count := summary.by_verdict.get(verdict, 0):
+            table.add_row(label, Text(f"{count:,} {words}", color))
+            label = ""
+    difference = summary.relative_difference
+    if difference.median is not None:
+        table.add_row(
+            "relative difference",
+            f"median {difference.median:.1e}, largest {difference.maximum:.1e}",
+        )
+    if document.findings:
+        findings = counted(len(document.findings), "finding")
+        table.add_row("check of the atlas", Text(findings, "yellow"))
+    table.add_row("time", f"{seconds:.1f} s")
+    return table

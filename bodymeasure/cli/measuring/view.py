@@ -1,0 +1,167 @@
+"""`bodymeasure view`."""
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from bodymeasure.cli.console import print_note, progress_bar
+from bodymeasure.cli.measuring.chart import measured_chart
+from bodymeasure.cli.options import (
+    COMPARISON,
+    EXIT_CODES,
+    ROUTES,
+    VIEWER,
+    VIEWER_COLORS,
+    definitions_option,
+    despite_errors_option,
+    load_sound_atlas,
+    no_cross_check_option,
+    optional_atlas_argument,
+    processes_option,
+    require,
+    same_unit_option,
+)
+from bodymeasure.errors import InputError
+from bodymeasure.files import require_writable
+from bodymeasure.measure import Survey, measure_atlas
+from bodymeasure.wording import nearest
+
+if TYPE_CHECKING:
+    from bodymeasure.atlas import Atlas
+    from bodymeasure.chart import Chart
+
+PICTURE_SUFFIXES = (".png", "")
+
+
+@click.command(short_help="Show a body and its diagonals in a window.", epilog=EXIT_CODES)
+@optional_atlas_argument
+@same_unit_option
+@click.option(
+    "--screenshot",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Write a PNG file instead of opening a window.",
+)
+@click.option(
+    "--chart",
+    "with_chart",
+    is_flag=True,
+    help="Show the tapes of the body measurements instead of the diagonals.",
+)
+@definitions_option
+@click.option(
+    "--measure",
+    "key",
+    metavar="KEY",
+    help="With --chart: show one measurement alone, by its key.",
+)
+@no_cross_check_option
+@processes_option
+@despite_errors_option
+def view(
+    atlas: str,
+    screenshot: Path | None,
+    with_chart: bool,
+    definitions: Path | None,
+    key: str | None,
+    no_cross_check: bool,
+    processes: int,
+    despite_errors: bool,
+) -> None:
+    """Show ATLAS in a window: patches, diagonals colored by their difference from the mesh.
+
+    Click a patch or a diagonal for its name and lengths. With --chart, click a tape for the
+    measurement and its value. ATLAS is the average female sample if not given.
+    """
+    if not with_chart and (key is not None or definitions is not None):
+        raise click.UsageError("--measure and --set are about measurements; add --chart.")
+    need = ROUTES if with_chart else COMPARISON
+    require(VIEWER, VIEWER_COLORS, *(() if no_cross_check and not with_chart else (need,)))
+    viewer, chart_viewer = _viewers()
+    loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
+    if screenshot is None:
+        _check_display()
+    else:
+        _check_screenshot(screenshot)
+    if with_chart:
+        note = chart_viewer(_chart(loaded, definitions, key), screenshot, key=key)
+    else:
+        note = viewer(_survey(loaded, no_cross_check, processes), screenshot)
+    if note:
+        print_note(note)
+    if screenshot is not None:
+        click.echo(screenshot)
+
+
+def _survey(loaded: "Atlas", no_cross_check: bool, processes: int) -> Survey:
+    with progress_bar("comparing with libigl", 2 * len(loaded)) as progress:
+        return measure_atlas(
+            loaded, compare=not no_cross_check, processes=processes, progress=progress
+        )
+
+
+def _chart(loaded: "Atlas", definitions: Path | None, key: str | None) -> "Chart":
+    """The chart of a body, in which a measurement that is to be shown has a tape.
+
+    Raises
+    ------
+    InputError
+        If there is no such measurement, or it has no tape, or none has one, and why.
+    """
+    from bodymeasure.chart import both_sides, load_definitions
+
+    wanted = load_definitions(definitions)
+    keys = [item.key for item in both_sides(wanted.measurement)]
+    if key is not None and key not in keys:
+        near = nearest(key, keys)
+        hint = f"did you mean {near!r}?" if near else f"such as {', '.join(keys[:3])}"
+        raise InputError(f"there is no measurement {key!r} in {wanted.name!r}; {hint}")
+    chart = measured_chart(loaded, wanted)
+    if key is not None and not (chart[key].tapes and math.isfinite(chart[key].value)):
+        reason = chart[key].reason or "it is calculated from others; show one of those"
+        raise InputError(f"{key}: there is no tape to show: {reason}")
+    if not any(item.tapes for item in chart.measured):
+        first = chart.measured[0]
+        raise InputError(
+            "there is no tape to show, since nothing was measured; "
+            f"{first.definition.key}: {first.reason}"
+        )
+    return chart
+
+
+def _check_display() -> None:
+    """Refuse a window that could not be opened, before the work."""
+    from bodymeasure.scene.drawing.opengl_check import opengl_trouble
+
+    if trouble := opengl_trouble(window=True):
+        raise InputError(
+            f"no window can be opened, since {trouble}; "
+            "write a picture instead with --screenshot FILE.png"
+        )
+
+
+def _check_screenshot(path: Path) -> None:
+    """Refuse a file that could not be written, before the work."""
+    if path.suffix.lower() not in PICTURE_SUFFIXES:
+        raise InputError(
+            f"{path}: the picture is a PNG file; give a name that ends in .png, not {path.suffix}"
+        )
+    require_writable(path)
+
+
+def _viewers() -> tuple[Callable[[Survey, Path | None], str], Callable[..., str]]:
+    """What shows a survey, and what shows a chart."""
+    try:
+        from bodymeasure.viewer import view, view_chart
+    except ModuleNotFoundError as error:
+        if error.name != "bodymeasure.viewer":
+            raise
+        raise InputError(
+            "the viewer is part of an installed bodymeasure, and this is a bare checkout; "
+            "install it with: pip install -e ."
+        ) from None
+    # Installed under another name than its folder's, so that the type checker does not see it.
+    return view, view_chart

@@ -1,0 +1,1 @@
+"""Wavefront OBJ: free-form surfaces and meshes."""

@@ -1,0 +1,1 @@
+"""Paths and closed paths across the patches of an atlas."""

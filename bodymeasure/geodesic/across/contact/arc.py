@@ -1,0 +1,63 @@
+"""Arcs of a path along an edge of the atlas, or along a seam that holds it from both sides."""
+
+import numpy as np
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.topology.neighbors import Neighbors, Place
+from bodymeasure.bezier import scaled
+from bodymeasure.geodesic.across.contact.joined import HeldPath
+from bodymeasure.geodesic.across.contact.pattern import side_of
+from bodymeasure.geodesic.across.pieces.path import PathPiece
+from bodymeasure.geodesic.across.pieces.route_error import RouteLength
+from bodymeasure.geodesic.contact.edge_arc import EdgeArc, edge_arc
+from bodymeasure.geodesic.contact.legs import Contact
+from bodymeasure.geodesic.surfaces.surfaces_of import surfaces_of
+
+
+def on_edge(neighbors: Neighbors, place: Place, patch: int, contact: Contact) -> Place:
+    """The place that is the same point, on the edge of a patch."""
+    return next(
+        same
+        for same in neighbors.same(place)
+        if same.patch == patch and same[1 + contact.axis] == contact.value
+    )
+
+
+def pressed_arc(
+    atlas: Atlas,
+    neighbors: Neighbors,
+    contact: Contact,
+    ends: tuple[Place, Place],
+    size: float,
+) -> EdgeArc | None:
+    """An arc along an edge, in parts of the size; None if it would rather leave it, to any side."""
+    patch = ends[0].patch
+    sides = [(patch, contact, ends)]
+    for crossing in neighbors.over.get((patch, side_of(contact)), ()):
+        edge = EDGES[crossing.to_side]
+        beyond = Contact(edge.fixed_axis, edge.fixed_value)
+        begin, end = (on_edge(neighbors, place, crossing.to_patch, beyond) for place in ends)
+        sides.append((crossing.to_patch, beyond, (begin, end)))
+    arcs = []
+    for number, on, (begin, end) in sides:
+        surface = surfaces_of(scaled(atlas.control_points[[number]], 1.0 / size))
+        arcs.append(edge_arc(surface, on, np.array(begin[1:]), np.array(end[1:])))
+    return arcs[0] if all(arc.is_pressed for arc in arcs) else None
+
+
+def arc_between(
+    atlas: Atlas,
+    neighbors: Neighbors,
+    contact: Contact,
+    ends: tuple[Place, Place],
+    size: float,
+) -> HeldPath | None:
+    """An arc as a part of a path; None if the edge does not hold it."""
+    arc = pressed_arc(atlas, neighbors, contact, ends, size)
+    if arc is None:
+        return None
+    space, values, known = arc.solved
+    raw, error = (float(size * each[0]) for each in (known.raw, known.error))
+    length = RouteLength(raw, raw, error, 0.0, trusted=True, minimal=True)
+    return HeldPath((PathPiece(ends[0].patch, space, values, raw),), (), *ends, length)

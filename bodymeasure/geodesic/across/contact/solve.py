@@ -1,0 +1,140 @@
+"""Paths over several patches that edges hold for a part: free legs and arcs along the edges.
+
+As on one patch (`contact`): where a free leg joins an edge is told by its tangency there, and an
+arc runs between the ends of its neighbors. An edge of the atlas holds what would leave it; a seam
+holds what would leave it to either side.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.topology.neighbors import Neighbors, Place, on_side
+from bodymeasure.geodesic.across.contact.arc import arc_between, on_edge, pressed_arc
+from bodymeasure.geodesic.across.contact.free_leg import FreeLeg, free_leg
+from bodymeasure.geodesic.across.contact.joined import HeldPath, of_leg, put_together
+from bodymeasure.geodesic.across.contact.pattern import (
+    FreePart,
+    HeldPart,
+    place_at,
+    read_pattern,
+    side_of,
+)
+from bodymeasure.geodesic.across.pieces.route_length import RouteProblem
+from bodymeasure.geodesic.across.pieces.route_refine import Refined, measured, resampled
+from bodymeasure.geodesic.contact.legs import Contact
+from bodymeasure.geodesic.numerics.box_newton import minimize_in_box
+from bodymeasure.geodesic.spaces.polygons import polygon_space
+
+# Edges on each patch of the polygon whose pattern is read.
+EDGE_COUNT = 32
+# From a path nearly at rest a polygon takes some three steps to it. Where it may slide along
+# itself it never comes to rest, but what holds it is as clear.
+MOST_STEPS = 8
+# No path is shorter than the shortest polygon, but for rounding.
+ROUNDING = 1e-12
+
+
+def held_path(
+    atlas: Atlas, neighbors: Neighbors, refined: Refined, tolerance: float
+) -> HeldPath | None:
+    """The path along a route that edges hold for a part.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    neighbors : Neighbors
+    refined : Refined
+        The path as far as polynomials on whole patches go.
+    tolerance : float
+        Relative error of the length that is asked for.
+
+    Returns
+    -------
+    HeldPath or None
+        None if a leg has no solution or leaves its patches, or an edge does not hold its arc.
+    """
+    if not _held_from_all_sides(atlas, neighbors, refined):
+        return None
+    polygon = _polygon(refined)
+    parts = read_pattern(polygon)
+    legs: list[FreeLeg | None] = []
+    for part in parts:
+        leg = free_leg(atlas, polygon, part, tolerance) if isinstance(part, FreePart) else None
+        if leg is None and isinstance(part, FreePart):
+            return None
+        legs.append(leg)
+    solved: list[HeldPath] = []
+    for part, leg, beside in zip(parts, legs, _beside(legs), strict=True):
+        found = None
+        if isinstance(part, HeldPart):
+            found = _arc(atlas, neighbors, polygon, part, beside)
+        elif leg is not None:
+            found = of_leg(leg)
+        if found is None:
+            return None
+        solved.append(found)
+    path = put_together(solved)
+    return path if path.length.corrected <= polygon.length * (1.0 + ROUNDING) else None
+
+
+def _polygon(refined: Refined) -> Refined:
+    """The polygon at rest near a path."""
+    before = refined.problem
+    problem = RouteProblem(before.atlas, refined.route, polygon_space(EDGE_COUNT), before.size)
+    start = resampled(refined, problem)
+    return measured(problem, minimize_in_box(problem.expand, start, problem.idle, MOST_STEPS))
+
+
+def _held_from_all_sides(atlas: Atlas, neighbors: Neighbors, refined: Refined) -> bool:
+    """Whether the edges that hold a path hold it on all patches beside them, as far as it seems."""
+    held, route = refined.held_nodes, refined.problem.route
+    inner = refined.values[:, :, 1:-1]
+    for piece, patch in enumerate(route.patches):
+        for edge in EDGES:
+            axis, value = edge.fixed_axis, edge.fixed_value
+            on = np.flatnonzero(held[piece, axis] & (inner[piece, axis] == value))
+            for run in np.split(on, np.flatnonzero(np.diff(on) > 1) + 1):
+                if len(run) < 2:
+                    continue
+                contact = Contact(axis, value)
+                begin, end = (
+                    Place(patch, *on_side(side_of(contact), float(inner[piece, 1 - axis, node])))
+                    for node in run[[0, -1]]
+                )
+                size = refined.problem.size
+                if begin != end and not pressed_arc(atlas, neighbors, contact, (begin, end), size):
+                    return False
+    return bool(held.any())
+
+
+def _beside(legs: Sequence[FreeLeg | None]) -> list[tuple[Place | None, Place | None]]:
+    """Of each part, where the free leg before it ends and the one after it starts."""
+    padded = [None, *legs, None]
+    return [
+        (before and before.refined.problem.route.end, after and after.refined.problem.route.start)
+        for before, after in zip(padded[:-2], padded[2:], strict=True)
+    ]
+
+
+def _arc(
+    atlas: Atlas,
+    neighbors: Neighbors,
+    polygon: Refined,
+    part: HeldPart,
+    beside: tuple[Place | None, Place | None],
+) -> HeldPath | None:
+    """An arc between where the legs beside it meet its edge; None if the edge does not hold it."""
+    patch, axis = polygon.route.patches[part.piece], 1 - part.contact.axis
+    begin, end = (
+        on_edge(neighbors, there or place_at(polygon, part.piece, node), patch, part.contact)
+        for there, node in zip(beside, (part.first, part.last), strict=True)
+    )
+    # From the nodes beside the arc, since an arc of a single one has no direction itself.
+    last = polygon.values.shape[2] - 1
+    nodes = polygon.values[part.piece, axis, [max(part.first - 1, 0), min(part.last + 1, last)]]
+    if (end[1 + axis] - begin[1 + axis]) * (nodes[1] - nodes[0]) < 0.0:
+        return None
+    return arc_between(atlas, neighbors, part.contact, (begin, end), polygon.problem.size)

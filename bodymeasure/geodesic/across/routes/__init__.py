@@ -1,0 +1,1 @@
+"""Which patches and seams a path crosses, and where it starts from."""

@@ -1,0 +1,141 @@
+"""Routes along seams, all on one side of them.
+
+The first route of a path that runs along several seams, as down the middle of a back, may change
+sides anywhere. Where the seams hold the path that makes no difference; where it leaves them by a
+little, it is the shortest on either side, but not where it has to change between them.
+"""
+
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors, Place, Step, on_side
+from bodymeasure.geodesic.across.pieces.route_refine import Refined
+from bodymeasure.geodesic.across.routes.route import Route
+
+# A piece that is nowhere further from a seam, in u or v of its patch, runs along it.
+ALONG_SEAM = 1e-2
+
+
+class _Side(NamedTuple):
+    """A seam as seen from one of its patches, and where a path comes to it and leaves it."""
+
+    edge: int
+    patch: int
+    side: int
+    enter: float
+    leave: float
+
+
+def one_sided(neighbors: Neighbors, refined: Refined) -> Iterator[Route]:
+    """Routes whose pieces along seams are all on the one side of them, or all on the other."""
+    for run in _runs(neighbors, refined):
+        for start in (run.sides[0], _beyond(neighbors, run.sides[0])):
+            found = _along(neighbors, refined.route, run, start)
+            if found is not None:
+                yield found
+
+
+def corners_along_seams(neighbors: Neighbors, refined: Refined) -> set[int]:
+    """The crossings between pieces that run along seams, past the corners where these meet."""
+    runs = _runs(neighbors, refined)
+    return {number for run in runs for number in range(run.first, run.last)}
+
+
+class _Run(NamedTuple):
+    """Pieces on end that run along seams: the first and the last, and the seams."""
+
+    first: int
+    last: int
+    sides: list[_Side]
+
+
+def _runs(neighbors: Neighbors, refined: Refined) -> list[_Run]:
+    """All runs of several pieces; those of no length, in corners, do not part them."""
+    runs: list[_Run] = []
+    goes_on = False
+    for piece in np.flatnonzero(refined.lengths > 0.0).tolist():
+        side = _seam(neighbors, refined, piece)
+        if side is not None:
+            first, sides = runs.pop()[::2] if goes_on else (piece, [])
+            runs.append(_Run(first, piece, [*sides, side]))
+        goes_on = side is not None
+    return [run for run in runs if len(run.sides) > 1]
+
+
+def _seam(neighbors: Neighbors, refined: Refined, piece: int) -> _Side | None:
+    """The seam that a piece runs along, if any."""
+    patch, values = refined.problem.route.patches[piece], refined.values[piece]
+    for number, edge in enumerate(EDGES):
+        apart = np.abs(values[edge.fixed_axis] - edge.fixed_value).max()
+        crossings = neighbors.over.get((patch, number), ())
+        if apart <= ALONG_SEAM and len(crossings) == 1:
+            enter, leave = values[1 - edge.fixed_axis, [0, -1]].tolist()
+            return _Side(crossings[0].edge, patch, number, enter, leave)
+    return None
+
+
+def _over(neighbors: Neighbors, side: _Side) -> Crossing:
+    return neighbors.over[side.patch, side.side][0]
+
+
+def _beyond(neighbors: Neighbors, side: _Side) -> _Side:
+    """The same seam as seen from the other side."""
+    crossing = _over(neighbors, side)
+    enter, leave = (1.0 - each if crossing.flipped else each for each in side[3:])
+    return _Side(side.edge, crossing.to_patch, crossing.to_side, enter, leave)
+
+
+def _along(neighbors: Neighbors, route: Route, run: _Run, start: _Side) -> Route | None:
+    """The route with a run on the side that is given for its first piece; None if there is none."""
+    first, last, sides = run
+    chosen, crossings, along = start, list(route.crossings[:first]), list(route.along[:first])
+    begin, end = route.start, route.end
+    if start != sides[0]:
+        on_seam = _on_seam(neighbors, begin, start) if first == 0 else None
+        if on_seam is not None:
+            begin = on_seam
+        else:
+            crossings.append(_over(neighbors, sides[0]))
+            along.append(sides[0].enter)
+    for before, there in pairwise(sides):
+        if there.edge == before.edge:
+            # The path only changes sides.
+            chosen = there if there.patch == chosen.patch else _beyond(neighbors, there)
+            continue
+        found = _next(neighbors, chosen, there)
+        if found is None:
+            return None
+        steps, chosen = found
+        crossings += [step.crossing for step in steps]
+        along += [step.along for step in steps]
+    if chosen.patch != sides[-1].patch:
+        on_seam = _on_seam(neighbors, end, chosen) if last == len(route.crossings) else None
+        if on_seam is not None:
+            end = on_seam
+        else:
+            crossings.append(_over(neighbors, chosen))
+            along.append(chosen.leave)
+    crossings += route.crossings[last:]
+    return Route(begin, end, tuple(crossings), (*along, *route.along[last:]))
+
+
+def _on_seam(neighbors: Neighbors, place: Place, side: _Side) -> Place | None:
+    """The same point on the patch of a side, if it lies there."""
+    return next((same for same in neighbors.same(place) if same.patch == side.patch), None)
+
+
+def _next(
+    neighbors: Neighbors, before: _Side, there: _Side
+) -> tuple[tuple[Step, ...], _Side] | None:
+    """The way round the corner to the next seam that crosses neither, and the side it comes to."""
+    corner = Place(before.patch, *on_side(before.side, float(round(before.leave))))
+    for side in (there, _beyond(neighbors, there)):
+        goal = Place(side.patch, *on_side(side.side, float(round(side.enter))))
+        for way in neighbors.ways(corner, goal):
+            if all(step.crossing.edge not in (before.edge, there.edge) for step in way):
+                return way, side
+    return None

@@ -1,0 +1,1 @@
+"""Shortest paths that run along edges of their patch for a part."""

@@ -1,0 +1,56 @@
+"""Degrees of the polynomials that make a path exact, and which of them to try next."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.geodesic.lengths.measure import MeasuredLength
+from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+
+# Tried in turn. Strongly bent paths take the highest; past that, rounding errors win.
+DEGREES = (12, 20, 32, 48, 72, 108, 160)
+# Errors fall about geometrically with the degree. Of the degree that this foretells so much is
+# taken, since they fall faster at the end than at the beginning.
+CAUTION = 0.75
+# A path may leave the box by this much, in u or v, and better ones not.
+OVERSHOOT = 1e-9
+# A path is off by about the square root of what its length is too long by. If it leaves the box by
+# more than so many times that, better paths would too.
+OFF = 10.0
+
+
+def degrees_wanted(degree: int, measured: MeasuredLength, tolerance: float) -> NDArray[np.float64]:
+    """The degrees that paths seem to take, told from how good they are on one; shape (problems,).
+
+    Parameters
+    ----------
+    degree : int
+        That of the paths.
+    measured : MeasuredLength
+        Their lengths, none of which is known to the tolerance.
+    tolerance : float
+        Relative error asked for.
+    """
+    with np.errstate(divide="ignore", invalid="ignore"):
+        known = np.log(np.clip(measured.error / measured.raw, tolerance, 0.5))
+        foretold = CAUTION * degree * np.log(tolerance) / known
+    # Of what is not finite nothing is known.
+    return np.where(np.isfinite(foretold), foretold, degree + 1.0)
+
+
+def leave_for_certain(
+    space: TrialSpace, values: NDArray[np.float64], measured: MeasuredLength
+) -> NDArray[np.bool_]:
+    """Which paths leave their patch by so much that no higher degree brings them back.
+
+    Parameters
+    ----------
+    space : TrialSpace
+    values : ndarray, shape (problems, 2, n + 1)
+    measured : MeasuredLength
+        Their lengths, known to the tolerance that is asked for.
+    """
+    paths = values @ space.between_nodes.T
+    outside = np.abs(paths - 0.5).max(axis=(1, 2)) - 0.5
+    off = np.sqrt(np.abs(measured.correction) * measured.raw)
+    result: NDArray[np.bool_] = outside > OVERSHOOT + OFF * off
+    return result

@@ -1,0 +1,96 @@
+r"""A part of a path that runs along an edge of its patch: its length, and what presses it there.
+
+A shortest path is held by an edge only where it would leave the patch if it could. There its
+acceleration, as far as it is tangential to the surface and normal to the path, points out of the
+patch: it is the multiplier of the constraint, which must have that sign all along the arc (the
+conditions of Karush, Kuhn and Tucker).
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bodymeasure._typing import Array
+from bodymeasure.geodesic.contact.joined import SolvedLeg
+from bodymeasure.geodesic.contact.legs import Contact
+from bodymeasure.geodesic.lengths.measure import MeasuredLength
+from bodymeasure.geodesic.spaces.polynomials import polynomial_space
+from bodymeasure.geodesic.spaces.quadrature import Quadrature
+from bodymeasure.geodesic.surfaces.bezier import Surface
+
+# Gauss points of an arc, and of its halves, whose difference is its error estimate.
+POINTS = 24
+# Rounding errors of a length, relative.
+ROUNDING = 1e-15
+# How much an arc may bend inwards, as an angle over its whole length: an edge that is a geodesic
+# itself presses nothing, and must not be refused for rounding errors.
+UNPRESSED = 1e-6
+# Along the edge the parameter is a linear function.
+DEGREE = 2
+
+
+class EdgeArc(NamedTuple):
+    """An arc, and whether it is pressed against its edge all along."""
+
+    solved: SolvedLeg
+    is_pressed: bool
+
+
+def edge_arc(surface: Surface, contact: Contact, begin: Array, end: Array) -> EdgeArc:
+    """Along an edge, at constant speed in its parameter.
+
+    Parameters
+    ----------
+    surface : Surface
+        Of one problem.
+    contact : Contact
+        The edge.
+    begin, end : ndarray, shape (2,)
+        Points (u, v) on it.
+    """
+    space = polynomial_space(DEGREE)
+    values = begin[:, None] + (end - begin)[:, None] * space.nodes
+    values[:, -1] = end
+    lengths = []
+    for pieces in (1, 2):
+        rule = Quadrature(np.linspace(0.0, 1.0, pieces + 1), POINTS)
+        places = begin + rule.points[:, None] * (end - begin)
+        jet = surface.jet(places[None], 2)[:, :, 0]
+        velocity = jet[1] * (end - begin)[0] + jet[2] * (end - begin)[1]
+        speed = np.sqrt((velocity * velocity).sum(axis=0))
+        lengths.append(rule.integrate(speed))
+    turn = _inward_turn(jet, contact, velocity, end - begin)
+    length = np.array([lengths[1]])
+    measured = MeasuredLength(
+        raw=length,
+        correction=np.zeros(1),
+        error=2.0 * np.abs(length - lengths[0]) + ROUNDING * length,
+        residual=np.zeros(1),
+        index=np.zeros(1, np.int64),
+    )
+    return EdgeArc(SolvedLeg(space, values, measured), bool((turn <= UNPRESSED).all()))
+
+
+def edge_curvature(surface: Surface, contact: Contact, place: Array) -> float:
+    """How much an edge of one patch bends within the surface at a place (u, v): its size."""
+    way = np.array([0.0, 1.0] if contact.axis == 0 else [1.0, 0.0])
+    jet = surface.jet(place[None, None], 2)[:, :, 0]
+    velocity = jet[1] * way[0] + jet[2] * way[1]
+    turn = _inward_turn(jet, contact, velocity, way)[0]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        curvature = np.abs(turn) / np.linalg.norm(velocity)
+    return float(np.nan_to_num(curvature))
+
+
+def _inward_turn(jet: Array, contact: Contact, velocity: Array, way: Array) -> Array:
+    """The angle, a unit of its parameter t, by which the arc turns into the patch."""
+    along, across = (2, 1) if contact.axis == 0 else (1, 2)
+    acceleration = jet[5 if along == 2 else 3] * way[along - 1] ** 2
+    square = (velocity * velocity).sum(axis=0)
+    # Where the edge stands still it turns nowhere that could be told.
+    with np.errstate(divide="ignore", invalid="ignore"):
+        inward = jet[across] * (1.0 if contact.value == 0.0 else -1.0)
+        inward -= velocity * (inward * velocity).sum(axis=0) / square
+        inward /= np.sqrt((inward * inward).sum(axis=0))
+        turn = (acceleration * inward).sum(axis=0) / np.sqrt(square)
+    return np.asarray(np.nan_to_num(turn))

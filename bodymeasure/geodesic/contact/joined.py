@@ -1,0 +1,76 @@
+"""The legs of a path put together to one."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from bodymeasure._typing import Array
+from bodymeasure.geodesic.lengths.measure import MeasuredLength
+from bodymeasure.geodesic.solving.protocol import EdgeContact
+from bodymeasure.geodesic.spaces.piecewise import PiecewisePolynomials
+from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+
+
+class SolvedLeg(NamedTuple):
+    """One leg: values, shape (2, n + 1), at the nodes of a space, and its length, of shape (1,)."""
+
+    space: TrialSpace
+    values: Array
+    measured: MeasuredLength
+
+
+@dataclass(frozen=True)
+class ContactPath:
+    """A path of several legs.
+
+    Parameters
+    ----------
+    space : TrialSpace
+        Piecewise: one piece a leg, in proportion to their lengths.
+    values : ndarray, shape (2, n + 1)
+        u and v at the space's nodes.
+    measured : MeasuredLength
+        Of shape (1,).
+    contacts : tuple of EdgeContact
+        The edges it runs along, in order.
+    """
+
+    space: TrialSpace
+    values: Array
+    measured: MeasuredLength
+    contacts: tuple[EdgeContact, ...]
+
+
+def join(legs: Sequence[SolvedLeg], contacts: tuple[EdgeContact, ...]) -> ContactPath:
+    """One path of all legs, each taking as much of [0, 1] as it has of the length."""
+    # A corner is touched along no way at all.
+    parts = [leg for leg in legs if leg.measured.raw[0] > 0.0]
+    lengths = np.array([measured.raw[0] for _, _, measured in parts])
+    edges = np.concatenate([[0.0], np.cumsum(lengths) / lengths.sum()])
+    edges[-1] = 1.0
+    nodes = [np.array([0.0])]
+    values = [parts[0].values[:, :1]]
+    total = 1 + sum(space.size for space, _, _ in parts)
+    degree = max(space.functions.coefficients.shape[1] for space, _, _ in parts)
+    coefficients = np.zeros((3, degree, total, len(parts)), dtype=np.longdouble)
+    column = 0
+    for number, (space, part, _) in enumerate(parts):
+        width = edges[number + 1] - edges[number]
+        nodes.append(edges[number] + width * space.nodes[1:])
+        values.append(part[:, 1:])
+        own = space.functions.coefficients[..., 0]
+        chain = np.array([1.0, 1.0 / width, 1.0 / width**2])[:, None, None]
+        coefficients[:, : own.shape[1], column : column + space.size + 1, number] = own * chain
+        column += space.size
+    all_nodes = np.concatenate(nodes)
+    all_nodes[-1] = 1.0
+    joined = TrialSpace(
+        nodes=all_nodes,
+        condition=max(space.condition for space, _, _ in parts),
+        functions=PiecewisePolynomials(edges, coefficients),
+        description=" + ".join(space.description for space, _, _ in parts),
+    )
+    measured = MeasuredLength.of_parts([measured for _, _, measured in parts])
+    return ContactPath(joined, np.concatenate(values, axis=1), measured, contacts)

@@ -1,0 +1,1 @@
+"""Paths as graphs over their straight line, with one unknown function."""

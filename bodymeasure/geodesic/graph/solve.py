@@ -1,0 +1,234 @@
+"""Many geodesics by collocation with one unknown function each, where that serves.
+
+Nothing is iterated until it converges: each trial space gets one or two Newton steps from the path
+before. What comes out is measured and judged as everywhere, and only what passes is taken. All else
+is left to the form with two unknown functions.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import fields, replace
+from functools import lru_cache
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure._typing import Array
+from bodymeasure.geodesic.graph.equation import linearize, offset_geometry
+from bodymeasure.geodesic.graph.maps import FIELDS, offset_map
+from bodymeasure.geodesic.graph.problems import OffsetProblems
+from bodymeasure.geodesic.lengths.jacobi import judge
+from bodymeasure.geodesic.lengths.measure import MeasuredLength, is_good, is_steep
+from bodymeasure.geodesic.numerics.array_libraries import constant, is_on_cpu, to_numpy
+from bodymeasure.geodesic.numerics.elimination import solve_batch
+from bodymeasure.geodesic.solving.on_spaces import is_far_outside
+from bodymeasure.geodesic.solving.protocol import MethodResult, Piece
+from bodymeasure.geodesic.spaces.polynomials import polynomial_space
+from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
+
+# The first guess: Newton steps from the straight line on polynomials of this degree.
+GUESS_DEGREE = 5
+GUESS_STEPS = 2
+# Newton steps on the first of several trial spaces, which serves most problems, and how large the
+# last may be: a second would change the paths of bodies by less than they are off for want of
+# functions, and what is left of a step is about its square, which the correction takes off.
+FIRST = (1, 1e-2)
+# The same on the spaces after it, or on a single one.
+LATER = (2, 1e-4)
+# No step moves a node further: Newton's method from a straight line may go far astray.
+LONGEST_STEP = 0.15
+# Problems in one array operation: long enough to hide the calls, short enough for the cache.
+CHUNK = 1024
+# Problems whose failures are gathered for the next trial space; all at once elsewhere than on the
+# CPU. This bounds the memory.
+BLOCK = 16384
+# An offset beyond this, where the patch ends at 1, comes from a system that was nearly singular.
+ASTRAY = 1.0
+
+
+def solve_offsets(
+    spaces: Sequence[Callable[[], TrialSpace]],
+    surface: BezierSurfaces,
+    ends: tuple[Array, Array],
+    tolerance: float,
+) -> MethodResult:
+    """Geodesics that run across their straight line as a graph, those of the batch that do.
+
+    Parameters
+    ----------
+    spaces : sequence of callable
+        Makers of the trial spaces, tried in turn.
+    surface : BezierSurfaces
+        Of size 1. Their control points may live in any array library and on any device.
+    ends : tuple of ndarray
+        Start and end, both of shape (problems, 2).
+    tolerance : float
+        Relative error of the length that is asked for.
+
+    Returns
+    -------
+    MethodResult
+        Its pieces hold only the problems that are solved.
+    """
+    start, end = ends
+    iterations = np.zeros(len(start), np.int64)
+    pieces: dict[TrialSpace, list[Piece]] = {}
+    # Between points on one line of u or v there is nothing to run across.
+    across = np.flatnonzero((start != end).all(axis=1))
+    # A system without a solution ends in numbers that are not finite, and is left over.
+    with np.errstate(all="ignore"):
+        for rows in _slices(len(across), BLOCK):
+            block = across[rows]
+            problems = OffsetProblems.of(surface.take(block), start[block], end[block])
+            result = _solve_block(spaces, problems, tolerance)
+            iterations[block] = result.iterations
+            for piece in result.pieces:
+                parts = pieces.setdefault(piece.space, [])
+                parts.append(piece.renumbered(block[piece.problems]))
+    return MethodResult(tuple(_joined(parts) for parts in pieces.values()), iterations)
+
+
+def _solve_block(
+    spaces: Sequence[Callable[[], TrialSpace]], problems: OffsetProblems, tolerance: float
+) -> MethodResult:
+    xp = problems.xp
+    rest = np.arange(problems.count)
+    iterations = np.full(problems.count, GUESS_STEPS)
+    pieces: list[Piece] = []
+    before = polynomial_space(GUESS_DEGREE)
+    chunks = _chunks(problems, rest)
+    offset = xp.concat([_guess(before, part) for _, part in chunks], axis=1)
+    steps, small = FIRST if len(spaces) > 1 else LATER
+    for make_space in spaces:
+        space = make_space()
+        if space.size == 1:
+            continue  # It has the straight line alone.
+        offset = constant(_inner(before, space.nodes[1:-1])[0], offset, xp) @ offset
+        iterations[rest] += steps
+        moved, is_open = [], []
+        for rows, part in chunks:
+            path, last_step = _newton(space, part, offset[:, rows], steps)
+            piece = _measured(space, part, path, tolerance)
+            solved = last_step < small
+            done = solved & (piece.converged | is_far_outside(piece, solved))
+            if done.any():
+                pieces.append(piece.take(np.flatnonzero(done)).renumbered(rest[rows][done]))
+            moved.append(path)
+            is_open.append(~done & to_numpy(xp.max(xp.abs(path), axis=0) < ASTRAY))
+        keep = np.flatnonzero(np.concatenate(is_open))
+        if len(keep) == 0:
+            break
+        offset = xp.take(xp.concat(moved, axis=1), constant(keep, offset, xp), axis=1)
+        rest, before, (steps, small) = rest[keep], space, LATER
+        chunks = _chunks(problems, rest)
+    return MethodResult(tuple(pieces), iterations)
+
+
+def _chunks(
+    problems: OffsetProblems, rest: NDArray[np.int64]
+) -> list[tuple[slice, OffsetProblems]]:
+    """Those that are left in parts, with where in `rest` they stand."""
+    size = CHUNK if is_on_cpu(problems.columns) else BLOCK
+    if len(rest) == problems.count <= size:
+        return [(slice(None), problems)]
+    return [(rows, problems.take(rest[rows])) for rows in _slices(len(rest), size)]
+
+
+def _guess(space: TrialSpace, problems: OffsetProblems) -> Any:
+    straight = 0.0 * problems.columns[: space.size - 1, 0, :]
+    return _newton(space, problems, straight, GUESS_STEPS)[0]
+
+
+def _newton(
+    space: TrialSpace, problems: OffsetProblems, offset: Any, steps: int
+) -> tuple[Any, Array]:
+    """Offsets at the inner nodes, shape (n - 1, problems), and how large the last step was."""
+    xp = problems.xp
+    coefficients = _coefficients(problems, space.nodes[1:-1])
+    for _ in range(steps):
+        step = _step(space, coefficients, offset, xp)
+        size = xp.max(xp.abs(step), axis=0)
+        offset = offset + step * xp.where(size > LONGEST_STEP, LONGEST_STEP / size, 1.0)
+    return offset, to_numpy(size)
+
+
+def _step(space: TrialSpace, coefficients: Any, offset: Any, xp: Any) -> Any:
+    """Newton's step from offsets at the inner nodes, shape (n - 1, problems)."""
+    times = space.nodes[1:-1]
+    _, first, second = (constant(rows, offset, xp) for rows in _inner(space, times))
+    left, by_offset, by_slope, by_bend = linearize(
+        coefficients, offset, first @ offset, second @ offset
+    )
+    matrix = by_slope[:, None, :] * first[:, :, None]
+    matrix += by_bend[:, None, :] * second[:, :, None]
+    identity = constant(np.eye(len(times)), offset, xp)
+    matrix += identity[:, :, None] * by_offset[:, None, :]
+    return solve_batch(matrix, -left, xp)
+
+
+def _measured(space: TrialSpace, problems: OffsetProblems, offset: Any, tolerance: float) -> Piece:
+    xp, count = problems.xp, problems.count
+    times = space.quadrature.points
+    path, slope, bend = (constant(rows, offset, xp) @ offset for rows in _inner(space, times))
+    geometry = offset_geometry(_coefficients(problems, times), path, slope, bend, xp)
+    measured = MeasuredLength(*(to_numpy(each) for each in judge(space, geometry, xp)))
+    measured = replace(measured, error=measured.error + problems.rounding)
+    values = np.empty((count, 2, space.size + 1))
+    values[:, :, 0], values[:, :, -1] = problems.start, problems.end
+    for axis, parameter in enumerate(problems.parameters(space.nodes[1:-1], offset)):
+        values[:, axis, 1:-1] = to_numpy(parameter).T
+    # Those come from differences of neighboring control points, which this form never sees.
+    good = is_good(measured, tolerance) & ~is_steep(measured.raw, values)
+    return Piece(
+        np.arange(count),
+        space.with_lines,
+        values,
+        measured,
+        good,
+        np.zeros(count, bool),
+        speed=to_numpy(geometry.speed).T,
+    )
+
+
+def _coefficients(problems: OffsetProblems, times: Array) -> Any:
+    """Polynomials in the offset, as `offset_equation` takes them."""
+    columns, xp = problems.columns, problems.xp
+    matrix = constant(offset_map(problems.degrees, tuple(times.tolist())), columns, xp)
+    product = matrix @ xp.reshape(columns, (columns.shape[0], -1))
+    return xp.reshape(product, (-1, len(FIELDS), len(times), 3, problems.count))
+
+
+def _inner(space: TrialSpace, times: Array) -> Array:
+    """From values at the inner nodes of functions that vanish at the ends, as `matrices`."""
+    return _inner_at(space, tuple(times.tolist()))
+
+
+@lru_cache(maxsize=64)
+def _inner_at(space: TrialSpace, times: tuple[float, ...]) -> Array:
+    return np.ascontiguousarray(space.matrices(np.array(times))[:, :, 1:-1])
+
+
+def _slices(count: int, size: int) -> Iterator[slice]:
+    """The range of a number of problems in parts of nearly equal size, at most `size`."""
+    edges = np.linspace(0, count, -(-count // size) + 1).astype(int)
+    for first, last in pairwise(edges):
+        yield slice(int(first), int(last))
+
+
+def _joined(pieces: Sequence[Piece]) -> Piece:
+    """One piece of several on the same space."""
+    measured = [
+        [getattr(piece.measured, field.name) for piece in pieces]
+        for field in fields(MeasuredLength)
+    ]
+    return Piece(
+        np.concatenate([piece.problems for piece in pieces]),
+        pieces[0].space,
+        np.concatenate([piece.values for piece in pieces]),
+        MeasuredLength(*map(np.concatenate, measured)),
+        np.concatenate([piece.converged for piece in pieces]),
+        np.concatenate([piece.singular for piece in pieces]),
+        speed=np.concatenate([piece.speed for piece in pieces if piece.speed is not None]),
+    )

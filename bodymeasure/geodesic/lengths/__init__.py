@@ -1,0 +1,1 @@
+"""The length of a path, its error estimate, and whether it is a local minimum."""

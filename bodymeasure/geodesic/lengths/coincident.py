@@ -1,0 +1,48 @@
+"""Points that are one place: equal ones, and those on one collapsed edge."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure._typing import Array
+from bodymeasure.geodesic.lengths.measure import CANCELLATION
+from bodymeasure.geodesic.surfaces.bezier import Surface
+
+# Points of a line at which its speed is looked at: a polynomial of a lower degree cannot vanish at
+# all of them without being zero.
+TIMES = np.linspace(0.0, 1.0, 17)
+
+
+def distances_in_one_place(
+    surfaces: Surface, surface_of: NDArray[np.int64], start: Array, end: Array
+) -> Array:
+    """Bounds of the distances between points that cannot be told apart, infinite for all others.
+
+    Zero for equal points. Along a line of u or of v the surface may stand still, as on the edge of
+    a patch that is collapsed to a point: then the distance is zero but for rounding errors.
+
+    Parameters
+    ----------
+    surfaces : Surface
+    surface_of : ndarray of int, shape (problems,)
+        The surface of each problem.
+    start, end : ndarray, shape (problems, 2)
+
+    Returns
+    -------
+    ndarray, shape (problems,)
+    """
+    differs = start != end
+    distance = np.where(differs.any(axis=1), np.inf, 0.0)
+    rows = np.flatnonzero(differs.sum(axis=1) == 1)
+    if len(rows):
+        surface = surfaces.take(surface_of[rows])
+        way = end[rows] - start[rows]
+        line = start[rows, None] + way[:, None] * TIMES[:, None]
+        along_v = (way[:, 0] == 0.0)[:, None]
+        s_u, s_v = np.linalg.norm(surface.jet(line, 1)[1:], axis=1)
+        by_u, by_v = surface.magnitude(line)
+        speed, terms = np.where(along_v, s_v, s_u), np.where(along_v, by_v, by_u)
+        still = (speed <= CANCELLATION * terms).all(axis=1)
+        most = CANCELLATION * terms.max(axis=1) * np.abs(way).max(axis=1)
+        distance[rows[still]] = most[still]
+    return distance

@@ -1,0 +1,216 @@
+"""The Jacobi equation along computed paths: what `length_error` tells of a length, calculated."""
+
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.polynomial import legendre
+
+from bodymeasure._typing import Array
+from bodymeasure.geodesic.lengths.path_geometry import PathGeometry
+from bodymeasure.geodesic.numerics.array_libraries import constant
+from bodymeasure.geodesic.numerics.elimination import solve_symmetric
+from bodymeasure.geodesic.spaces.quadrature import Quadrature
+from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+
+# See the text of `length_error`.
+SAFETY = 5.0
+QUADRATURE_SAFETY = 3.0
+CURVATURE_VARIATION = 4.0
+# Rounding errors of a length, relative, a node: measured against 40-node solutions.
+ROUNDING = 2e-16
+# If the length times the integral of the positive part of K is below this, no conjugate point can
+# lie on the path: Lyapunov's inequality (P. Hartman, Ordinary Differential Equations, XI.5.1).
+LYAPUNOV_BOUND = 4.0
+# Of more modes than this the products of all pairs take too much memory, and problems are few.
+MOST_IN_ONE_PRODUCT = 48
+# On spaces of fewer functions two modes are not enough to tell what is left out.
+FEW = 6
+# The index of paths of which it is not known.
+UNKNOWN = -1
+# An eigenvalue of the second variation that is this small, beside its others of about 1, is made of
+# rounding errors, and its sign says nothing.
+EIGENVALUE_ROUNDING = 1e-11
+
+
+class Judgement(NamedTuple):
+    """What is known of lengths; arrays of shape (problems,). See `length_error.MeasuredLength`."""
+
+    raw: Any
+    correction: Any
+    error: Any
+    residual: Any
+    index: Any
+
+
+def judge(space: TrialSpace, along: PathGeometry, xp: Any) -> Judgement:
+    """Lengths, their excess, the error that is left and the certificate, in one elimination.
+
+    Parameters
+    ----------
+    space : TrialSpace
+        Of the paths.
+    along : PathGeometry
+        At the points of the quadrature.
+    xp : namespace of the arrays
+        By the Python array API standard; where a path stands still or the surface is singular,
+        divisions by zero are the caller's to silence.
+    """
+    speed, kappa, curvature = along
+    quadrature = space.quadrature
+    modes = _modes(quadrature, space.size)
+    weights = constant(quadrature.weights, speed, xp)
+    length = weights @ speed
+    # The Galerkin system of the Jacobi equation, with d/ds = (1 / speed) d/dt and ds = speed dt.
+    weighted = weights[:, None] * speed
+    densities = xp.concat([weights[:, None] / speed, weighted * curvature])
+    values = constant(modes.values, speed, xp)
+    load = xp.matrix_transpose(values) @ (weighted * kappa)
+    solution, pivots = solve_symmetric(modes.system(densities, xp), load, xp)
+    by_mode = 0.5 * load * solution
+    shift = values @ solution
+    slope = (constant(modes.slopes, speed, xp) @ solution) / speed
+    variation = _curvature_variation(quadrature, along, xp)
+    left_out = xp.sum(xp.abs(by_mode[-2:, :]), axis=0)
+    if len(quadrature.widths) > 1 or space.size < FEW:
+        left_out = left_out + _beyond(quadrature, along, modes, xp)
+    left_out = left_out + _next_order(quadrature, along, (shift, slope), variation, xp)
+    left_out = left_out + QUADRATURE_SAFETY * quadrature.error_estimate(speed, xp)
+    # Besides sums of many terms, what is left over of the solution of the collocation equations.
+    error = SAFETY * left_out + ROUNDING * (10.0 + space.size) * length
+    # A system that could not be solved has a correction that is not finite, and an error too.
+    known = xp.isfinite(error)
+    # K on the geodesic, beside the path, differs by this times the square of the length.
+    doubt = variation * xp.max(xp.abs(shift), axis=0) * length * length / np.pi**2
+    index = _index(quadrature, along, pivots, doubt, xp)
+    return Judgement(
+        raw=length,
+        correction=xp.sum(by_mode, axis=0),
+        error=xp.where(known, error, xp.inf),
+        residual=xp.max(xp.abs(kappa), axis=0) * length,
+        index=xp.where(known, index, UNKNOWN),
+    )
+
+
+def _index(quadrature: Quadrature, along: PathGeometry, pivots: Any, doubt: Any, xp: Any) -> Any:
+    """How many eigenvalues of the second variation are negative.
+
+    That is the number of conjugate points on the way (Morse's index theorem: M. do Carmo,
+    *Riemannian Geometry*, chapter 11), and Galerkin's method never counts too many. `UNKNOWN` where
+    an eigenvalue is so small that its sign is in doubt: all but that one are about the mean of
+    1 / speed, so that the determinant tells.
+    """
+    speed, _, curvature = along
+    weights = constant(quadrature.weights, speed, xp)
+    length, size = weights @ speed, weights @ (1.0 / speed)
+    negative = xp.sum(xp.where(pivots < 0.0, 1, 0), axis=0)
+    clear = xp.abs(xp.prod(pivots / size, axis=0)) > doubt + EIGENVALUE_ROUNDING
+    positive = weights @ (xp.where(curvature > 0.0, curvature, 0.0) * speed)
+    # The cheap test for none proves it without Galerkin's method.
+    return xp.where(positive * length < LYAPUNOV_BOUND, 0, xp.where(clear, negative, UNKNOWN))
+
+
+def _curvature_variation(quadrature: Quadrature, along: PathGeometry, xp: Any) -> Any:
+    """A size of the derivative of K across the path."""
+    speed, _, curvature = along
+    steps = constant(np.diff(quadrature.points)[:, None], speed, xp)
+    change = xp.abs(curvature[1:, :] - curvature[:-1, :]) / steps
+    slower = xp.where(speed[1:, :] < speed[:-1, :], speed[1:, :], speed[:-1, :])
+    length = constant(quadrature.weights, speed, xp) @ speed
+    most = CURVATURE_VARIATION * xp.max(xp.abs(curvature), axis=0) / length
+    return xp.max(change / slower, axis=0) + most
+
+
+def _beyond(quadrature: Quadrature, along: PathGeometry, modes: "_Modes", xp: Any) -> Any:
+    """What is left out of the correction with the modes that are left out, all together.
+
+    Without K, which says little to so quick modes, psi' is the integral of the curvature along the
+    path, less its mean: what of it is no sum of the modes' slopes is known.
+    """
+    speed, kappa, _ = along
+    weights = constant(quadrature.weights, speed, xp)
+    turn = constant(quadrature.antiderivative, speed, xp) @ (kappa * speed)
+    turn = (turn - weights @ (turn * speed) / (weights @ speed)) * speed
+    slopes = constant(modes.slopes, speed, xp)
+    rest = turn - slopes @ (xp.matrix_transpose(slopes) @ (weights[:, None] * turn))
+    return 0.5 * (weights @ (rest * rest / speed))
+
+
+def _next_order(
+    quadrature: Quadrature, along: PathGeometry, field: tuple[Any, Any], variation: Any, xp: Any
+) -> Any:
+    """The terms of the expansion that the correction leaves out."""
+    speed, kappa, curvature = along
+    shift, slope = field
+    weights = constant(quadrature.weights, speed, xp)
+    slope_square, shift_square = slope * slope, shift * shift
+    cubic = (weights @ (xp.abs(shift) * shift_square * speed)) * variation / 6.0
+    quartic = xp.abs(kappa * shift) * slope_square / 2.0 + slope_square * slope_square / 8.0
+    bent = curvature * shift_square
+    return cubic + weights @ ((quartic + bent * bent) * speed)
+
+
+@dataclass(frozen=True)
+class _Modes:
+    """Functions on [0, 1] that vanish at its ends, at the points of a quadrature.
+
+    Integrated Legendre polynomials, scaled so that their slopes are orthonormal: the Jacobi
+    system is then nearly the identity divided by the length.
+
+    Parameters
+    ----------
+    values, slopes : ndarray, shape (points, count)
+    """
+
+    values: Array
+    slopes: Array
+
+    @property
+    def count(self) -> int:
+        return int(self.values.shape[1])
+
+    @cached_property
+    def products(self) -> Array:
+        """From the densities to the lower triangle of the Jacobi system, column by column.
+
+        Shape (count * (count + 1) / 2, 2 * points).
+        """
+        columns, rows = np.triu_indices(self.count)
+        stiffness = self.slopes[:, rows] * self.slopes[:, columns]
+        mass = self.values[:, rows] * self.values[:, columns]
+        return np.ascontiguousarray(np.concatenate([stiffness, -mass]).T)
+
+    def system(self, densities: Any, xp: Any) -> Any:
+        """The lower triangle of the Jacobi system, column by column.
+
+        Parameters
+        ----------
+        densities : array, shape (2 * points, problems)
+            Of stiffness and of mass.
+        """
+        if self.count > MOST_IN_ONE_PRODUCT:
+            factors = np.concatenate([self.slopes, self.values])
+            signed = np.concatenate([self.slopes, -self.values])
+            weighted = xp.permute_dims(densities, (1, 0))[:, None, :] * constant(
+                signed.T, densities, xp
+            )
+            whole = weighted @ constant(factors, densities, xp)
+            columns = (xp.permute_dims(whole[:, j:, j], (1, 0)) for j in range(self.count))
+            return xp.concat(list(columns))
+        return constant(self.products, densities, xp) @ densities
+
+
+@lru_cache(maxsize=32)
+def _modes_on(points: tuple[float, ...], count: int) -> _Modes:
+    x = 2.0 * np.array(points) - 1.0
+    basis = legendre.legvander(x, count + 1)
+    k = np.arange(1, count + 1)
+    values = (basis[:, 2:] - basis[:, :-2]) / (2.0 * np.sqrt(2.0 * k + 1.0))
+    slopes = np.sqrt(2.0 * k + 1.0) * basis[:, 1:-1]
+    return _Modes(values, slopes)
+
+
+def _modes(quadrature: Quadrature, size: int) -> _Modes:
+    """Twice as many modes as the path has, which is as far as the quadrature reaches."""
+    return _modes_on(tuple(quadrature.points), min(2 * size, len(quadrature.points) - 3))

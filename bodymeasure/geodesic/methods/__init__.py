@@ -1,0 +1,1 @@
+"""The methods that users choose from: collocation, Ritz, shooting, relaxation."""

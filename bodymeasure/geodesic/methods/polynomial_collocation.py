@@ -1,0 +1,66 @@
+"""Collocation with polynomials: the same equations on another trial space."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.geodesic.methods.collocation import Form, check_form, collocate
+from bodymeasure.geodesic.methods.settings import check_positive, whole_numbers
+from bodymeasure.geodesic.solving.on_spaces import TOLERANCE
+from bodymeasure.geodesic.solving.protocol import MethodResult
+from bodymeasure.geodesic.spaces.polynomials import polynomial_space
+from bodymeasure.geodesic.surfaces.bezier import Surface
+
+# As many unknowns as the radial functions have.
+DEGREES = (8, 12, 16, 20)
+# A straight line has no collocation point.
+LEAST_DEGREE = 2
+
+
+@dataclass(frozen=True)
+class PolynomialCollocation:
+    """Collocation with polynomials at Chebyshev-Lobatto points.
+
+    The equations, Newton's method and the judgement of the length are those of `RBFCollocation`;
+    only the trial space is another, so that what the radial functions add or cost can be told.
+    The error falls exponentially with the degree (L. N. Trefethen, *Spectral Methods in MATLAB*,
+    chapters 4 to 6 and 13). Rounding errors grow with the fourth power of the degree in the
+    equations; past some 60 nothing is won.
+
+    Parameters
+    ----------
+    degrees : int or sequence of int
+        The polynomials' degree, at least 2; several are tried in turn.
+    tolerance : float
+        Relative error of the length that is asked for.
+    form : {"fast", "full"}
+        Fast: with one unknown function a path where that serves, several times as fast. Full: with
+        u and v as two everywhere.
+
+    Raises
+    ------
+    InputError
+        If a setting makes no sense.
+    """
+
+    degrees: int | Sequence[int] = DEGREES
+    tolerance: float = TOLERANCE
+    form: Form = "fast"
+
+    def __post_init__(self) -> None:
+        check_form(self.form)
+        whole_numbers("degrees", self.degrees, LEAST_DEGREE)
+        check_positive("tolerance", self.tolerance)
+
+    def solve(
+        self, surface: Surface, start: NDArray[np.float64], end: NDArray[np.float64]
+    ) -> MethodResult:
+        """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
+        makers = [
+            partial(polynomial_space, n)
+            for n in whole_numbers("degrees", self.degrees, LEAST_DEGREE)
+        ]
+        return collocate(makers, surface, (start, end), tolerance=self.tolerance, form=self.form)

@@ -1,0 +1,163 @@
+"""Radial basis function collocation, the paper's method."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from bodymeasure._typing import Array
+from bodymeasure.errors import InputError
+from bodymeasure.geodesic.methods.collocation import Form, check_form, collocate
+from bodymeasure.geodesic.methods.settings import check_positive
+from bodymeasure.geodesic.solving.on_spaces import TOLERANCE
+from bodymeasure.geodesic.solving.protocol import MethodResult
+from bodymeasure.geodesic.spaces.kernels import WU_C10, Kernel
+from bodymeasure.geodesic.spaces.rbf import rbf_space
+from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+from bodymeasure.geodesic.surfaces.bezier import Surface
+
+# Numbers of functions that are tried in turn. Even, so that symmetric centers and collocation
+# points give a regular system. 8 functions serve 9 of 10 diagonals of a body, 12 nearly all of the
+# rest (tests/benchmarks/patches/rbf_convergence.py).
+LADDER = (8, 12, 16, 20)
+# With more functions than the kernel's degree, this many centers stay outside [0, 1].
+OUTER_CENTERS = 8
+# How far outside they lie: half as far as the paper's, whose second center is at 1.5, to double.
+REACH = 0.9
+
+
+@dataclass(frozen=True)
+class RBFCollocation:
+    """Collocation with radial basis functions: the paper's equations (5) to (12).
+
+    ``u(t) = a_0 + sum a_i phi(|t - c_i| / r)``, and v alike, meet the geodesic equations at the
+    collocation points and the end conditions at t = 0 and 1. Newton's method solves for the nodal
+    values, from a straight line in (u, v); the length is measured, corrected and judged by the
+    residual between the collocation points (`length_error`); where the estimate is not under the
+    tolerance, the same is done with more functions, from the path found so far.
+
+    Parameters
+    ----------
+    kernel : Kernel
+        Wu's functions `WU_C2` (the paper's), `WU_C4`, `WU_C6`, `WU_C10`, or any other.
+    functions : int or sequence of int
+        How many functions, N; several are tried in turn. Ignored if centers are given.
+    centers : sequence of float, optional
+        The c_i. By default half of them lie on each side outside (0, 1), as the paper's 1 and 1.5
+        do; there the functions are single polynomials on [0, 1], and convergence is spectral, as
+        long as there are fewer of them than the kernel's degree. Of more functions than that, the
+        rest lie inside at Chebyshev points, and convergence is algebraic.
+    collocation_points : sequence of float, optional
+        N - 1 points in (0, 1), by default Chebyshev-Lobatto points. They are moved if the system
+        is degenerate on them.
+    support_radius : float
+        The r above; 2 in the paper.
+    tolerance : float
+        Relative error of the length that is asked for.
+    form : {"fast", "full"}
+        Fast: with one unknown function a path where that serves, several times as fast. Full: with
+        u and v as two everywhere.
+
+    Raises
+    ------
+    InputError
+        If a setting makes no sense.
+    """
+
+    kernel: Kernel = WU_C10
+    functions: int | Sequence[int] = LADDER
+    centers: Sequence[float] | None = None
+    collocation_points: Sequence[float] | None = None
+    support_radius: float = 2.0
+    tolerance: float = TOLERANCE
+    form: Form = "fast"
+
+    def __post_init__(self) -> None:
+        check_form(self.form)
+        check_positive("support_radius", self.support_radius)
+        check_positive("tolerance", self.tolerance)
+        if not isinstance(self.kernel, Kernel):
+            raise InputError(f"kernel is {self.kernel!r}; expected a Kernel, such as WU_C2")
+        if self.centers is not None:
+            centers = _sequence("centers", self.centers)
+            if not (len(centers) and np.isfinite(centers).all()):
+                raise InputError("centers must be finite numbers, at least one")
+        counts = self._counts
+        if not counts or not all(_is_count(n) for n in counts):
+            raise InputError(
+                f"functions is {self.functions!r}; expected at least one function: a whole number, "
+                "or several to be tried in turn"
+            )
+        if self.collocation_points is not None:
+            _check_collocation_points(self.collocation_points, self._counts)
+
+    @property
+    def _counts(self) -> tuple[Any, ...]:
+        if self.centers is not None:
+            return (len(self.centers),)
+        # Also numpy's integers are numbers.
+        functions: Any = self.functions
+        return (functions,) if np.ndim(functions) == 0 else tuple(functions)
+
+    @property
+    def spaces(self) -> Iterator[TrialSpace]:
+        """The trial spaces that are tried in turn, made when they are needed."""
+        return map(self._space, self._counts)
+
+    def _space(self, count: int) -> TrialSpace:
+        centers, points = self.centers, self.collocation_points
+        return rbf_space(
+            self.kernel,
+            tuple(default_centers(self.kernel, count) if centers is None else centers),
+            tuple(chebyshev_points(count - 1) if points is None else points),
+            self.support_radius,
+        )
+
+    def solve(self, surface: Surface, start: Array, end: Array) -> MethodResult:
+        """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
+        makers = [partial(self._space, count) for count in self._counts]
+        return collocate(makers, surface, (start, end), tolerance=self.tolerance, form=self.form)
+
+
+def default_centers(kernel: Kernel, count: int) -> Array:
+    """Centers for a number of functions; see `RBFCollocation`."""
+    outer = count if count < kernel.degree else OUTER_CENTERS
+    left = outer // 2
+    reach = REACH / max(left, 1)
+    below = -reach * (np.arange(left) + 0.5)[::-1]
+    above = 1.0 + REACH / (outer - left) * (np.arange(outer - left) + 0.5)
+    return np.concatenate([below, chebyshev_points(count - outer), above])
+
+
+def chebyshev_points(count: int) -> Array:
+    """The inner Chebyshev-Lobatto points of [0, 1]."""
+    return np.asarray(0.5 - 0.5 * np.cos(np.pi * np.arange(1, count + 1) / (count + 1)))
+
+
+def _is_count(value: Any) -> bool:
+    whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
+    return whole and bool(value >= 1)
+
+
+def _sequence(name: str, values: Sequence[float]) -> Array:
+    try:
+        array = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError):
+        array = np.empty(())
+    if array.ndim != 1:
+        raise InputError(f"{name} is {values!r}; expected a sequence of numbers")
+    return array
+
+
+def _check_collocation_points(points: Sequence[float], counts: tuple[int, ...]) -> None:
+    array = _sequence("collocation_points", points)
+    if any(count != len(array) + 1 for count in counts):
+        raise InputError(
+            f"{array.size} collocation points for {', '.join(map(str, counts))} functions; "
+            "expected one fewer than functions (the paper's equations (7) to (12))"
+        )
+    inside = (array > 0.0) & (array < 1.0)
+    if not (inside.all() and (np.diff(array) > 0.0).all()):
+        raise InputError("collocation points must increase, strictly between 0 and 1")

@@ -1,0 +1,1 @@
+"""Linear algebra and Newton's methods for many small problems at once."""

@@ -1,0 +1,1 @@
+"""The search for the shortest path within one patch."""

@@ -1,0 +1,169 @@
+"""Shortest ways over grids of patches, from both ends of each problem, by Dijkstra's algorithm."""
+
+from functools import lru_cache
+from math import gcd
+from typing import NamedTuple
+
+import numpy as np
+import scipy
+
+from bodymeasure._typing import Array, Ints
+from bodymeasure.geodesic.lengths.equations import dot
+from bodymeasure.geodesic.surfaces.bezier import Surface
+
+# Grid lines a side, and the longest step in them: steps in 16 directions, all coprime pairs up to
+# 3. Coarser grids missed paths round a bump that finer ones found.
+LINES = 13
+LONGEST = 3
+# Ends are joined to the grid points that are at most this far, in u and v, of a window of so many
+# lines each way that it holds them all.
+REACH = 2.5 / (LINES - 1)
+WINDOW = 6
+# A zero would read as "no edge": collapsed edges of a patch have such steps.
+SHORTEST = 1e-300
+
+
+class Trees(NamedTuple):
+    """Shortest ways from both ends of each problem to all points of the grid.
+
+    Parameters
+    ----------
+    distance : ndarray, shape (2, problems, LINES^2)
+    before : ndarray of int, shape (2, problems, LINES^2)
+        The point before on the way; LINES^2 for the end itself.
+    """
+
+    distance: Array
+    before: Ints
+
+
+def shortest_trees(surface: Surface, ends: Array) -> Trees:
+    """Dijkstra's algorithm for all problems in one call.
+
+    Parameters
+    ----------
+    surface : Surface
+        Ways do not lead over points where it is not finite.
+    ends : ndarray, shape (2, problems, 2)
+        Starts and ends.
+    """
+    problems, nodes = ends.shape[1], LINES * LINES
+    grid = _grid()
+    halfway = np.broadcast_to(grid.halfway, (problems, *grid.halfway.shape))
+    # The problems along the last axis, where most of them are.
+    positions = np.ascontiguousarray(surface.jet(halfway, 0)[0].swapaxes(1, 2))
+    steps = _lengths(*positions[:, grid.steps].swapaxes(0, 1))[grid.edges].T
+    joined = _window(ends)
+    joints = np.stack(
+        [_joint_lengths(surface, *end, positions) for end in zip(ends, joined, strict=True)]
+    )
+    both = (2, problems, len(grid.edges))
+    weights = np.concatenate([np.broadcast_to(steps, both), joints], axis=2)
+    heads = np.concatenate([np.broadcast_to(grid.heads, both), joined], axis=2)
+    # Each tree has its own part of one great graph: the grid's points and then the end.
+    first = np.arange(2 * problems).reshape(2, problems, 1) * (nodes + 1)
+    degrees = np.tile(np.append(grid.degrees, WINDOW * WINDOW), 2 * problems)
+    graph = scipy.sparse.csr_array(
+        (
+            np.maximum(weights, SHORTEST).ravel(),
+            (heads + first).astype(np.int32).ravel(),
+            np.concatenate([[0], np.cumsum(degrees)]).astype(np.int32),
+        ),
+        shape=2 * (len(degrees),),
+    )
+    # The parts are not connected, so that the end nearest to a point is its own.
+    distance, before, _ = scipy.sparse.csgraph.dijkstra(
+        graph, indices=(first + nodes).ravel(), min_only=True, return_predecessors=True
+    )
+    shape = (2, problems, nodes + 1)
+    return Trees(
+        distance.reshape(shape)[..., :nodes],
+        (before.reshape(shape) - first)[..., :nodes],
+    )
+
+
+def grid_points() -> Array:
+    """(u, v) of the grid's points, shape (LINES^2, 2)."""
+    return _grid().halfway[_grid().on_halfway]
+
+
+class _Grid(NamedTuple):
+    """The grid and the edges of its graph.
+
+    Parameters
+    ----------
+    halfway : ndarray, shape (k, 2)
+        Points (u, v) of a grid of half the spacing.
+    on_halfway : ndarray of int, shape (LINES^2,)
+        Where the grid's own points are among them.
+    steps : ndarray of int, shape (3, steps)
+        Of each step its first point, middle and last, as numbers among `halfway`.
+    edges, heads : ndarray of int, shape (2 steps,)
+        Of each directed edge, sorted by its tail: its step, and the grid point it leads to.
+    degrees : ndarray of int, shape (LINES^2,)
+        How many edges leave each point.
+    """
+
+    halfway: Array
+    on_halfway: Ints
+    steps: Ints
+    edges: Ints
+    heads: Ints
+    degrees: Ints
+
+
+@lru_cache(maxsize=1)
+def _grid() -> _Grid:
+    places = _lattice(LINES)
+    pairs = []
+    for i in range(LONGEST + 1):
+        for j in range(-LONGEST, LONGEST + 1):
+            if gcd(i, j) == 1 and (i > 0 or j > 0):
+                there = places + np.array([i, j])
+                inside = ((there >= 0) & (there < LINES)).all(axis=1)
+                pairs.append(np.stack([places[inside], there[inside]]))
+    ends = np.concatenate(pairs, axis=1)
+    number = LINES * ends[..., 0] + ends[..., 1]
+    tails, heads = number.ravel(), number[::-1].ravel()
+    order = np.lexsort((heads, tails))
+    fine = 2 * LINES - 1
+    steps = np.stack([2 * ends[0], ends[0] + ends[1], 2 * ends[1]])
+    return _Grid(
+        halfway=_lattice(fine) / (fine - 1),
+        on_halfway=2 * (fine * places[:, 0] + places[:, 1]),
+        steps=fine * steps[..., 0] + steps[..., 1],
+        edges=order % number.shape[1],
+        heads=heads[order],
+        degrees=np.bincount(tails),
+    )
+
+
+def _lattice(lines: int) -> Ints:
+    line = np.arange(lines)
+    return np.stack(np.meshgrid(line, line, indexing="ij"), axis=-1).reshape(-1, 2)
+
+
+def _window(places: Array) -> Ints:
+    """Numbers of the grid points round places (u, v), shape (..., WINDOW^2)."""
+    low = np.floor(places * (LINES - 1)).astype(np.int64) - (WINDOW // 2 - 1)
+    low = np.clip(low, 0, LINES - WINDOW)[..., None] + np.arange(WINDOW)
+    numbers = LINES * low[..., 0, :, None] + low[..., 1, None, :]
+    return numbers.reshape(*places.shape[:-1], -1)
+
+
+def _joint_lengths(surface: Surface, places: Array, joined: Ints, positions: Array) -> Array:
+    """Lengths of the steps from one end of each problem to grid points; infinite if too far."""
+    grid = _grid()
+    numbers = grid.on_halfway[joined]
+    middles = (places[:, None] + grid.halfway[numbers]) / 2.0
+    too_far = (np.abs(places[:, None] - grid.halfway[numbers]) > REACH).any(axis=2)
+    own = surface.jet(np.concatenate([places[:, None], middles], axis=1), 0)[0]
+    there = positions[:, numbers, np.arange(len(places))[:, None]]
+    return np.where(too_far, np.inf, _lengths(own[:, :, :1], own[:, :, 1:], there))
+
+
+def _lengths(begin: Array, middle: Array, end: Array) -> Array:
+    """Of polygons of two edges, their components along axis 0; infinite where not finite."""
+    first, last = middle - begin, end - middle
+    result: Array = np.sqrt(dot(first, first)) + np.sqrt(dot(last, last))
+    return np.where(np.isfinite(result), result, np.inf)

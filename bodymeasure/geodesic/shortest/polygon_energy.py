@@ -1,0 +1,114 @@
+"""The energy of polygons on patches to the second order, for descent and for finding saddles."""
+
+from dataclasses import dataclass, fields
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure._typing import Array
+from bodymeasure.geodesic.lengths.equations import dot
+from bodymeasure.geodesic.surfaces.bezier import Surface
+
+# Part of its mean that is added to the metric, which vanishes on a collapsed edge.
+REGULARIZATION = 1e-10
+# Stiffness, relative to the metric, that stands in for a coordinate that its bound holds.
+STIFF = 1e3
+
+
+@dataclass(frozen=True)
+class PolygonEnergy:
+    """Energies of polygons, and their derivatives by the k inner points.
+
+    The energy of a polygon of m edges is m times the sum of their squares; its minimum has edges of
+    equal length and the least length. The Hessian is block tridiagonal; on its diagonal stands the
+    metric, as the energy of a flat patch would have it, plus what comes of the surface's bending.
+
+    Parameters
+    ----------
+    energy : ndarray, shape (polygons,)
+    gradient : ndarray, shape (2, k, polygons)
+    metric, bending : ndarray, shape (2, 2, k, polygons)
+    lower : ndarray, shape (2, 2, k - 1, polygons)
+        Below the diagonal.
+    held : ndarray of bool, shape (2, k, polygons)
+        Coordinates that their bound holds: they are on it, and pulled outwards.
+    """
+
+    energy: Array
+    gradient: Array
+    metric: Array
+    bending: Array
+    lower: Array
+    held: NDArray[np.bool_]
+
+    def take(self, polygons: NDArray[np.int64]) -> Self:
+        """The energies of some of the polygons."""
+        return type(self)(*(getattr(self, item.name)[..., polygons] for item in fields(self)))
+
+    def replaced(self, polygons: NDArray[np.bool_], other: Self) -> Self:
+        """With those of another batch put in for some of the polygons."""
+        if polygons.all():
+            return other
+        return type(self)(
+            *(
+                np.where(polygons, getattr(other, item.name), getattr(self, item.name))
+                for item in fields(self)
+            )
+        )
+
+    def restricted_hessian(self, damping: Array | float) -> tuple[Array, Array]:
+        """Blocks on and below the diagonal of the Hessian of the coordinates that are free.
+
+        With a multiple of the metric added. Coordinates that are held stand alone in it.
+        """
+        free = ~self.held
+        diagonal = self.bending + (1.0 + damping) * self.metric
+        diagonal *= free[:, None] & free
+        for axis in (0, 1):
+            diagonal[axis, axis] += STIFF * self.held[axis] * self.metric[axis, axis]
+        return diagonal, self.lower * (free[:, None, 1:] & free[:, :-1])
+
+
+def polygon_lengths(surface: Surface, points: Array) -> Array:
+    """Sums of the straight distances between neighboring points: inscribed polygons' lengths.
+
+    A little less than those of the paths on the surface that the polygons stand for.
+    """
+    steps = np.diff(surface.jet(points, 0)[0], axis=-1)
+    result: Array = np.sqrt(dot(steps, steps)).sum(axis=-1)
+    return result
+
+
+def polygon_energy(surface: Surface, points: Array) -> PolygonEnergy:
+    """The energies of polygons with points (u, v) of shape (polygons, k + 2, 2)."""
+    edges = points.shape[1] - 1
+    # The polygons along the last axis, where most of them are.
+    jet = np.ascontiguousarray(surface.jet(points, 2).swapaxes(2, 3))
+    step = np.diff(jet[0], axis=1)
+    bend = step[:, :-1] - step[:, 1:]
+    _, s_u, s_v, s_uu, s_uv, s_vv = jet[:, :, 1:-1]
+    factor = 2.0 * edges
+    gradient = factor * np.stack([dot(s_u, bend), dot(s_v, bend)])
+    mixed, mixed_bending = dot(s_u, s_v), dot(s_uv, bend)
+    metric = np.stack([dot(s_u, s_u), mixed, mixed, dot(s_v, s_v)])
+    mean = REGULARIZATION * (metric[0] + metric[3]).mean(axis=0) / 2.0
+    metric[0] += mean
+    metric[3] += mean
+    bending = np.stack([dot(s_uu, bend), mixed_bending, mixed_bending, dot(s_vv, bend)])
+    lower = np.stack(
+        [dot(row[:, 1:], column[:, :-1]) for row in (s_u, s_v) for column in (s_u, s_v)]
+    )
+    inner = points[:, 1:-1].transpose(2, 1, 0)
+    return PolygonEnergy(
+        energy=edges * dot(step, step).sum(axis=0),
+        gradient=gradient,
+        metric=2.0 * factor * _blocks(metric),
+        bending=factor * _blocks(bending),
+        lower=-factor * _blocks(lower),
+        held=((inner <= 0.0) & (gradient > 0.0)) | ((inner >= 1.0) & (gradient < 0.0)),
+    )
+
+
+def _blocks(entries: Array) -> Array:
+    return entries.reshape(2, 2, *entries.shape[1:])

@@ -1,0 +1,1 @@
+"""Solving the geodesic equations in a trial space, for all problems of a batch."""

@@ -1,0 +1,142 @@
+"""Points that are close together: the same problem, seen through a magnifying glass.
+
+The way from start to end becomes one of unit size. Parameters have rounding errors of 1e-16, which
+between points 1e-12 apart would be a ten-thousandth of the way; in the magnified coordinates, which
+begin at the start, they are 1e-16 of the way.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure._typing import Array
+from bodymeasure.geodesic.solving.protocol import Method, MethodResult, Piece
+from bodymeasure.geodesic.surfaces.bezier import JET, JET_SIZE, Surface
+
+# Points closer than this in u and v are near: enough to lose no more than two digits beyond it.
+NEAR = 0.03
+# The way from start to end is this part of the magnified unit square, and begins in its middle, so
+# that paths have room in it.
+WAY = 0.25
+MIDDLE = 0.5
+# Factors of derivatives are 2 to a power between minus this and this: they never overflow.
+MOST = 1000
+_ORDERS = np.array(JET)
+
+
+class MagnifiedSurface:
+    """Surfaces in coordinates (u, v) = center + extent * (q - 1/2), in another unit of length.
+
+    Parameters
+    ----------
+    surface : Surface
+    center : ndarray, shape (problems, 2)
+    extent : ndarray of int, shape (problems, 2)
+        Powers of two, so that nothing is rounded.
+    unit : ndarray of int, shape (problems,)
+        The same for the unit of length.
+    """
+
+    def __init__(
+        self,
+        surface: Surface,
+        center: Array,
+        extent: NDArray[np.int64],
+        unit: NDArray[np.int64],
+    ) -> None:
+        self._surface = surface
+        self._center = center
+        self._extent = extent
+        self._unit = unit
+
+    def parameters(self, place: Array) -> Array:
+        """(u, v) of magnified coordinates, both of shape (problems, k, 2)."""
+        moved: Array = np.ldexp(place - MIDDLE, self._extent[:, None])
+        return self._center[:, None] + moved
+
+    def jet(self, parameters: Array, order: int) -> Array:
+        """Derivatives in the order of `JET`; the positions, which nothing asks for, as they are."""
+        jet = self._surface.jet(self.parameters(parameters), order)
+        powers = _ORDERS[: JET_SIZE[order]] @ self._extent.T - self._unit
+        powers[0] = 0
+        jet *= np.ldexp(1.0, np.clip(powers, -MOST, MOST))[:, None, :, None]
+        return jet
+
+    def positions(self, parameters: Array) -> Array:
+        """Points, shape (problems, k, 3), in the surface's own unit."""
+        return self._surface.positions(self.parameters(parameters))
+
+    def magnitude(self, parameters: Array) -> Array:
+        """Size of what S_u and S_v are calculated from, shape (2, problems, k)."""
+        magnitude = self._surface.magnitude(self.parameters(parameters))
+        powers = np.clip(self._extent.T - self._unit, -MOST, MOST)
+        return np.asarray(magnitude * np.ldexp(1.0, powers)[:, :, None])
+
+    def take(self, problems: NDArray[np.int64]) -> "MagnifiedSurface":
+        """The surfaces of some of the problems."""
+        return MagnifiedSurface(
+            self._surface.take(problems),
+            self._center[problems],
+            self._extent[problems],
+            self._unit[problems],
+        )
+
+
+def solve_near_and_far(method: Method, surface: Surface, start: Array, end: Array) -> MethodResult:
+    """What a method finds, near problems magnified; start and end of shape (problems, 2)."""
+    if len(start) == 0:
+        return MethodResult((), np.zeros(0, np.int64))
+    span = np.abs(end - start).max(axis=1)
+    near = span < NEAR
+    if not near.any():
+        return method.solve(surface, start, end)
+    pieces: list[Piece] = []
+    iterations = np.zeros(len(start), np.int64)
+    for rows in (np.flatnonzero(~near), np.flatnonzero(near)):
+        if len(rows) == 0:
+            continue
+        part = surface.take(rows)
+        if near[rows[0]]:
+            result = _magnified(method, part, start[rows], end[rows])
+        else:
+            result = method.solve(part, start[rows], end[rows])
+        pieces += [piece.renumbered(rows[piece.problems]) for piece in result.pieces]
+        iterations[rows] = result.iterations
+    return MethodResult(tuple(pieces), iterations)
+
+
+def _magnified(method: Method, surface: Surface, start: Array, end: Array) -> MethodResult:
+    move = end - start
+    extent, unit = _sizes(surface, start, move)
+    magnified = MagnifiedSurface(surface, start, extent, unit)
+    middle = np.full_like(start, MIDDLE)
+    result = method.solve(magnified, middle, MIDDLE + np.ldexp(move, -extent))
+    pieces = []
+    for piece in result.pieces:
+        rows = piece.problems
+        places = magnified.take(rows).parameters(piece.values.transpose(0, 2, 1))
+        values = places.transpose(0, 2, 1)
+        values[:, :, -1] = end[rows]
+        measured = piece.measured.scaled(unit[rows])
+        pieces.append(replace(piece, values=values, measured=measured))
+    return MethodResult(tuple(pieces), result.iterations)
+
+
+def _sizes(
+    surface: Surface, start: Array, move: Array
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """How large the part of the patch is that a way takes up, in u and v and in length.
+
+    As powers of two. In a coordinate in which the patch is much longer than in the other, a short
+    way takes up less of it.
+    """
+    with np.errstate(all="ignore"):
+        slopes = np.linalg.norm(surface.jet((start + move / 2.0)[:, None], 1)[1:, :, :, 0], axis=1)
+        chord = (slopes.T * np.abs(move)).sum(axis=1)
+        span = np.abs(move).max(axis=1)
+        # Where the surface stands still, or is not finite, the way itself must tell.
+        extent = np.fmin(chord / slopes, span).T
+        length = np.where(np.isfinite(chord) & (chord > 0.0), chord, span)
+    room = np.frexp(1.0 / WAY)[1]
+    return np.frexp(extent)[1] + room, np.frexp(length)[1].astype(np.int64)

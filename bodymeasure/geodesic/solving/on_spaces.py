@@ -1,0 +1,117 @@
+"""Trial spaces in turn, each with more functions than the last, until the length is known."""
+
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure._typing import Array
+from bodymeasure.geodesic.lengths.measure import is_good, measure_length
+from bodymeasure.geodesic.solving.newton import MAX_ITERATIONS, NewtonResult, newton
+from bodymeasure.geodesic.solving.protocol import MethodResult, Piece
+from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+from bodymeasure.geodesic.surfaces.bezier import Surface
+
+# Relative error that is asked for. The correction about doubles the digits, so that
+# this takes far fewer functions than the paths themselves would.
+TOLERANCE = 1e-10
+# On all but the last trial space, Newton's method is given up after this many steps: a few stubborn
+# problems are cheaper with more functions.
+FIRST_ITERATIONS = 6
+# A path this far outside [0, 1], in u or v, is not brought back by more functions: hundred times
+# what a path on 8 functions is off where it has not converged.
+FAR_OUTSIDE = 0.02
+# Problems that are solved at once: their arrays then stay in the processor's cache.
+CHUNK = 384
+
+
+class Solver(Protocol):
+    """What finds the nodal values of many problems on one trial space; `newton` is one."""
+
+    def __call__(
+        self, surface: Surface, space: TrialSpace, start: Array, *, max_iterations: int
+    ) -> NewtonResult:
+        """Nodal values from a first guess of shape (problems, 2, n + 1), whose ends stay."""
+
+
+def solve_on_spaces(
+    spaces: Sequence[Callable[[], TrialSpace]],
+    surface: Surface,
+    ends: tuple[Array, Array],
+    *,
+    tolerance: float,
+    solver: Solver = newton,
+) -> MethodResult:
+    """Solve a batch of problems, those that are left over each time on the next trial space.
+
+    The first guess is the straight line in (u, v), then the path on the space before.
+
+    Parameters
+    ----------
+    spaces : sequence of callable
+        Makers of the trial spaces, in the order in which they are tried; called when needed.
+    surface : Surface
+    ends : tuple of ndarray
+        Start and end, both of shape (problems, 2).
+    tolerance : float
+        Relative error of the length that is asked for.
+    solver : Solver
+    """
+    start, end = ends
+    iterations = np.zeros(len(start), np.int64)
+    is_open = np.ones(len(start), bool)
+    pieces: list[Piece] = []
+    guess: TrialSpace | None = None
+    paths = np.empty((len(start), 2, 0))
+    for number, make_space in enumerate(spaces, start=1):
+        space, is_last = make_space(), number == len(spaces)
+        limit = MAX_ITERATIONS if is_last else FIRST_ITERATIONS
+        rest = np.flatnonzero(is_open)
+        values = straight(start, end, space.nodes)
+        if guess is not None:
+            known = rest[np.isfinite(paths[rest, 0, 0])]
+            values[known] = paths[known] @ guess.matrices(space.nodes)[0].T
+        for chunk in np.split(rest, range(CHUNK, len(rest), CHUNK)):
+            part = surface.take(chunk)
+            found = solver(part, space, values[chunk], max_iterations=limit)
+            iterations[chunk] += found.iterations
+            piece = _measured(part, space, chunk, found, tolerance)
+            done = piece.converged | (is_last or is_far_outside(piece, found.converged))
+            values[chunk] = np.where(found.converged[:, None, None], found.values, np.nan)
+            is_open[chunk] = ~done
+            pieces.append(piece.take(np.flatnonzero(done)))
+        paths, guess = values, space
+        if not is_open.any():
+            break
+    return MethodResult(tuple(piece for piece in pieces if len(piece.problems)), iterations)
+
+
+def _measured(
+    surface: Surface,
+    space: TrialSpace,
+    problems: NDArray[np.int64],
+    found: NewtonResult,
+    tolerance: float,
+) -> Piece:
+    measured = measure_length(surface, space, found.values)
+    converged = found.converged & is_good(measured, tolerance)
+    return Piece(problems, space, found.values, measured, converged, found.singular)
+
+
+def is_far_outside(piece: Piece, solved: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Which paths leave their patch so clearly that more functions would not bring them back.
+
+    They have no length on the patch, and the polynomial that continues it out there may be wild.
+    """
+    result = np.zeros(len(piece.problems), bool)
+    rows = np.flatnonzero(~piece.converged & solved)
+    result[rows] = piece.space.leaves_patch(piece.values[rows], FAR_OUTSIDE)
+    return result
+
+
+def straight(start: Array, end: Array, nodes: Array) -> Array:
+    """Nodal values of straight lines in (u, v), shape (problems, 2, n + 1)."""
+    line: Array = start[:, :, None] + (end - start)[:, :, None] * nodes
+    line[:, :, -1] = end
+    return line

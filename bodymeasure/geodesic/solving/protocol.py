@@ -1,0 +1,116 @@
+"""What a method is: settings, and how a batch of problems is solved with them."""
+
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.geodesic.lengths.arc_length_times import times_at
+from bodymeasure.geodesic.lengths.measure import MeasuredLength
+from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+from bodymeasure.geodesic.surfaces.bezier import Surface
+
+
+@dataclass(frozen=True)
+class EdgeContact:
+    """A part of a path that runs along an edge of its patch.
+
+    Parameters
+    ----------
+    edge : str
+        The edge's name, as in `bodymeasure.atlas.EDGES`: ``u = 0`` and so on.
+    start, end : float
+        From where to where, in the parameter that runs along the edge.
+    """
+
+    edge: str
+    start: float
+    end: float
+
+
+@dataclass(frozen=True)
+class Piece:
+    """Paths of those problems that ended on one trial space.
+
+    Parameters
+    ----------
+    problems : ndarray of int, shape (k,)
+    space : TrialSpace
+    values : ndarray, shape (k, 2, n + 1)
+        u and v at the space's nodes.
+    measured : MeasuredLength
+        Of shape (k,).
+    converged, singular : ndarray of bool, shape (k,)
+    contacts : tuple of EdgeContact
+        The edges of its patch that the path runs along; only a piece of one problem has any.
+    speed : ndarray, shape (k, points), optional
+        At the points of the space's quadrature, where it is not constant: then t is not the part of
+        the length that lies behind.
+    """
+
+    problems: NDArray[np.int64]
+    space: TrialSpace
+    values: NDArray[np.float64]
+    measured: MeasuredLength
+    converged: NDArray[np.bool_]
+    singular: NDArray[np.bool_]
+    contacts: tuple[EdgeContact, ...] = ()
+    speed: NDArray[np.float64] | None = None
+
+    def take(self, rows: NDArray[np.int64]) -> "Piece":
+        """Some of the problems, by their place in this piece."""
+        return Piece(
+            self.problems[rows],
+            self.space,
+            self.values[rows],
+            self.measured.take(rows),
+            self.converged[rows],
+            self.singular[rows],
+            self.contacts,
+            None if self.speed is None else self.speed[rows],
+        )
+
+    def points(self, parts: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Where the paths are after parts of their lengths, (u, v), shape (problems, parts, 2)."""
+        if self.speed is None:
+            places = self.values @ self.space.matrices(parts)[0].T
+            points = np.ascontiguousarray(places.transpose(0, 2, 1))
+        else:
+            times = times_at(self.space.quadrature, self.speed, parts)
+            points = self.space.functions.combined(self.values, times)
+        points[:, parts == 0.0] = self.values[:, None, :, 0]
+        points[:, parts == 1.0] = self.values[:, None, :, -1]
+        return points
+
+    def renumbered(self, problems: NDArray[np.int64]) -> "Piece":
+        """The same paths under other problem numbers."""
+        return replace(self, problems=problems)
+
+
+@dataclass(frozen=True)
+class MethodResult:
+    """What a method found for a batch of problems.
+
+    Parameters
+    ----------
+    pieces : tuple of Piece
+        Every problem is in exactly one.
+    iterations : ndarray of int, shape (problems,)
+    """
+
+    pieces: tuple[Piece, ...]
+    iterations: NDArray[np.int64]
+
+
+class Method(Protocol):
+    """A way to solve geodesic boundary value problems: a frozen dataclass of its settings."""
+
+    @property
+    def tolerance(self) -> float:
+        """Relative error of the length that is asked for."""
+
+    def solve(
+        self, surface: Surface, start: NDArray[np.float64], end: NDArray[np.float64]
+    ) -> MethodResult:
+        """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""

@@ -1,0 +1,78 @@
+"""Paths that a method has found in its own way, as polynomials, measured like all others."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from bodymeasure._typing import Array
+from bodymeasure.geodesic.lengths.measure import is_good, measure_length
+from bodymeasure.geodesic.solving.on_spaces import straight
+from bodymeasure.geodesic.solving.protocol import Piece
+from bodymeasure.geodesic.spaces.polynomials import polynomial_space
+from bodymeasure.geodesic.surfaces.bezier import Surface
+
+# Degrees that are tried in turn.
+DEGREES = (8, 12, 16, 20, 28, 40)
+
+Path = Callable[[Array], Array]
+"""From k parameters t in [0, 1] to (u, v) there, shape (2, k)."""
+
+
+def resampled(
+    surface: Surface,
+    paths: list[Path | None],
+    ends: tuple[Array, Array],
+    *,
+    tolerance: float,
+) -> tuple[Piece, ...]:
+    """Polynomials through paths, of the degree at which the length is best known.
+
+    The lowest degree whose length is known to the tolerance is taken, and if there is none, that
+    with the least estimated error.
+
+    Parameters
+    ----------
+    surface : Surface
+    paths : list of callable
+        None where the method failed: the straight line stands there, not converged.
+    ends : tuple of ndarray
+        Start and end, both of shape (problems, 2); the polynomials meet them exactly.
+    tolerance : float
+        Relative error of the length that is asked for.
+    """
+    start, end = ends
+    failed = np.array([path is None for path in paths], bool)
+    least = np.full(len(paths), np.inf)
+    chosen = np.zeros(len(paths), np.int64)
+    is_open = np.ones(len(paths), bool)
+    pieces: list[Piece] = []
+    for number, degree in enumerate(DEGREES):
+        rest = np.flatnonzero(is_open)
+        if len(rest) == 0:
+            break
+        space = polynomial_space(degree)
+        values = straight(start[rest], end[rest], space.nodes)
+        for row, problem in enumerate(rest):
+            path = paths[problem]
+            if path is not None:
+                values[row] = path(space.nodes)
+        # By little enough to do it linearly along the path.
+        for place, target in ((0, start), (-1, end)):
+            weights = 1.0 - space.nodes if place == 0 else space.nodes
+            values += (target[rest] - values[:, :, place])[:, :, None] * weights
+            values[:, :, place] = target[rest]
+        part = surface.take(rest)
+        measured = measure_length(part, space, values)
+        good = is_good(measured, tolerance) & ~failed[rest]
+        pieces.append(Piece(rest, space, values, measured, good, np.zeros(len(rest), bool)))
+        relative = measured.error / measured.raw
+        better = good | (relative < least[rest]) | (number == 0)
+        chosen[rest[better]] = number
+        least[rest[better]] = relative[better]
+        is_open[rest[good]] = False
+        is_open[failed] = False
+    picked = (
+        piece.take(np.flatnonzero(chosen[piece.problems] == number))
+        for number, piece in enumerate(pieces)
+    )
+    return tuple(piece for piece in picked if len(piece.problems))

@@ -1,0 +1,1 @@
+"""Trial spaces: nodes, differentiation matrices and quadrature."""

@@ -1,0 +1,178 @@
+"""What the solver asks of a surface: its derivatives."""
+
+from functools import cached_property, lru_cache
+from typing import Any, Protocol
+
+import array_api_compat
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure._typing import Array
+from bodymeasure.bezier import bernstein_values, elevate, evaluate
+from bodymeasure.geodesic.numerics.array_libraries import constant, to_numpy
+
+# Order of the derivatives in a jet: (times by u, times by v).
+JET = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3))
+# Number of derivatives up to each order.
+JET_SIZE = (1, 3, 6, 10)
+
+
+class Surface(Protocol):
+    """A batch of surfaces, one for each geodesic problem."""
+
+    def jet(self, parameters: Array, order: int) -> Array:
+        """Derivatives up to an order of at most 3.
+
+        Parameters
+        ----------
+        parameters : ndarray, shape (problems, k, 2)
+        order : int
+
+        Returns
+        -------
+        ndarray, shape (derivatives, 3, problems, k)
+            In the order of `JET`. The origin of the positions is any.
+        """
+
+    def positions(self, parameters: Array) -> Array:
+        """Points, shape (problems, k, 3). The origin is any."""
+
+    def magnitude(self, parameters: Array) -> Array:
+        """The size of what S_u and S_v are calculated from: what rounding errors are relative to.
+
+        Parameters
+        ----------
+        parameters : ndarray, shape (problems, k, 2)
+
+        Returns
+        -------
+        ndarray, shape (2, problems, k)
+            Of the terms that are summed up, and of the change by a rounding of the parameters
+            as a part of that.
+        """
+
+    def take(self, problems: NDArray[np.int64]) -> "Surface":
+        """The surfaces of some of the problems."""
+
+
+class BezierSurfaces:
+    """Bezier patches, each derivative held as control points of the patch's own degree.
+
+    Then one product of the basis functions with one matrix gives all derivatives at once, and in
+    a numerically stable way. The derivatives come from the differences of neighboring control
+    points, so that these may be as close together as they like, and the patch as far away.
+
+    Parameters
+    ----------
+    control_points : array, shape (problems, m + 1, n + 1, 3)
+        Of any library that keeps to the Python array API standard; the jets are numpy's. The last
+        axis may have any number of coordinates.
+    """
+
+    def __init__(self, control_points: Any) -> None:
+        self.control_points = control_points
+        self.coordinates = control_points.shape[-1]
+        self.degrees = (control_points.shape[1] - 1, control_points.shape[2] - 1)
+
+    @cached_property
+    def _nets(self) -> Array:
+        """Control points of all derivatives, shape (problems, basis functions, c * derivatives).
+
+        Made when first needed, since they take thirty times the place of the patches.
+        """
+        points = to_numpy(self.control_points)
+        problems, size = len(points), (self.degrees[0] + 1) * (self.degrees[1] + 1)
+        c = self.coordinates
+        nets = np.empty((size, c * len(JET), problems))
+        nets[:, :c] = self._positions(points).reshape(problems, size, c).transpose(1, 2, 0)
+        along_u, along_v = _edge_maps(*self.degrees)
+        for maps, axis, which in ((along_u, 1, _BY_U), (along_v, 2, _BY_V)):
+            edges = np.diff(points, axis=axis).reshape(problems, maps.shape[1], c)
+            # One large matrix product for all patches.
+            columns = edges.transpose(1, 2, 0).reshape(maps.shape[1], c * problems)
+            found = (maps @ columns).reshape(len(which), size, c, problems)
+            for number, net in zip(which, found, strict=True):
+                nets[:, c * number : c * number + c] = net
+        return np.ascontiguousarray(nets.transpose(2, 0, 1))
+
+    def _positions(self, points: Array) -> Array:
+        """Control points of the positions, whose origin is any: near it, they have more digits."""
+        return np.asarray(points - points.mean(axis=(1, 2), keepdims=True))
+
+    def jet(self, parameters: Array, order: int) -> Array:
+        """Derivatives in the order of `JET`, shape (derivatives, c, problems, k)."""
+        return self._evaluated(self._nets[:, :, : self.coordinates * JET_SIZE[order]], parameters)
+
+    def positions(self, parameters: Array) -> Array:
+        """Points, shape (problems, k, 3), without the control points of any derivatives."""
+        return evaluate(to_numpy(self.control_points), parameters)
+
+    def magnitude(self, parameters: Array) -> Array:
+        """Size of what S_u and S_v are calculated from, shape (2, problems, k)."""
+        columns = slice(self.coordinates, self.coordinates * JET_SIZE[2])
+        terms = self._evaluated(np.abs(self._nets[:, :, columns]), parameters)
+        s_u, s_v, s_uu, s_uv, s_vv = np.linalg.norm(terms, axis=1)
+        u, v = np.abs(np.moveaxis(parameters, -1, 0))
+        return np.stack([s_u + s_uu * u + s_uv * v, s_v + s_uv * u + s_vv * v])
+
+    def _evaluated(self, nets: Array, parameters: Array) -> Array:
+        problems, count = parameters.shape[:2]
+        basis = np.empty((problems, count, self.degrees[0] + 1, self.degrees[1] + 1))
+        in_v = bernstein_values(self.degrees[1], parameters[..., 1])
+        for i, value in enumerate(bernstein_values(self.degrees[0], parameters[..., 0])):
+            for j, other in enumerate(in_v):
+                np.multiply(value, other, out=basis[:, :, i, j])
+        values = basis.reshape(problems, count, nets.shape[1]) @ nets
+        columns = values.shape[-1]
+        return np.ascontiguousarray(values.reshape(-1, columns).T).reshape(
+            columns // self.coordinates, self.coordinates, problems, count
+        )
+
+    def take(self, problems: NDArray[np.int64]) -> "BezierSurfaces":
+        """The patches of some of the problems."""
+        points = self.control_points
+        xp = array_api_compat.array_namespace(points)
+        part = BezierSurfaces(xp.take(points, constant(problems, points, xp), axis=0))
+        if "_nets" in self.__dict__:
+            part._nets = self._nets[problems]
+        return part
+
+
+# Derivatives that differences of control points along u give, and those along v.
+_BY_U = tuple(number for number, (i, _) in enumerate(JET) if i > 0)
+_BY_V = tuple(number for number, (i, j) in enumerate(JET) if i == 0 and j > 0)
+
+
+@lru_cache
+def _edge_maps(degree_u: int, degree_v: int) -> tuple[Array, Array]:
+    """Matrices from a net's edges along u, and along v, to control points of its derivatives.
+
+    The edges are the differences of neighboring control points; the derivatives are those of
+    `_BY_U` and `_BY_V`, stacked.
+    """
+    maps_u, maps_v = _derivative_maps(degree_u), _derivative_maps(degree_v)
+    edges_u, edges_v = _maps_of_edges(degree_u), _maps_of_edges(degree_v)
+    by_u = [np.kron(edges_u[i - 1], maps_v[j]) for i, j in (JET[number] for number in _BY_U)]
+    by_v = [np.kron(maps_u[0], edges_v[j - 1]) for _, j in (JET[number] for number in _BY_V)]
+    return np.concatenate(by_u), np.concatenate(by_v)
+
+
+def _derivative_maps(degree: int) -> list[Array]:
+    """Maps from Bezier points of a curve to those of its derivatives, in the same degree."""
+    edges = np.diff(np.eye(degree + 1), axis=0)
+    return [np.eye(degree + 1)] + [by_edges @ edges for by_edges in _maps_of_edges(degree)]
+
+
+def _maps_of_edges(degree: int) -> list[Array]:
+    """The same for the three derivatives, from the differences of neighboring Bezier points."""
+    maps = []
+    difference = degree * np.eye(degree)
+    for order in range(1, 4):
+        lower = max(degree - order, 0)
+        if order > degree:
+            difference = np.zeros((1, degree))
+        # One column of control points a basis function: elevate them all as one curve's points.
+        columns = difference.T[:, :, None, None].repeat(3, axis=-1)
+        maps.append(elevate(columns, degree, 0)[:, :, 0, 0].T)
+        difference = lower * np.diff(difference, axis=0)
+    return maps

@@ -1,0 +1,145 @@
+"""Control points as users give them: checked once, and scaled to size 1."""
+
+from collections.abc import Callable
+from typing import Any
+
+import array_api_compat
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure._typing import Array
+from bodymeasure.bezier import project
+from bodymeasure.errors import InputError
+from bodymeasure.geodesic.numerics.array_libraries import constant, to_numpy
+
+# Coordinates beyond this could overflow in a length.
+LARGEST = 1e300
+# Powers of 2 that can be multiplied with anything near 1.
+MOST = 1000
+
+
+def checked_control_points(value: Any) -> Any:
+    """Control points as an array of 64-bit numbers.
+
+    Parameters
+    ----------
+    value : array_like, shape (..., m + 1, n + 1, 3), or 4 for rational patches
+        Arrays of other libraries than numpy (torch, CuPy, JAX) stay what and where they are.
+
+    Raises
+    ------
+    InputError
+        If a shape or value is wrong, or a patch is collapsed to a point.
+    """
+    nets = _as_array(value)
+    if nets.ndim < 3 or nets.shape[-1] not in (3, 4) or min(nets.shape[-3:-1]) < 2:
+        raise InputError(
+            f"control points have shape {tuple(nets.shape)}; expected (..., m + 1, n + 1, 3), "
+            "such as (4, 4, 3) for one bicubic patch, or 4 coordinates for rational ones"
+        )
+    if nets.shape[-1] == 4:
+        nets = _with_weights(nets)
+    # Extremes of numbers that are not finite are not finite.
+    low, high = extremes(nets)
+    largest = np.maximum(np.abs(low), np.abs(high)).max(axis=1, initial=0.0)
+    bad = np.flatnonzero(~np.isfinite(largest))
+    if len(bad):
+        raise InputError(f"patch {bad[0]} has control points that are not finite")
+    huge = np.flatnonzero(largest > LARGEST)
+    if len(huge):
+        raise InputError(
+            f"patch {huge[0]} has coordinates of {largest[huge[0]]:.3g}; expected at most "
+            f"{LARGEST:g}: choose a larger unit"
+        )
+    collapsed = _collapsed(low, high)
+    if len(collapsed):
+        raise InputError(
+            f"patch {collapsed[0]} is degenerate: all its control points are equal; remove it"
+        )
+    return nets
+
+
+def _with_weights(nets: Any) -> Array:
+    """Rational patches whose weights are known to be positive, as numpy's."""
+    array = to_numpy(nets)
+    weights = array[..., 3].reshape(-1, array.shape[-3] * array.shape[-2])
+    # `not positive` rather than `negative`, so that NaN is refused too.
+    bad = np.flatnonzero(~((weights > 0.0) & (weights < np.inf)).all(axis=1))
+    if len(bad):
+        raise InputError(
+            f"patch {bad[0]} has a weight of {weights[bad[0]].min():g}; expected positive weights, "
+            "with which a patch has no poles"
+        )
+    return array
+
+
+def _as_array(value: Any) -> Any:
+    foreign = array_api_compat.is_array_api_obj(value) and not isinstance(value, np.ndarray)
+    try:
+        if foreign:
+            return _as_doubles(value)
+        if np.iscomplexobj(value):
+            raise TypeError
+        return np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError(
+            f"a surface of type {type(value).__name__} is neither an array of real numbers nor "
+            "an object with a method `derivatives`"
+        ) from None
+
+
+def _as_doubles(value: Any) -> Any:
+    xp = array_api_compat.array_namespace(value)
+    if xp.isdtype(value.dtype, "complex floating"):
+        raise TypeError
+    # Of a torch tensor that records what is done with it, only the numbers are wanted.
+    value = value.detach() if hasattr(value, "detach") else value
+    return xp.astype(value, xp.float64, copy=False)
+
+
+def collapsed_patches(control_points: Any) -> NDArray[np.int64]:
+    """Numbers of the patches, shape (..., m + 1, n + 1, 3), whose points are all equal."""
+    return _collapsed(*extremes(control_points))
+
+
+def _collapsed(low: Array, high: Array) -> NDArray[np.int64]:
+    return np.flatnonzero((low == high).all(axis=1))
+
+
+def of_size_one(nets: Any) -> tuple[Any, Array]:
+    """Patches scaled to about size 1, so that tolerances mean the same to all, and their sizes.
+
+    Powers of 2, so that nothing is rounded.
+    """
+    xp = array_api_compat.array_namespace(nets)
+    exponents = np.zeros(nets.shape[0], np.int64)
+    # Once more for the smallest patches, whose powers are beyond the largest number.
+    for _ in range(2):
+        low, high = extremes(nets)
+        exact = np.frexp((high - low).max(axis=1))[1].astype(np.int64) - 1
+        power = np.clip(exact, -MOST, MOST)
+        factor = np.repeat(np.ldexp(1.0, -power)[:, None], nets.shape[-1], axis=1)
+        # Weights have no unit.
+        factor[:, 3:] = 1.0
+        nets = nets * constant(factor, nets, xp)[:, None, None, :]
+        exponents += power
+        if (power == exact).all():
+            break
+    return nets, np.ldexp(1.0, exponents)
+
+
+def extremes(control_points: Any) -> tuple[Array, Array]:
+    """Least and greatest coordinates of each patch, two arrays of shape (patches, 3)."""
+    if control_points.shape[-1] == 4:
+        control_points = project(control_points)
+    xp = array_api_compat.array_namespace(control_points)
+    points = xp.reshape(control_points, (-1, int(np.prod(control_points.shape[-3:-1])), 3))
+    return to_numpy(_folded(points, xp.minimum)), to_numpy(_folded(points, xp.maximum))
+
+
+def _folded(points: Any, operation: Callable[[Any, Any], Any]) -> Any:
+    """Halves laid over one another until one is left: ten times as fast as a reduction."""
+    while points.shape[1] > 1:
+        half = (points.shape[1] + 1) // 2
+        points = operation(points[:, :half, :], points[:, -half:, :])
+    return points[:, 0, :]

@@ -1,0 +1,79 @@
+"""What the solver asks of rational Bezier patches."""
+
+from math import comb
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure._typing import Array
+from bodymeasure.bezier import evaluate
+from bodymeasure.geodesic.surfaces.bezier import JET, JET_SIZE, BezierSurfaces
+
+
+class RationalSurfaces:
+    """Rational Bezier patches.
+
+    Parameters
+    ----------
+    control_points : ndarray, shape (problems, m + 1, n + 1, 4)
+        In homogeneous coordinates; see `bodymeasure.bezier.homogeneous`.
+    """
+
+    def __init__(self, control_points: Array) -> None:
+        self.control_points = control_points
+        self._homogeneous = _Homogeneous(_normalized(control_points))
+
+    def jet(self, parameters: Array, order: int) -> Array:
+        """Derivatives in the order of `JET`, shape (derivatives, 3, problems, k).
+
+        Notes
+        -----
+        Leibniz's rule for ``A = w S``, solved for the highest derivative of S: L. Piegl and W.
+        Tiller, The NURBS Book, equation (4.20).
+        """
+        jet = self._homogeneous.jet(parameters, order)
+        weight = jet[:, 3:]
+        result = np.empty_like(jet[:, :3])
+        for number, (i, j) in enumerate(JET[: JET_SIZE[order]]):
+            value = jet[number, :3].copy()
+            for other, (k, m) in enumerate(JET[1 : number + 1], start=1):
+                if k <= i and m <= j:
+                    rest = JET.index((i - k, j - m))
+                    value -= comb(i, k) * comb(j, m) * weight[other] * result[rest]
+            result[number] = value / weight[0]
+        return result
+
+    def positions(self, parameters: Array) -> Array:
+        """Points, shape (problems, k, 3)."""
+        return evaluate(self.control_points, parameters)
+
+    def magnitude(self, parameters: Array) -> Array:
+        """Size of what S_u and S_v are calculated from, shape (2, problems, k)."""
+        # Of the homogeneous coordinates: they are moved to the origin and divided by weights of 1
+        # and more, so that these are the greatest of all terms but for a factor of a few.
+        return self._homogeneous.magnitude(parameters)
+
+    def take(self, problems: NDArray[np.int64]) -> "RationalSurfaces":
+        """The patches of some of the problems."""
+        return RationalSurfaces(self.control_points[problems])
+
+
+class _Homogeneous(BezierSurfaces):
+    """Patches of four coordinates, whose origin is no longer any once they are divided."""
+
+    def _positions(self, points: Array) -> Array:
+        return points
+
+
+def _normalized(control_points: Array) -> Array:
+    """The patches moved to the origin, their weights scaled to at least 1.
+
+    Powers of 2, so that scaling rounds nothing.
+    """
+    weight = control_points[..., 3:]
+    least = weight.min(axis=(1, 2), keepdims=True)
+    scaled = control_points * np.ldexp(1.0, 1 - np.frexp(least)[1])
+    points = control_points[..., :3] / weight
+    middle = 0.5 * (points.min(axis=(1, 2)) + points.max(axis=(1, 2)))[:, None, None]
+    moved = scaled[..., :3] - middle * scaled[..., 3:]
+    return np.concatenate([moved, scaled[..., 3:]], axis=-1)

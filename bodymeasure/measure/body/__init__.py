@@ -1,0 +1,1 @@
+"""Measurements of the whole body: girths, drops, forks, straight distances."""

@@ -1,0 +1,47 @@
+"""The natural waist, and other girths where a tape comes to rest by itself."""
+
+from typing import Literal
+
+from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.errors import InputError
+from bodymeasure.geodesic import ClosedPath, contract
+from bodymeasure.measure.body.girths import section_loop
+from bodymeasure.measure.body.places import Place, position_of
+from bodymeasure.section import Plane
+
+
+def closed_geodesic(
+    atlas: Atlas, at: Place, *, on_failure: Literal["raise", "status"] = "raise"
+) -> ClosedPath:
+    """The closed geodesic that the horizontal loop at a place contracts to.
+
+    From hip, waist or underbust, that is the natural waist. It follows the skin, and need not be
+    level: a girth at a landmark's height is `body_girth`.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    at : str, AtlasPoint or ndarray of shape (3,)
+    on_failure : {"raise", "status"}
+        What to do if there is no length that can be trusted: raise, or say so in the status, with
+        NaN for a length.
+
+    Raises
+    ------
+    InputError
+        As `body_girth`, or if the loop is open or contracts to a point.
+    ConvergenceError
+        If there is no length that can be trusted and `on_failure` is "raise".
+    """
+    plane = Plane(position_of(atlas, at), atlas.axes.up_vector)
+    loop = section_loop(atlas, plane, at)
+    if not loop.closed:
+        raise InputError(
+            "the section is open: it ends on the boundary of the atlas, so that it goes round "
+            "nothing; choose a place where the body is closed all round"
+        )
+    points = [
+        AtlasPoint(patch, *parameters)
+        for patch, parameters in zip(loop.patch.tolist(), loop.parameters.tolist(), strict=True)
+    ]
+    return contract(atlas, points, on_failure=on_failure)

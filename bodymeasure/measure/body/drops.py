@@ -1,0 +1,186 @@
+"""Drops: lengths along the surface in a vertical plane, from a place to the level of another."""
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+
+from bodymeasure._typing import Array
+from bodymeasure.atlas import Atlas, Unit
+from bodymeasure.errors import InputError
+from bodymeasure.measure.body.places import Place, position_of
+from bodymeasure.section import (
+    DrawnTape,
+    Hull,
+    Plane,
+    PlaneSection,
+    SectionLoop,
+    drawn,
+    nearest_place,
+    outer_hull,
+    part,
+    plane_section,
+    sign_changes,
+    signed_area,
+    turned,
+)
+
+# Of the difference of heights: a way down that rises by more first leads over something, such as
+# the head; one that rises by less only starts on a slope, such as a shoulder's.
+RISE = 0.1
+# Of the same: an open boundary that misses the level by so little lies at it.
+ROUNDING = 1e-12
+
+
+@dataclass(frozen=True, eq=False)
+class Drop:
+    """A length in a vertical plane, from a place to a level.
+
+    Parameters
+    ----------
+    contact : float
+        Length of the section from the place to the level: a tape that follows the skin. In `unit`.
+    taut : float
+        The shortest way outside the body between the same two points, in the plane. Never above
+        `contact`.
+    error_estimate : float
+        Of either.
+    arc : SectionLoop
+        The part of the section, from its start.
+    hull : Hull
+        Where the taut tape leaves it.
+    unit : Unit
+    """
+
+    contact: float
+    taut: float
+    error_estimate: float
+    arc: SectionLoop = field(repr=False)
+    hull: Hull = field(repr=False)
+    unit: Unit
+
+    @property
+    def gap(self) -> float:
+        """By how much the taut tape is shorter than the one that follows the skin."""
+        return self.contact - self.taut
+
+    @property
+    def contact_tape(self) -> DrawnTape:
+        """The tape that follows the skin, to be drawn."""
+        return drawn(self.arc)
+
+    @property
+    def taut_tape(self) -> DrawnTape:
+        """The tape drawn taut, to be drawn."""
+        return drawn(self.arc, self.hull.spans)
+
+
+def drop(
+    atlas: Atlas, start: Place, level: Place, *, plane: Literal["median", "side"] = "median"
+) -> Drop:
+    """Length along the surface in a vertical plane, from a place to the height of another one.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    start : str, AtlasPoint or ndarray of shape (3,)
+        Where the tape starts; a position off the surface stands for the nearest point of the
+        section.
+    level : str, AtlasPoint or ndarray of shape (3,)
+        At whose height it ends. Where two ways lead there directly, as from the side of the neck
+        to the front and to the back, the one that ends nearer to this place is meant.
+    plane : {"median", "side"}
+        Whether the plane through the start runs from front to back or from left to right.
+
+    Raises
+    ------
+    InputError
+        If no way leads from the start directly to the level, both have one height, the section is
+        not clean, or the surface winds about an end of the tape.
+    """
+    first, last, up = position_of(atlas, start), position_of(atlas, level), atlas.axes.up_vector
+    if plane not in ("median", "side"):
+        raise InputError(f"plane is {plane!r}; expected 'median' or 'side'")
+    rise = float((last - first) @ up)
+    if rise == 0.0:
+        raise InputError(
+            "the tape's start and its level have one height, so there is nothing between them; "
+            "expected two heights"
+        )
+    normal = atlas.axes.left_vector if plane == "median" else atlas.axes.front_vector
+    section = plane_section(atlas, Plane(first, normal))
+    forth, word = np.sign(rise) * up, "up" if rise > 0.0 else "down"
+    arc, curve = _direct_way(section, first, last, forth, word)
+    turn = _turn(section, arc, 0.5 * (first + last), forth)
+    # Where the atlas is open at the middle height, what the curve goes round tells.
+    turn = signed_area(curve.positions @ curve.plane.frame().T) if turn is None else turn
+    hull = outer_hull(arc, turn)
+    return Drop(arc.length, hull.length, hull.error_estimate, arc, hull, atlas.unit)
+
+
+def _direct_way(
+    section: PlaneSection, first: Array, last: Array, forth: Array, word: str
+) -> tuple[SectionLoop, SectionLoop]:
+    """The way from the first point in a direction to the height of the last, and all its curve."""
+    loop = section.nearest(first)
+    far = float((last - first) @ forth)
+    ways: list[tuple[SectionLoop, SectionLoop]] = []
+    roundabout = False
+    place = nearest_place(loop, first)
+    for curve, begin in ((loop, place), (turned(loop), loop.count - place)):
+        end = begin + curve.count if curve.closed else float(curve.count)
+        if begin == end:
+            continue
+        whole = part(curve, begin, end)
+        reached = _reached(whole, last, forth, ROUNDING * far)
+        if reached is None:
+            continue
+        way = part(whole, 0.0, reached)
+        roundabout = True
+        if ((way.positions - first) @ forth).min() >= -RISE * far:
+            ways.append((way, curve))
+    if not ways:
+        why = (
+            "only by going the other way first"
+            if roundabout
+            else "nowhere: it ends on the boundary of the atlas, or turns back before"
+        )
+        raise InputError(
+            f"along the section by {section.plane} the tape reaches the level, {far:.4g} {word} "
+            f"from its start, {why}; choose a start or a level on the part of the body that is to "
+            "be measured, or the other plane"
+        )
+    return min(ways, key=lambda way: float(np.linalg.norm(way[0].positions[-1] - last)))
+
+
+def _reached(arc: SectionLoop, last: Array, forth: Array, rounding: float) -> float | None:
+    """The first place at which an arc reaches a level, if it does."""
+    places = sign_changes(arc, lambda x: (x - last) @ forth)
+    if len(places):
+        return float(places[0])
+    end = float(arc.count)
+    below = float((arc.positions_at(np.array([end]))[0] - last) @ forth)
+    return end if abs(below) <= rounding else None
+
+
+def _turn(section: PlaneSection, arc: SectionLoop, middle: Array, forth: Array) -> float | None:
+    """Positive if the body lies to the left of an arc in the plane's frame, else negative.
+
+    Along the horizontal line at a height, one goes into the body and out of it by turns; None if
+    never out.
+    """
+
+    def height(positions: Array) -> Array:
+        return np.asarray((positions - middle) @ forth)
+
+    along = np.cross(section.plane.normal, forth)
+    crossings = np.concatenate(
+        [loop.positions_at(sign_changes(loop, height)) @ along for loop in section.loops]
+    )
+    if len(crossings) % 2:
+        return None
+    own = arc.positions_at(sign_changes(arc, height)[:1])[0] @ along
+    enters = np.abs(np.sort(crossings) - own).argmin() % 2 == 0
+    inwards = along if enters else -along
+    # Seen in the frame, whose two vectors and the normal are right-handed.
+    return float(np.cross(forth, inwards) @ section.plane.normal)

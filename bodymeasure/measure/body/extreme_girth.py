@@ -1,0 +1,149 @@
+"""The largest or smallest girth over a stretch of the body."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Literal
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from bodymeasure.atlas import Atlas
+from bodymeasure.errors import InputError
+from bodymeasure.measure.body.girths import Girth, girth_of_loop, limb_axis, section_loop
+from bodymeasure.measure.body.places import Place, position_of
+from bodymeasure.section import Plane, SectionLoop, convex_hull
+
+# Planes tried before Brent's method narrows down between the best one's neighbors: bodies have one
+# bulge or hollow a sixteenth of any stretch that a tape is drawn over.
+SAMPLES = 17
+# Of the stretch: how closely the place is found. The girth is flat there, and so exact to rounding.
+TOLERANCE = 1e-7
+
+
+class Extremum(StrEnum):
+    """Where over the stretch the extreme girth lies."""
+
+    INSIDE = "inside the stretch"
+    AT_START = "at the start of the stretch: a more extreme girth may lie beyond; start farther out"
+    AT_END = "at the end of the stretch: a more extreme girth may lie beyond; end farther out"
+
+
+@dataclass(frozen=True, eq=False)
+class ExtremeGirth:
+    """An extreme girth and where it is.
+
+    Parameters
+    ----------
+    girth : Girth
+    fraction : float
+        Of the way from the start of the stretch to its end.
+    height : float
+        Of the plane's point along the atlas's way up, in the atlas's unit.
+    status : Extremum
+    """
+
+    girth: Girth
+    fraction: float
+    height: float
+    status: Extremum
+
+
+def extreme_girth(
+    atlas: Atlas,
+    start: Place,
+    end: Place,
+    kind: Literal["largest", "smallest"],
+    *,
+    tape: Literal["contact", "taut"] = "contact",
+    limb: bool = False,
+) -> ExtremeGirth:
+    """Search for the largest or smallest girth between two places.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    start, end : str, AtlasPoint or ndarray of shape (3,)
+        The stretch.
+    kind : {"largest", "smallest"}
+    tape : {"contact", "taut"}
+        Which of the two lengths is to be extreme.
+    limb : bool
+        Whether planes are perpendicular to the line from start to end, not horizontal.
+
+    Raises
+    ------
+    InputError
+        As `plane_girth`, for any plane of the stretch, with the remedy to shorten it; or if the
+        stretch is empty, or `kind` or `tape` is unknown.
+
+    Notes
+    -----
+    17 planes at equal distances, then Brent's method between the neighbors of the best one.
+    """
+    for what, word, known in (
+        ("kind", kind, ("largest", "smallest")),
+        ("tape", tape, ("contact", "taut")),
+    ):
+        if word not in known:
+            raise InputError(f"{what} is {word!r}; expected {known[0]!r} or {known[1]!r}")
+    stretch = _Stretch.between(atlas, start, end, limb=limb)
+    sign = -1.0 if kind == "largest" else 1.0
+
+    def cost(fraction: float) -> float:
+        loop = stretch.loop(float(fraction))
+        return sign * (loop.length if tape == "contact" else convex_hull(loop).length)
+
+    fractions = np.linspace(0.0, 1.0, SAMPLES)
+    costs = np.array([cost(fraction) for fraction in fractions])
+    best = int(np.argmin(costs))
+    low, high = fractions[max(best - 1, 0)], fractions[min(best + 1, SAMPLES - 1)]
+    found = scipy.optimize.minimize_scalar(
+        cost, bounds=(low, high), method="bounded", options={"xatol": TOLERANCE}
+    )
+    # Brent's method stays off the bounds, where the extreme may well be.
+    fraction = float(found.x) if found.fun < costs[best] else float(fractions[best])
+    status = Extremum.INSIDE
+    if fraction <= 2.0 * TOLERANCE:
+        status = Extremum.AT_START
+    elif fraction >= 1.0 - 2.0 * TOLERANCE:
+        status = Extremum.AT_END
+    height = float(stretch.point(fraction) @ atlas.axes.up_vector)
+    return ExtremeGirth(girth_of_loop(stretch.loop(fraction)), fraction, height, status)
+
+
+@dataclass(frozen=True, eq=False)
+class _Stretch:
+    """Parallel planes from one point to another."""
+
+    atlas: Atlas
+    first: NDArray[np.float64]
+    last: NDArray[np.float64]
+    normal: NDArray[np.float64]
+    limb: bool
+
+    @classmethod
+    def between(cls, atlas: Atlas, start: Place, end: Place, *, limb: bool) -> "_Stretch":
+        first, last = position_of(atlas, start), position_of(atlas, end)
+        up = atlas.axes.up_vector
+        if not limb and (last - first) @ up == 0.0:
+            raise InputError(
+                "the stretch starts and ends at one height, so there is nothing to search; "
+                "expected two heights"
+            )
+        return cls(atlas, first, last, limb_axis(first, last) if limb else up, limb)
+
+    def point(self, fraction: float) -> NDArray[np.float64]:
+        return self.first + fraction * (self.last - self.first)
+
+    def loop(self, fraction: float) -> SectionLoop:
+        point = self.point(fraction)
+        try:
+            loop = section_loop(self.atlas, Plane(point, self.normal), point, limb=self.limb)
+            if not loop.closed:
+                raise InputError("the section is open: it ends on the boundary of the atlas")
+        except InputError as error:
+            raise InputError(
+                f"at {100.0 * fraction:.1f} % of the stretch: {error}; or shorten the stretch"
+            ) from None
+        return loop

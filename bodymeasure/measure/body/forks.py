@@ -1,0 +1,192 @@
+"""Where parts of a body fork: armpits and crotch."""
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+import scipy
+
+from bodymeasure._typing import Array
+from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.atlas.queries.closest import closest_points
+from bodymeasure.errors import InputError
+from bodymeasure.measure.body.height_saddles import saddles_between
+from bodymeasure.section import Plane, PlaneSection, SectionLoop, plane_section
+
+# Heights at which the two parts' common stretch is tried first: some two centimeters apart.
+LEVELS = 16
+# Of the stretch: how closely the height of the fork is enclosed before the surface itself tells.
+# Two saddles closer together than this are not told apart.
+ENCLOSED = 1e-5
+# Of the atlas's size: by how much a height is moved off one where the plane touches the surface.
+ASIDE = 1e-7
+
+
+class _Level(NamedTuple):
+    """What a horizontal plane tells.
+
+    Parameters
+    ----------
+    height : float
+    loops : tuple of two SectionLoop
+        Those that hold most of the one and of the other part.
+    """
+
+    height: float
+    loops: tuple[SectionLoop, SectionLoop]
+
+    @property
+    def divided(self) -> bool:
+        """Whether the parts have a loop each."""
+        return self.loops[0] is not self.loops[1]
+
+
+def fork(atlas: Atlas, regions: tuple[str, str]) -> AtlasPoint:
+    """Where two parts of the body part, going down: an armpit, the crotch.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    regions : tuple of two str
+        Beginnings of the names of regions, such as ``("torso", "upper arm left")`` or
+        ``("thigh left", "thigh right")``.
+
+    Returns
+    -------
+    AtlasPoint
+        The saddle of the height: above, one horizontal loop goes round both parts, below, one round
+        each. If several saddles of one height lie between the two loops, as to both sides of a fold
+        in the middle of a symmetric body, the point of the surface midway.
+
+    Raises
+    ------
+    InputError
+        If there are no such regions, or no height at which the loops divide.
+
+    Notes
+    -----
+    Heights are halved between one where both parts are in one loop and one where they are not.
+    Where loops merge, the height has a critical point (Morse): inside a patch, where Newton's
+    method finds its gradient zero and its Hessian indefinite; on a seam with a kink; or at a corner
+    of patches.
+    """
+    if isinstance(regions, str) or len(regions) != 2:
+        raise InputError(
+            f"the regions are {regions!r}; expected the beginnings of two regions' names, such as "
+            "('torso', 'upper arm left')"
+        )
+    above, below = _enclosed(atlas, regions)
+    first, second = _narrowest(*below.loops)
+    middle, aside = 0.5 * (first + second), ASIDE * float(np.abs(atlas.points).max())
+    found = saddles_between(atlas, below.height - aside, above.height + aside, middle)
+    if not found:
+        raise InputError(
+            f"the loops of {regions[0]!r} and {regions[1]!r} divide between the heights "
+            f"{below.height:.6g} and {above.height:.6g} {atlas.unit}, but the surface has no "
+            "saddle there; check the atlas with bodymeasure.check_atlas"
+        )
+    positions = np.array([atlas.position(point) for point in found])
+    twins = positions[np.linalg.norm(positions - middle, axis=1) <= np.linalg.norm(second - first)]
+    if len(twins) > 1:
+        return closest_points(atlas, twins.mean(axis=0)[None])[0][0]
+    return found[0]
+
+
+def _enclosed(atlas: Atlas, regions: tuple[str, str]) -> tuple[_Level, _Level]:
+    """Levels close together, the parts in one loop on the upper and in two on the lower one."""
+    low, high = _stretch(atlas, regions)
+    # Above its regions a part still has a loop: the thighs end below the crotch on some bodies.
+    heights = low + (high - low) * (np.arange(2 * LEVELS) + 0.5) / LEVELS
+    above: _Level | None = None
+    below: _Level | None = None
+    for height in heights.tolist():
+        level = _level(atlas, regions, height, below)
+        if level is None:
+            continue
+        if level.divided:
+            below = level
+        elif below is not None:
+            above = level
+            break
+    if above is None or below is None:
+        raise InputError(
+            f"{regions[0]!r} and {regions[1]!r} have no two horizontal loops that join farther up, "
+            "so that they fork nowhere; name the regions of two neighboring parts"
+        )
+    while above.height - below.height > ENCLOSED * (high - low):
+        middle = _level(atlas, regions, 0.5 * (above.height + below.height), below)
+        if middle is None:
+            break
+        above, below = (above, middle) if middle.divided else (middle, below)
+    return above, below
+
+
+def _stretch(atlas: Atlas, regions: tuple[str, str]) -> tuple[float, float]:
+    """The heights that both parts, and between them the fork, lie between."""
+    up, ends = atlas.axes.up_vector, []
+    for name in regions:
+        patches = [i for i, region in enumerate(atlas.regions) if region.startswith(name)]
+        if not patches:
+            known = ", ".join(sorted(set(atlas.regions) - {""})) or "none"
+            raise InputError(
+                f"the atlas has no region whose name begins with {name!r}; it has: {known}"
+            )
+        heights = atlas.points[atlas.index[patches]] @ up
+        ends.append((float(heights.min()), float(heights.max())))
+    low, high = max(end[0] for end in ends), min(end[1] for end in ends)
+    if low >= high:
+        raise InputError(
+            f"the regions {regions[0]!r} and {regions[1]!r} share no height, so that no horizontal "
+            "plane cuts both; name the regions of two neighboring parts"
+        )
+    return low, high
+
+
+def _level(
+    atlas: Atlas, regions: tuple[str, str], height: float, below: _Level | None
+) -> _Level | None:
+    """The loops at a height; None if one of the parts has none there.
+
+    Those that hold most of each region, or, above a region, run nearest above its loop below.
+    """
+    section = _section(atlas, height)
+    loops = []
+    for number, name in enumerate(regions):
+        lengths = [
+            sum(part for region, part in loop.length_by_region.items() if region.startswith(name))
+            for loop in section.loops
+        ]
+        if lengths and max(lengths) > 0.0:
+            loops.append(section.loops[int(np.argmax(lengths))])
+        elif lengths and below is not None:
+            loops.append(_continued(section, below.loops[number]))
+        else:
+            return None
+    return _Level(height, (loops[0], loops[1]))
+
+
+def _continued(section: PlaneSection, below: SectionLoop) -> SectionLoop:
+    """The loop of a section that runs nearest to one below it, all along that one."""
+    apart = [
+        scipy.spatial.KDTree(loop.positions).query(below.positions)[0].mean()
+        for loop in section.loops
+    ]
+    return section.loops[int(np.argmin(apart))]
+
+
+# Both armpits of a symmetric body are sought at the same heights.
+@lru_cache(maxsize=64)
+def _section(atlas: Atlas, height: float) -> PlaneSection:
+    try:
+        return plane_section(atlas, Plane.horizontal(atlas, height))
+    except InputError:
+        # At a height where the plane touches the surface.
+        aside = ASIDE * float(np.abs(atlas.points).max())
+        return plane_section(atlas, Plane.horizontal(atlas, height + aside))
+
+
+def _narrowest(first: SectionLoop, second: SectionLoop) -> Array:
+    """The two points of two loops' samples that are nearest to each other, shape (2, 3)."""
+    apart = np.linalg.norm(first.positions[:, None] - second.positions, axis=-1)
+    i, j = np.unravel_index(np.argmin(apart), apart.shape)
+    return np.stack([first.positions[i], second.positions[j]])

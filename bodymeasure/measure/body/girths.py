@@ -1,0 +1,181 @@
+"""Girths: lengths of plane sections, along the skin and with the tape drawn taut."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.atlas import Atlas, Unit
+from bodymeasure.errors import InputError
+from bodymeasure.measure.body.cutting import cut_loop
+from bodymeasure.measure.body.merging import UNJUDGED, merged, refuse_merged
+from bodymeasure.measure.body.places import Place, position_of
+from bodymeasure.section import (
+    BridgedLoop,
+    DrawnTape,
+    Hull,
+    Plane,
+    SectionLoop,
+    convex_hull,
+    drawn,
+    plane_section,
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Girth:
+    """A girth.
+
+    Parameters
+    ----------
+    contact : float
+        Length of the section: a tape that follows the skin. In `unit`. Where the loop is cut at
+        the armpits, the straight lines over the cuts are part of it.
+    taut : float
+        Perimeter of its convex hull: a tape that bridges hollows. Never above `contact`.
+    error_estimate : float
+        Of either.
+    loop : SectionLoop
+        The section's loop, whole.
+    tape : SectionLoop or BridgedLoop
+        What is measured: the loop, or what cuts leave of it.
+    hull : Hull
+        Where the taut tape leaves it.
+    unit : Unit
+    remark : str
+        What was not judged; empty if nothing.
+    """
+
+    contact: float
+    taut: float
+    error_estimate: float
+    loop: SectionLoop = field(repr=False)
+    tape: SectionLoop | BridgedLoop = field(repr=False)
+    hull: Hull = field(repr=False)
+    unit: Unit
+    remark: str = ""
+
+    @property
+    def gap(self) -> float:
+        """By how much the taut tape is shorter than the one that follows the skin."""
+        return self.contact - self.taut
+
+    @property
+    def bridges(self) -> NDArray[np.float64]:
+        """Ends of the straight parts of the taut tape over hollows, shape (k, 2, 3)."""
+        return self.hull.bridges
+
+    @property
+    def contact_tape(self) -> DrawnTape:
+        """The tape that follows the skin, to be drawn."""
+        return drawn(self.tape)
+
+    @property
+    def taut_tape(self) -> DrawnTape:
+        """The tape drawn taut, to be drawn."""
+        return drawn(self.tape, self.hull.spans)
+
+
+def plane_girth(atlas: Atlas, plane: Plane, at: Place, *, limb: bool = False) -> Girth:
+    """Girth in a plane, of the part of the body that is nearest to a place.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    plane : Plane
+    at : str, AtlasPoint or ndarray of shape (3,)
+        Chooses among the loops of the section.
+    limb : bool
+        Whether the loop is to go round an arm or a leg alone.
+
+    Raises
+    ------
+    InputError
+        If the plane misses the body or has no clean section, the landmark is unknown, or the loop
+        is open or merges parts of the body.
+    """
+    return girth_of_loop(section_loop(atlas, plane, at, limb=limb))
+
+
+def section_loop(atlas: Atlas, plane: Plane, at: Place, *, limb: bool = False) -> SectionLoop:
+    """The loop that `plane_girth` measures."""
+    section = plane_section(atlas, plane)
+    loop = section.nearest(position_of(atlas, at))
+    refuse_merged(section, loop, limb=limb)
+    return loop
+
+
+def girth_of_loop(loop: SectionLoop, tape: SectionLoop | BridgedLoop | None = None) -> Girth:
+    """Contact and taut length of a closed loop, or of what is left of it."""
+    tape = loop if tape is None else tape
+    hull = convex_hull(tape)
+    remark = "" if any(loop.regions) else UNJUDGED
+    return Girth(tape.length, hull.length, hull.error_estimate, loop, tape, hull, loop.unit, remark)
+
+
+def body_girth(atlas: Atlas, at: Place, *, cut: tuple[Place, Place] | None = None) -> Girth:
+    """Horizontal girth at the height of a place: bust, waist, hip, neck.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    at : str, AtlasPoint or ndarray of shape (3,)
+    cut : tuple of two places, optional
+        The left and the right armpit. A loop that goes round trunk and arms is cut there by
+        vertical planes from front to back, and the cuts are bridged straight; one that goes round
+        the trunk alone is left whole.
+
+    Raises
+    ------
+    InputError
+        As `plane_girth`; or if the first place to cut at does not lie to the left of the second,
+        or a plane misses the loop that it is to cut.
+    """
+    plane = Plane(position_of(atlas, at), atlas.axes.up_vector)
+    if cut is None:
+        return plane_girth(atlas, plane, at)
+    if isinstance(cut, str) or len(cut) != 2:
+        raise InputError(f"cut is {cut!r}; expected two places: the left and the right armpit")
+    left, right = (float(position_of(atlas, place) @ atlas.axes.left_vector) for place in cut)
+    if left <= right:
+        raise InputError(
+            f"the loop is to be cut from {left:.4g} {atlas.unit} on the left to {right:.4g} on "
+            "the right, which leaves nothing between; expected the left armpit first, then the "
+            "right one"
+        )
+    section = plane_section(atlas, plane)
+    loop = section.nearest(position_of(atlas, at))
+    if any(atlas.regions) and merged(section, loop, limb=False) is None:
+        return girth_of_loop(loop)
+    return girth_of_loop(loop, cut_loop(loop, atlas.axes.left_vector, (left, right)))
+
+
+def limb_girth(atlas: Atlas, start: Place, end: Place, *, at: Place | float = 0.5) -> Girth:
+    """Girth of an arm or a leg, perpendicular to its axis.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    start, end : str, AtlasPoint or ndarray of shape (3,)
+        Two places, between which the axis is straight.
+    at : float, str, AtlasPoint or ndarray of shape (3,)
+        A fraction of the way from start to end, or a place that the plane passes through.
+
+    Raises
+    ------
+    InputError
+        As `plane_girth`, if start and end coincide, or a fraction is not in [0, 1].
+    """
+    first, last = position_of(atlas, start), position_of(atlas, end)
+    # `not inside` rather than `outside`, so that NaN is refused too.
+    if isinstance(at, (int, float)) and not 0.0 <= at <= 1.0:
+        raise InputError(f"at is {at}; expected 0 to 1, or a place on the limb")
+    point = first + at * (last - first) if isinstance(at, (int, float)) else position_of(atlas, at)
+    return plane_girth(atlas, Plane(point, limb_axis(first, last)), point, limb=True)
+
+
+def limb_axis(first: NDArray[np.float64], last: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Direction from one position to another, refused where they coincide."""
+    if np.array_equal(first, last):
+        raise InputError("the limb's axis starts and ends at one place; expected two places")
+    return last - first

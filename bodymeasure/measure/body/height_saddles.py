@@ -1,0 +1,137 @@
+"""Saddles of the height over an atlas: where horizontal loops merge."""
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+
+from bodymeasure._typing import Array
+from bodymeasure.atlas import EDGES, Atlas, AtlasPoint
+from bodymeasure.atlas.topology.neighbors import Neighbors, Place, on_side
+from bodymeasure.bezier import derivatives, project
+
+# Newton's method starts from so many points a side of each patch.
+STARTS = 5
+# Steps along each seam that tell its level places apart; a cubic has two.
+SAMPLES = 16
+STEPS = 30
+# In (u, v): at rest. Newton's error is squared by each step, so only rounding is left.
+REST = 1e-12
+# In (u, v): so far outside its patch a stationary point may be by rounding.
+OUTSIDE = 1e-9
+# Of the height's largest derivatives: slopes that small have no sign.
+LEVEL = 1e-9
+# Of the atlas's size: saddles this close together are one.
+SAME = 1e-7
+
+
+def saddles_between(atlas: Atlas, low: float, high: float, near: Array) -> list[AtlasPoint]:
+    """Saddles of the height between two heights, the nearest to a position first.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    low, high : float
+        Along the atlas's way up.
+    near : ndarray, shape (3,)
+
+    Returns
+    -------
+    list of AtlasPoint
+        Each once. Inside patches, or on seams; corners of patches between the two heights if there
+        is neither.
+    """
+    up = atlas.axes.up_vector
+    heights = project(atlas.control_points) @ up
+    inside = (heights.min(axis=(1, 2)) <= high) & (heights.max(axis=(1, 2)) >= low)
+    patches = np.flatnonzero(inside)
+    found = [*_in_patches(atlas, patches), *_on_seams(atlas, patches)]
+    corners = [
+        AtlasPoint(int(p), float(u), float(v)) for p in patches for u in (0, 1) for v in (0, 1)
+    ]
+    for candidates in (found, corners):
+        positions = np.array([atlas.position(point) for point in candidates]).reshape(-1, 3)
+        height = positions @ atlas.axes.up_vector
+        rows = np.flatnonzero((height >= low) & (height <= high))
+        rows = rows[np.argsort(np.linalg.norm(positions[rows] - near, axis=1), kind="stable")]
+        # On a seam, each of its patches has the same saddle.
+        apart = np.linalg.norm(positions[rows, None] - positions[rows], axis=-1)
+        again = np.tril(apart <= SAME * float(np.abs(atlas.points).max()), -1).any(axis=1)
+        if len(rows):
+            return [candidates[row] for row in rows[~again]]
+    return []
+
+
+def _in_patches(atlas: Atlas, patches: NDArray[np.int64]) -> Iterator[AtlasPoint]:
+    """Where a patch's height has no gradient and an indefinite Hessian."""
+    side = (np.arange(STARTS) + 0.5) / STARTS
+    grid = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
+    row = np.repeat(patches, len(grid))
+    place = np.tile(grid, (len(patches), 1))
+    for _ in range(STEPS):
+        slope, bend = _slopes(atlas, row, place)
+        determinant = bend[:, 0, 0] * bend[:, 1, 1] - bend[:, 0, 1] ** 2
+        bend[determinant == 0.0] = np.eye(2)
+        step = np.linalg.solve(bend, slope[..., None])[..., 0]
+        # No further than a patch's width, so that none is lost for good.
+        step *= np.minimum(1.0, 0.5 / np.maximum(np.abs(step).max(axis=1), 1e-300))[:, None]
+        place = np.clip(place - step, -1.0, 2.0)
+    slope, bend = _slopes(atlas, row, place)
+    rests = np.abs(step).max(axis=1) <= REST
+    rests &= ((place >= -OUTSIDE) & (place <= 1.0 + OUTSIDE)).all(axis=1)
+    rests &= np.linalg.det(bend) < 0.0
+    for number in np.flatnonzero(rests):
+        u, v = np.clip(place[number], 0.0, 1.0).tolist()
+        yield AtlasPoint(int(row[number]), u, v)
+
+
+def _slopes(atlas: Atlas, patch: NDArray[np.int64], place: Array) -> tuple[Array, Array]:
+    """Gradients (k, 2) and Hessians (k, 2, 2) of the height by (u, v)."""
+    s = derivatives(atlas.control_points[patch], place, order=2) @ atlas.axes.up_vector
+    bend = np.stack([s[:, 2, 0], s[:, 1, 1], s[:, 1, 1], s[:, 0, 2]], axis=1).reshape(-1, 2, 2)
+    return np.stack([s[:, 1, 0], s[:, 0, 1]], axis=1), bend
+
+
+def _on_seams(atlas: Atlas, patches: NDArray[np.int64]) -> Iterator[AtlasPoint]:
+    """Where the height is least along a seam and falls to both sides, or the other way round."""
+    neighbors = Neighbors(atlas)
+    for (patch, side), crossings in neighbors.over.items():
+        if patch not in patches or len(crossings) != 1:
+            continue
+        axis = EDGES[side].fixed_axis
+        for along in _level_places(atlas, patch, side):
+            here = Place(patch, *on_side(side, along))
+            there = next(s.place for s in neighbors.steps(here) if s.crossing == crossings[0])
+            rows = np.array([here.patch, there.patch])
+            slope, bend = _slopes(atlas, rows, np.array([here[1:], there[1:]]))
+            curvature = bend[0, 1 - axis, 1 - axis]
+            other = EDGES[crossings[0].to_side]
+            inwards = np.array(
+                [
+                    (1.0 - 2.0 * edge.fixed_value) * slope[row, edge.fixed_axis]
+                    for row, edge in enumerate((EDGES[side], other))
+                ]
+            )
+            least = LEVEL * float(np.abs(slope).max() + np.abs(bend).max())
+            falls = inwards.max() < -least and curvature > 0.0
+            rises = inwards.min() > least and curvature < 0.0
+            if falls or rises:
+                yield AtlasPoint(*here)
+
+
+def _level_places(atlas: Atlas, patch: int, side: int) -> Array:
+    """Where the height has no slope along a side of a patch, as parameters inside (0, 1)."""
+    axis = EDGES[side].fixed_axis
+
+    def slope(along: Array) -> Array:
+        place = np.array([on_side(side, t) for t in along.tolist()])
+        rows = np.full(len(along), patch)
+        return _slopes(atlas, rows, place)[0][:, 1 - axis]
+
+    t = np.linspace(0.0, 1.0, SAMPLES + 1)
+    value = slope(t)
+    rows = np.flatnonzero(value[1:] * value[:-1] < 0.0)
+    roots = [brentq(lambda x: slope(np.array([x]))[0], *t[i : i + 2], xtol=REST) for i in rows]
+    # A place that is met exactly, as in the middle of a symmetric seam.
+    return np.array(roots + t[1:-1][value[1:-1] == 0.0].tolist())

@@ -1,0 +1,1 @@
+"""Measurements of every patch: diagonals, boundary curves, the cross-check."""

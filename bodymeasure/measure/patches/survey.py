@@ -1,0 +1,124 @@
+"""A mannequin measured: everything that a report, a picture or a viewer shows."""
+
+import importlib.metadata
+import platform
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from bodymeasure.atlas import Atlas, Finding, check_atlas
+from bodymeasure.geodesic import GeodesicSolution, Method, RBFCollocation, Search
+from bodymeasure.measure.patches.boundary import BoundaryLengths, boundary_lengths
+from bodymeasure.measure.patches.diagonals import diagonals
+
+if TYPE_CHECKING:
+    from bodymeasure.measure.patches.cross_check import CrossCheck
+
+# Packages whose versions can change a number or a picture of a survey.
+PACKAGES = ("bodymeasure", "numpy", "scipy", "libigl", "pyvista", "vtk", "matplotlib")
+
+
+@dataclass(frozen=True, eq=False)
+class Survey:
+    """All that is measured on an atlas. Reports, scenes and viewers compute no geometry again.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    diagonals : GeodesicSolution, shape (patches, 2)
+    boundary : BoundaryLengths
+    cross_check : CrossCheck or None
+        None if it was not asked for.
+    findings : tuple of Finding
+        What `check_atlas` noticed.
+    settings, versions : mapping of str to str
+        How it was computed, in words, and with what.
+    seconds : mapping of str to float
+        What each step took.
+    """
+
+    atlas: Atlas
+    diagonals: GeodesicSolution
+    boundary: BoundaryLengths
+    cross_check: "CrossCheck | None" = None
+    findings: tuple[Finding, ...] = ()
+    settings: Mapping[str, str] = field(default_factory=dict)
+    versions: Mapping[str, str] = field(default_factory=dict)
+    seconds: Mapping[str, float] = field(default_factory=dict)
+
+
+def measure_atlas(
+    atlas: Atlas,
+    *,
+    method: Method | None = None,
+    search: Search | None = None,
+    compare: bool = True,
+    processes: int = 1,
+    progress: Callable[[int], None] | None = None,
+) -> Survey:
+    """Check an atlas, measure its diagonals and boundary curves, and compare with libigl.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    method : Method, optional
+        `RBFCollocation()` by default.
+    search : {"quick", "thorough", "straight"}, optional
+        See `solve_geodesic`.
+    compare : bool
+        Whether to compare with mesh distances, which takes by far the most time.
+    processes : int
+        Worker processes of the comparison.
+    progress : callable, optional
+        Called with the number of diagonals compared so far.
+
+    Raises
+    ------
+    MissingExtraError
+        If the comparison is asked for and libigl is not installed.
+    """
+    seconds: dict[str, float] = {}
+    with _timed(seconds, "check of the atlas"):
+        findings = check_atlas(atlas)
+    with _timed(seconds, "diagonals"):
+        solution = diagonals(atlas, method=method, search=search)
+    with _timed(seconds, "boundary curves"):
+        boundary = boundary_lengths(atlas)
+    checked = None
+    settings = {
+        "method": str(method or RBFCollocation()),
+        "search": search or ("quick" if method is None else "straight"),
+    }
+    if compare:
+        from bodymeasure.measure.patches.cross_check import cross_check
+
+        with _timed(seconds, "cross-check"):
+            checked = cross_check(atlas, solution, processes=processes, progress=progress)
+        levels = ", ".join(map(str, checked.levels))
+        settings["cross-check"] = (
+            f"libigl exact on {levels} segments a side of each patch, extrapolated; heat on the "
+            "finest"
+        )
+    return Survey(
+        atlas, solution, boundary, checked, findings, settings, package_versions(PACKAGES), seconds
+    )
+
+
+@contextmanager
+def _timed(seconds: dict[str, float], step: str) -> Iterator[None]:
+    begin = time.perf_counter()
+    yield
+    seconds[step] = time.perf_counter() - begin
+
+
+def package_versions(packages: Sequence[str]) -> dict[str, str]:
+    """Versions of Python and of those packages that are installed."""
+    versions = {"Python": platform.python_version()}
+    for package in packages:
+        try:
+            versions[package] = importlib.metadata.version(package)
+        except importlib.metadata.PackageNotFoundError:
+            continue
+    return versions

@@ -1,0 +1,1 @@
+"""The paper's random patches, what it published, and the true lengths."""

@@ -1,0 +1,156 @@
+"""Both of the paper's methods and the truth on many patches, in worker processes."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure.oracle.workers import map_in_processes
+from bodymeasure.paper.data.truth import true_diagonals
+from bodymeasure.paper.method.ritz_table import solve_ritz
+from bodymeasure.paper.method.two_function_solve import solve_two_functions
+
+Result = TypeVar("Result")
+
+# Patches that a worker gets at once: some seconds of work. Fixed, so that what is computed together
+# does not depend on how many workers there are.
+CHUNK = 20
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """What was found on a set of patches; arrays of shape (patches,).
+
+    Parameters
+    ----------
+    inside_length, all_length : ndarray
+        By two radial functions: the shortest solution inside the patch, and of all; NaN for none.
+    collocation_point : ndarray
+        That of `inside_length`; NaN for none.
+    roots, roots_inside : ndarray of int
+        Real solutions at the collocation point 1/2, and those among them that stay inside.
+    degenerate : ndarray of int
+        Collocation points that were given up because the determinant was zero, by either rule.
+    ritz_length : ndarray
+    ritz_order : ndarray of int
+    ritz_stopped, ritz_inside : ndarray of bool
+        Whether the change fell under the bound, and whether the path stays in the patch.
+    true_length, true_error : ndarray
+        Of the converged shortest path and its estimated error; NaN and infinite where unknown.
+    turns_back, along_edge : ndarray of bool
+        What the true path does.
+    rbf_seconds, ritz_seconds : ndarray
+        Processor time of each patch by itself: of the solution inside the patch, and of Ritz.
+    """
+
+    inside_length: Array
+    all_length: Array
+    collocation_point: Array
+    roots: Ints
+    roots_inside: Ints
+    degenerate: Ints
+    ritz_length: Array
+    ritz_order: Ints
+    ritz_stopped: Bools
+    ritz_inside: Bools
+    true_length: Array
+    true_error: Array
+    turns_back: Bools
+    along_edge: Bools
+    rbf_seconds: Array
+    ritz_seconds: Array
+
+    def __len__(self) -> int:
+        return len(self.roots)
+
+    def take(self, rows: slice) -> "Comparison":
+        """Some of the patches."""
+        return Comparison(**{f.name: getattr(self, f.name)[rows] for f in fields(self)})
+
+
+def compare(
+    control_points: Array,
+    *,
+    processes: int,
+    progress: Callable[[int], None] | None = None,
+) -> Comparison:
+    """Solve for the diagonals from (0, 0) to (1, 1) by both methods, and converged.
+
+    Parameters
+    ----------
+    control_points : ndarray, shape (patches, 4, 4, 3)
+    processes : int
+        Worker processes. What is found does not depend on how many there are.
+    progress : callable, optional
+        Called with the number of patches that are done.
+    """
+    chunks = in_chunks(control_points)
+    advance = None if progress is None else _patches_done(progress, len(control_points))
+    parts = map_in_processes(
+        compare_chunk, chunks, processes=processes, progress=advance, apart=True
+    )
+    return Comparison(
+        **{
+            f.name: np.concatenate([getattr(part, f.name) for part in parts])
+            for f in fields(Comparison)
+        }
+    )
+
+
+def in_chunks(control_points: Array) -> list[Array]:
+    """Patches in the parts in which they are sent to workers."""
+    return [control_points[i : i + CHUNK] for i in range(0, len(control_points), CHUNK)]
+
+
+def _patches_done(progress: Callable[[int], None], total: int) -> Callable[[int], None]:
+    return lambda chunks: progress(min(chunks * CHUNK, total))
+
+
+def compare_chunk(control_points: Array) -> Comparison:
+    """`compare` for a few patches, here."""
+    every = solve_two_functions(control_points, "all")
+    truth = true_diagonals(control_points)
+    inside, rbf_seconds = _one_by_one(_solve_inside, control_points)
+    ritz, ritz_seconds = _one_by_one(solve_ritz, control_points)
+    return Comparison(
+        inside_length=_joined(inside, "length"),
+        all_length=every.length,
+        collocation_point=_joined(inside, "collocation_point"),
+        roots=every.roots,
+        roots_inside=every.inside,
+        degenerate=every.degenerate + _joined(inside, "degenerate"),
+        ritz_length=_joined(ritz, "length"),
+        ritz_order=_joined(ritz, "order"),
+        ritz_stopped=_joined(ritz, "stopped"),
+        ritz_inside=_joined(ritz, "inside"),
+        true_length=truth.length,
+        true_error=truth.error,
+        turns_back=truth.turns_back,
+        along_edge=truth.along_edge,
+        rbf_seconds=rbf_seconds,
+        ritz_seconds=ritz_seconds,
+    )
+
+
+def _solve_inside(control_points: Array) -> Any:
+    return solve_two_functions(control_points, "inside")
+
+
+def _one_by_one(
+    solve: Callable[[Array], Result], control_points: Array
+) -> tuple[list[Result], Array]:
+    """Solutions for each patch by itself, and the processor time of each, as the paper has it."""
+    results, seconds = [], []
+    for net in control_points:
+        begin = time.thread_time()
+        results.append(solve(net[None]))
+        seconds.append(time.thread_time() - begin)
+    return results, np.array(seconds)
+
+
+def _joined(solutions: list[Any], name: str) -> NDArray[Any]:
+    return np.concatenate([getattr(solution, name) for solution in solutions])

@@ -1,0 +1,94 @@
+"""All solutions of the paper's system for two functions."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure._typing import Array, Complex
+from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+from bodymeasure.paper.method.polynomial_pair import PolynomialPair
+from bodymeasure.paper.method.roots import SAME, all_roots, are_roots, counted, distinct, real_roots
+from bodymeasure.paper.method.two_functions import (
+    MIDDLE,
+    collocation_equations,
+    graph_directions,
+    graph_equations,
+)
+
+# How many roots, real and complex, two general polynomials of degrees (5, 6) and (6, 5) have:
+# 5 * 5 + 6 * 6 (D. N. Bernstein, "The number of roots of a system of equations", 1975).
+GENERAL_COUNT = 61
+# The same for patches that are graphs, where the other 24 are at infinity; counted on random ones.
+GRAPH_COUNT = 37
+# Units of length in which roots are sought: the patch's own, and, where fewer than the general
+# number have been found, larger ones for far roots.
+UNITS = ((1.0,), (6.0, 40.0))
+# What makes a root of one form of the equations a root of the other, relative to their terms.
+RESIDUAL = 1e-8
+
+
+class SystemRoots(NamedTuple):
+    """The real solutions of a batch of systems.
+
+    Parameters
+    ----------
+    real : tuple of ndarray, each of shape (roots, 2)
+        (u, v) at the collocation point, in order of u.
+    complex_count : ndarray of int, shape (patches,)
+        How many roots were found, those included that are not real.
+    """
+
+    real: tuple[Array, ...]
+    complex_count: NDArray[np.int64]
+
+
+def system_roots(control_points: Array, space: TrialSpace, *, far: bool = True) -> SystemRoots:
+    """All roots of equations (11) and (12) for diagonals, with one collocation point.
+
+    Parameters
+    ----------
+    control_points : ndarray, shape (patches, 4, 4, 3)
+    space : TrialSpace
+        Of two functions.
+    far : bool
+        Whether to look again for roots far from the patch where fewer than the general number have
+        been found.
+    """
+    units = UNITS if far else UNITS[:1]
+    direction, is_graph = graph_directions(control_points)
+    found: list[Complex] = [np.empty((0, 2), np.complex128)] * len(control_points)
+    for kind in (True, False):
+        rows = np.flatnonzero(is_graph == kind)
+        equations = collocation_equations(control_points[rows], space)
+        if kind:
+            reduced = graph_equations(control_points[rows], space, direction[rows])
+            roots = _searched(reduced, equations, GRAPH_COUNT, units)
+        else:
+            roots = _searched(equations, equations, GENERAL_COUNT, units)
+        for row, points in zip(rows, roots, strict=True):
+            found[row] = points
+    counts = np.array([counted(points[None])[0] for points in found], np.int64)
+    return SystemRoots(tuple(MIDDLE + real_roots(points) for points in found), counts)
+
+
+def _searched(
+    pair: PolynomialPair,
+    equations: PolynomialPair,
+    count: int,
+    units: tuple[tuple[float, ...], ...],
+) -> Complex:
+    """Roots of a pair that are roots of the equations too, in larger units where some lack."""
+    found = np.full((len(pair.first), 0, 2), np.nan, np.complex128)
+    rows = np.arange(len(pair.first))
+    for some in units:
+        roots = all_roots(pair.take(rows), some)
+        roots[~are_roots(equations.take(rows), roots, RESIDUAL)] = np.nan
+        wider = np.full((len(found), found.shape[1] + roots.shape[1], 2), np.nan, np.complex128)
+        wider[:, : found.shape[1]] = found
+        wider[rows, found.shape[1] :] = roots
+        found = distinct(wider, np.full(wider.shape[1], SAME))
+        rows = np.flatnonzero(counted(found) < count)
+        if len(rows) == 0:
+            break
+    return found

@@ -1,0 +1,86 @@
+"""The reproduction as one self-contained page."""
+
+from typing import Any
+
+from bodymeasure.paper.data.random_patches import GROUP_SIZE
+from bodymeasure.paper.page import charts
+from bodymeasure.paper.page.sections import CHOICES, LONG, sections_of, tiles
+from bodymeasure.paper.page.shown import shown
+from bodymeasure.paper.reproduce import BODY, CHOSEN, Reproduction
+from bodymeasure.report import templating
+
+
+def render_page(found: Reproduction) -> bytes:
+    """A reproduction as one HTML page that loads nothing else.
+
+    Raises
+    ------
+    MissingExtraError
+        If jinja2 or matplotlib is not installed.
+    """
+    return templating.render_page(
+        "bodymeasure.paper",
+        "paper.html.j2",
+        _context(found),
+        feature="the HTML page",
+        filters={"shown": shown},
+    )
+
+
+def _context(found: Reproduction) -> dict[str, Any]:
+    made = _pictures(found)
+    return {
+        "found": found,
+        "sections": sections_of(found),
+        "pictures": made,
+        "choices": CHOICES,
+        "tiles": tiles(found),
+        "long": LONG,
+        "full_group": GROUP_SIZE,
+    }
+
+
+def _pictures(found: Reproduction) -> dict[str, list[tuple[str, str]]]:
+    """Charts by section, each with its caption."""
+    beyond = found.table("beyond")
+    made = {
+        "readings": [
+            (
+                charts.roots_chart(found.table("roots"), "roots"),
+                "How many patches have how many real solutions, by reading; at t = 1/2.",
+            )
+        ],
+        "truth": [
+            (
+                charts.distribution_chart(found.table("distribution"), CHOSEN, "distribution"),
+                f"Reading “{CHOSEN}”: how large the differences are. Where the line of radial "
+                "functions against Ritz lies on that against the truth, the accuracy loss is that "
+                "of the two functions.",
+            )
+        ],
+        "table5": [
+            (
+                charts.distribution_chart(found.table("body_distribution"), BODY, "body"),
+                "How large the relative errors (17) are, of all curves.",
+            )
+        ],
+        "beyond": [
+            (
+                charts.accuracy_chart(beyond, charts.METHODS, "methods"),
+                "Error of the length of the computed path, without the correction.",
+            ),
+            (
+                charts.accuracy_chart(beyond, charts.PLACINGS, "placings"),
+                "The same for the paper's kernel, by where centers and collocation points stand.",
+            ),
+            (
+                charts.cost_chart(beyond, charts.METHODS, "cost"),
+                "Error with the correction against processor time, one point a number of "
+                "functions.",
+            ),
+        ],
+    }
+    return {
+        anchor: [(templating.data_uri(svg), caption) for svg, caption in pictures]
+        for anchor, pictures in made.items()
+    }

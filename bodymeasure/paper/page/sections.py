@@ -1,0 +1,170 @@
+"""What the page and the summary say, and in which order they show the tables."""
+
+from typing import NamedTuple
+
+from bodymeasure.paper.data import published
+from bodymeasure.paper.method.ritz_table import ERROR_BOUND, MAX_ORDER
+from bodymeasure.paper.page.shown import shown
+from bodymeasure.paper.reproduce import CHOSEN, Reproduction
+from bodymeasure.paper.tables.table import Column, Table
+from bodymeasure.paper.tables.table_5 import DIAGONALS, PAPERS_ROWS, TWO_FUNCTIONS
+from bodymeasure.paper.tables.tables_3_and_4 import key
+from bodymeasure.report import numbers
+
+# Tables of each section by the beginnings of their names, and what the page says of them.
+SECTIONS: tuple[tuple[str, str, tuple[str, ...], str], ...] = (
+    (
+        "bars",
+        "What was to be reached",
+        ("bars_",),
+        "The aims of this reproduction, set beforehand; what missed them is here too.",
+    ),
+    (
+        "readings",
+        "Which testing data",
+        ("closest", "events"),
+        "Section 6.1 says how the 1000 patches were drawn, but leaves room. Each reading below was "
+        "drawn from the same seed, in four sets; patches that fold over or cut through themselves "
+        "were refused.",
+    ),
+    (
+        "samples",
+        "Table 3: sample data",
+        ("table_3_",),
+        "Lengths and processor time by both methods, with the paper's rows at the right.",
+    ),
+    (
+        "losses",
+        "Table 4: radial functions against Ritz",
+        ("table_4_",),
+        "Table 1 takes the shortest of all solutions. Most solutions run far outside the patch, "
+        "where the polynomial goes on and the patch does not; so each reading has a second table, "
+        "of the shortest solution that stays inside. Failures are counted, and none is dropped "
+        "from the count of patches.",
+    ),
+    (
+        "truth",
+        "Which of the two erred",
+        ("truth_",),
+        "The paper compares its method with Ritz's, which errs too. Here both stand against the "
+        "converged shortest path.",
+    ),
+    (
+        "table5",
+        "Table 5: a body",
+        ("table_5",),
+        "The paper measured the virtual model of a real mannequin. Here that is the surface that a "
+        "sample body's atlas was fitted to; its lengths come from meshes of it, and share no code "
+        "with the calculated ones.",
+    ),
+    ("speed", "Time a patch", ("speed",), "What the same accuracy costs."),
+    (
+        "scaling",
+        "Distributed collocation",
+        ("scaling",),
+        "The paper's reference [8] splits the work over computers; here over processes.",
+    ),
+    (
+        "beyond",
+        "Beyond 2007",
+        ("beyond",),
+        "The paper found three or more functions too slow to run. With Newton's method from the "
+        "straight line, instead of all solutions, they are not.",
+    ),
+)
+# What was chosen where the paper leaves room.
+CHOICES = (
+    (
+        "Which solution",
+        "Table 1 takes the shortest of all. Both that and the shortest inside the patch are shown.",
+    ),
+    (
+        "All solutions",
+        "With the end conditions eliminated, the equations at the one collocation point are two "
+        "polynomials in two unknowns. A resultant finds all their roots, with either unknown "
+        "hidden, and Newton's method polishes them.",
+    ),
+    (
+        "Other collocation points",
+        "t = 0.5 first; where the determinant of the equations is zero at the solution, or there "
+        "is no solution, 0.45, 0.55, 0.4 and so on.",
+    ),
+    (
+        "Ritz's bound and limit",
+        "The paper gives neither. The order grows until the length changes by less than "
+        f"{numbers.scientific(ERROR_BOUND)}, up to order {MAX_ORDER}.",
+    ),
+    (
+        "Equation (15)",
+        "As it stands, it has a sum but no number of samples. “Mean accuracy loss” is taken as the "
+        "mean over a set of (15) for each sample; the root mean square stands beside it.",
+    ),
+    (
+        "The physical lengths",
+        "The paper says that they were measured on the virtual model of a mannequin, not how. Here "
+        "they are the shortest paths on the surface itself, between the points nearest to the "
+        "patch's corners.",
+    ),
+    ("Time", "Processor time of one patch by itself, where the paper has the clock's."),
+    ("The testing data", "See the readings of section 6.1."),
+)
+SHARE = Column("share", "Share", "share")
+# Rows from which a table is folded away behind its charts.
+LONG = 30
+
+
+class Section(NamedTuple):
+    """A part of the page: where a link finds it, what it says, and its tables."""
+
+    anchor: str
+    heading: str
+    words: str
+    tables: tuple[Table, ...]
+
+
+def sections_of(found: Reproduction) -> tuple[Section, ...]:
+    """The sections that a run has tables for."""
+    made = (
+        Section(anchor, heading, words, tuple(t for t in found.tables if t.name.startswith(starts)))
+        for anchor, heading, starts, words in SECTIONS
+    )
+    return tuple(section for section in made if section.tables)
+
+
+def tiles(found: Reproduction) -> list[tuple[str, str, str]]:
+    """Heading, figure and remark of what a reader wants to know first."""
+    nearest = found.table("closest").records[0]
+    chosen = next(r for r in found.table("closest").records if r["reading"] == CHOSEN)
+    truth = {row["method"]: row for row in found.table(chosen_name("truth_")).records}
+    speed = {row["method"]: row for row in found.table(chosen_name("speed_")).records}
+    ours = speed["bodymeasure, default"]
+    body = {row["curves"]: row for row in found.table("table_5_spread").records}
+    return [
+        ("Mean accuracy loss, paper", numbers.percent(published.MEAN_LOSS), "mean of four sets"),
+        (
+            f"Here, reading “{CHOSEN}”",
+            numbers.percent(chosen["mean_loss_inside"]),
+            f"nearest: “{nearest['reading']}”, {numbers.percent(nearest['mean_loss_inside'])}",
+        ),
+        (
+            "Radial functions off the truth",
+            numbers.scientific(truth["RBF, inside"]["median_size"]),
+            f"median; Ritz: {numbers.scientific(truth['Ritz']['median_size'])}",
+        ),
+        (
+            "Table 5, mean size of errors",
+            shown(body[DIAGONALS]["mean_absolute"], SHARE),
+            f"by two functions: {shown(body[TWO_FUNCTIONS]['mean_absolute'], SHARE)}; "
+            f"paper: {shown(body[PAPERS_ROWS]['mean_absolute'], SHARE)}",
+        ),
+        (
+            "A diagonal today",
+            f"{1e6 * ours['seconds']:.0f} µs",
+            f"{ours['than_paper']:.0f} times as fast as the paper's Ritz",
+        ),
+    ]
+
+
+def chosen_name(prefix: str) -> str:
+    """The name of that table, of those with a prefix, that is about the chosen reading."""
+    return prefix + key(CHOSEN)

@@ -1,0 +1,139 @@
+"""Which measurement stands for which name in a pattern program."""
+
+import re
+import unicodedata
+from collections.abc import Callable, Iterable, Mapping
+
+from bodymeasure.chart import Definitions
+from bodymeasure.errors import InputError
+from bodymeasure.report.body.records import BodyMeasurement
+from bodymeasure.wording import hint
+
+# All measurements of FreeSewing (its config/measurements.mjs), in alphabetical order.
+FREESEWING_KEYS = (
+    "ankle",
+    "biceps",
+    "bustFront",
+    "bustPointToUnderbust",
+    "bustSpan",
+    "chest",
+    "crossSeam",
+    "crossSeamFront",
+    "crotchDepth",
+    "head",
+    "heel",
+    "highBust",
+    "highBustFront",
+    "hips",
+    "hpsToBust",
+    "hpsToWaistBack",
+    "hpsToWaistFront",
+    "inseam",
+    "knee",
+    "neck",
+    "seat",
+    "seatBack",
+    "shoulderSlope",
+    "shoulderToElbow",
+    "shoulderToShoulder",
+    "shoulderToWrist",
+    "underbust",
+    "upperLeg",
+    "waist",
+    "waistBack",
+    "waistToArmpit",
+    "waistToFloor",
+    "waistToHips",
+    "waistToKnee",
+    "waistToSeat",
+    "waistToUnderbust",
+    "waistToUpperLeg",
+    "wrist",
+)
+FREESEWING_DEGREES = ("shoulderSlope",)
+
+# What no name in Seamly2D may hold (schema of its measurement files, type shortName); spaces and,
+# as the first character, digits beside.
+_SEAMLY_OPERATORS = frozenset('*/&|!<>^-()–+−=?:;"')  # noqa: RUF001  (the schema's own)
+_RIGHT = re.compile(r"(?<![a-z])right(?![a-z])", re.IGNORECASE)
+
+
+def check_codes(definitions: Definitions) -> None:
+    """Refuse names that the pattern programs would not take, before anything is measured.
+
+    Raises
+    ------
+    InputError
+        The measurement, the name, and what is wrong with it.
+    """
+    for definition in definitions.measurement:
+        for name in definition.seamly:
+            check_seamly_name(name, definition.key)
+        key = definition.freesewing
+        if key is None:
+            continue
+        if key not in FREESEWING_KEYS:
+            raise InputError(
+                f"measurement {definition.key!r}: {key!r} is no measurement of FreeSewing; "
+                f"{hint(key, FREESEWING_KEYS)}"
+            )
+        angle = bool(getattr(definition, "angle", False))
+        if angle != (key in FREESEWING_DEGREES):
+            expected, given = ("a length", "an angle") if angle else ("an angle", "a length")
+            raise InputError(
+                f"measurement {definition.key!r}: FreeSewing's {key!r} is {expected}, and this is "
+                f"{given}"
+            )
+
+
+def check_seamly_name(name: str, key: str) -> None:
+    """Refuse a measurement's name that may not stand in a file of Seamly2D.
+
+    Raises
+    ------
+    InputError
+        The measurement's key, the name, and what is expected of it.
+    """
+    if not _is_seamly_name(name):
+        raise InputError(
+            f"measurement {key!r}: {name!r} cannot be a name in Seamly2D; expected no spaces or "
+            "operators, and no digit in front"
+        )
+
+
+def _is_seamly_name(name: str) -> bool:
+    if not name or unicodedata.category(name[0]) == "Nd" or name[0] == "'":
+        return False
+    return not any(
+        character in _SEAMLY_OPERATORS or unicodedata.category(character) == "Zs"
+        for character in name
+    )
+
+
+def measured_by_code(
+    records: Iterable[BodyMeasurement],
+    codes: Callable[[BodyMeasurement], Iterable[str]],
+) -> Mapping[str, BodyMeasurement]:
+    """The measurement that stands for each name, in the order of the chart.
+
+    Those without a value are passed over. Of several with the same name the one of the wearer's
+    right side is taken, else the first.
+
+    Parameters
+    ----------
+    records : iterable of BodyMeasurement
+    codes : function
+        The names of a measurement in the program.
+    """
+    chosen: dict[str, BodyMeasurement] = {}
+    for record in records:
+        if record.value is None:
+            continue
+        for code in codes(record):
+            if code not in chosen or (_is_right(record) and not _is_right(chosen[code])):
+                chosen[code] = record
+    return chosen
+
+
+def _is_right(record: BodyMeasurement) -> bool:
+    return bool(_RIGHT.search(record.key) or _RIGHT.search(record.name))

@@ -1,0 +1,116 @@
+"""A chart's numbers as records: unit converted, numbers that are not finite turned to null."""
+
+import math
+from collections import Counter
+from datetime import UTC, datetime
+
+from bodymeasure.atlas import Unit, convert_length
+from bodymeasure.chart import Chart, Measured, Measurement, accuracy_class
+from bodymeasure.report.body.records import (
+    DEGREES,
+    BodyMeasurement,
+    ChartDocument,
+    LandmarkPlace,
+    MissingLandmark,
+    ValueUnit,
+)
+
+
+def chart_document(
+    chart: Chart, unit: Unit | str, *, created: datetime | None = None
+) -> ChartDocument:
+    """All that a chart holds, as the content of its ``measurements.json``.
+
+    Parameters
+    ----------
+    chart : Chart
+    unit : Unit or str
+        Unit of the lengths; angles stay in degrees.
+    created : datetime, optional
+        Now if not given.
+    """
+    unit = Unit.parse(unit)
+    atlas = chart.atlas
+    valued = [item.definition.key for item in chart.measured if math.isfinite(item.value)]
+    numbers = {key: number for number, key in enumerate(valued, start=1)}
+    return ChartDocument(
+        name=atlas.name,
+        created=(created or datetime.now(UTC)).isoformat(timespec="seconds"),
+        unit=unit.value,
+        definitions=chart.definitions.name,
+        definitions_words=chart.definitions.words,
+        atlas_digest=atlas.digest,
+        provenance={str(key): str(value) for key, value in atlas.provenance.items()},
+        versions={str(key): str(value) for key, value in chart.versions.items()},
+        seconds=float(chart.seconds),
+        outcomes=dict(Counter(str(item.outcome) for item in chart.measured)),
+        landmarks=[
+            LandmarkPlace(
+                name=name,
+                patch=atlas.patch_names[point.patch],
+                u=float(point.u),
+                v=float(point.v),
+                given=name in atlas.landmarks,
+            )
+            for name, point in chart.landmarks.items()
+        ],
+        missing_landmarks=[
+            MissingLandmark(name=name, reason=reason)
+            for name, reason in chart.missing_landmarks.items()
+        ],
+        measurements=[
+            _record(item, numbers.get(item.definition.key), atlas.unit, unit)
+            for item in chart.measured
+        ],
+    )
+
+
+def kind_of(definition: Measurement) -> str:
+    """How a measurement is taken, as the file of definitions says it."""
+    return str(definition.__struct_config__.tag)
+
+
+def is_angle(definition: Measurement) -> bool:
+    """Whether a measurement is in degrees, not a length."""
+    return bool(getattr(definition, "angle", False))
+
+
+def _record(item: Measured, number: int | None, source: Unit, target: Unit) -> BodyMeasurement:
+    definition = item.definition
+    angle = is_angle(definition)
+
+    def converted(value: float) -> float | None:
+        if not math.isfinite(value):
+            return None
+        return float(value) if angle else float(convert_length(value, source, target))
+
+    unit: ValueUnit = DEGREES if angle else target.value
+    iso, class_ = definition.iso, accuracy_class(definition)
+    return BodyMeasurement(
+        number=number,
+        key=definition.key,
+        name=definition.name,
+        group=definition.group,
+        kind=kind_of(definition),
+        value=converted(item.value),
+        unit=unit,
+        error_estimate=converted(item.error_estimate),
+        contact=converted(item.contact),
+        taut=converted(item.taut),
+        gap=converted(item.gap),
+        outcome=item.outcome.value,
+        status=item.status.lower() or None,
+        reason=item.reason,
+        words=definition.words,
+        iso_name=iso.name if iso else None,
+        iso_clause=(iso.clause or None) if iso else None,
+        accuracy_class=None if class_ is None else class_.value,
+        seamly=list(definition.seamly),
+        freesewing=definition.freesewing,
+        landmarks=list(item.landmarks),
+        length_by_region={
+            region: length
+            for region, value in item.length_by_region.items()
+            if (length := converted(value)) is not None
+        },
+    )

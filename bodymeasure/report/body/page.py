@@ -1,0 +1,75 @@
+"""A chart of body measurements as one self-contained page."""
+
+from collections.abc import Mapping
+from typing import Any, Protocol
+
+from bodymeasure.report.body import views
+from bodymeasure.report.body.records import ChartDocument
+from bodymeasure.report.body.tape import small_text
+from bodymeasure.report.patches.views import UNIT_NAMES
+from bodymeasure.report.templating import images, moment, render_page
+
+
+class TapePictures(Protocol):
+    """Pictures of a chart's tapes, as `bodymeasure.scene.tape_pictures` returns them."""
+
+    @property
+    def body(self) -> Mapping[tuple[str, str], bytes]:
+        """PNG of the body with a group's tapes, numbered, by group and side.
+
+        Sides are front, back, left and right. To be shown at half the size in pixels.
+        """
+
+    @property
+    def closeups(self) -> Mapping[str, bytes]:
+        """PNG of a tape from close by, by key of the measurement."""
+
+    @property
+    def numbers(self) -> Mapping[str, int]:
+        """The numbers drawn, by key of the measurement."""
+
+    @property
+    def note(self) -> str:
+        """What there is to say about how they were drawn; may be empty."""
+
+
+def render_chart(document: ChartDocument, pictures: TapePictures | None = None) -> bytes:
+    """A chart and its pictures as one HTML page that loads nothing else.
+
+    Parameters
+    ----------
+    document : ChartDocument
+    pictures : TapePictures, optional
+        The page has none if not given.
+
+    Raises
+    ------
+    MissingExtraError
+        If jinja2 is not installed.
+    """
+    return render_page(
+        "bodymeasure.report",
+        "measurements.html.j2",
+        _context(document, pictures),
+        feature="the page of measurements",
+        styles=("measurements.css",),
+    )
+
+
+def _context(document: ChartDocument, pictures: TapePictures | None) -> dict[str, Any]:
+    return {
+        "document": document,
+        "groups": views.groups(document)
+        if pictures is None
+        else views.groups(document, pictures.numbers, images(pictures.body)),
+        "tiles": views.tiles(document),
+        "sentences": views.summary_sentences(document),
+        "absences": views.absences(document),
+        "remarked": views.remarked(document),
+        "inches": document.unit == "inch",
+        "unit_name": UNIT_NAMES[document.unit],
+        "created": moment(document.created),
+        "closeups": {} if pictures is None else images(pictures.closeups),
+        "picture_note": "" if pictures is None else pictures.note,
+        "text": {"small": small_text},
+    }

@@ -1,0 +1,190 @@
+"""A chart's content, arranged and worded for the page."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from bodymeasure.report.body.records import BodyMeasurement, ChartDocument
+from bodymeasure.report.body.tape import small_text, tailor_inches, tape_text
+from bodymeasure.report.numbers import NONE, as_bound
+from bodymeasure.report.patches.views import UNIT_NAMES
+from bodymeasure.report.templating import Image
+from bodymeasure.wording import counted
+
+MEASURED = "measured"
+# In the order in which they are shown.
+SIDES = ("front", "back", "left", "right")
+OTHER_GROUP = "Other measurements"
+# Outcomes that only say that something is not there; the others deserve a look.
+ABSENT = ("missing landmark", "missing operand")
+
+
+@dataclass(frozen=True)
+class Row:
+    """A measurement as the tables show it."""
+
+    record: BodyMeasurement
+    number: str
+    value: str
+    fraction: str
+    contact: str
+    taut: str
+    gap: str
+    tone: str
+    mark: str
+    regions: tuple[tuple[str, str], ...]
+
+    @property
+    def anchor(self) -> str:
+        """Identifier of its close-up in the page."""
+        return f"measurement-{self.record.key}"
+
+
+@dataclass(frozen=True)
+class Group:
+    """Measurements under one heading."""
+
+    name: str
+    anchor: str
+    rows: tuple[Row, ...]
+    sides: Mapping[str, Image]
+
+
+def groups(
+    document: ChartDocument,
+    numbers: Mapping[str, int] | None = None,
+    body: Mapping[tuple[str, str], Image] | None = None,
+) -> list[Group]:
+    """The measurements by group, groups as they first occur.
+
+    Parameters
+    ----------
+    document : ChartDocument
+    numbers : mapping of str to int, optional
+        Numbers in the pictures by key; those of the document if not given.
+    body : mapping of (str, str) to Image, optional
+        Pictures by group and side.
+    """
+    grouped: dict[str, list[Row]] = {}
+    for record in document.measurements:
+        number = record.number if numbers is None else numbers.get(record.key)
+        row = _row(record, "" if number is None else str(number))
+        grouped.setdefault(record.group, []).append(row)
+    pictures = body or {}
+    return [
+        Group(
+            name or OTHER_GROUP,
+            f"group-{place}",
+            tuple(rows),
+            {side: pictures[name, side] for side in SIDES if (name, side) in pictures},
+        )
+        for place, (name, rows) in enumerate(grouped.items(), start=1)
+    ]
+
+
+def _row(record: BodyMeasurement, number: str) -> Row:
+    unit, error = record.unit, record.error_estimate
+    good = record.outcome == MEASURED
+    absent = record.outcome in ABSENT
+    return Row(
+        record=record,
+        number=number,
+        value=tape_text(record.value, unit, error),
+        fraction=tailor_inches(record.value, error) if unit == "inch" else "",
+        contact=tape_text(record.contact, unit, error),
+        taut=tape_text(record.taut, unit, error),
+        gap=small_text(record.gap, unit),
+        tone="good" if good else "fair" if absent else "poor",
+        mark="✓" if good else "△" if absent else "✕",
+        regions=tuple(
+            (region or "elsewhere", tape_text(length, unit))
+            for region, length in record.length_by_region.items()
+        ),
+    )
+
+
+@dataclass(frozen=True)
+class Absence:
+    """Measurements that lack a value for the same reason."""
+
+    names: str
+    outcome: str
+    reason: str
+
+
+def unmeasured(document: ChartDocument) -> list[BodyMeasurement]:
+    """The measurements that have no value, in the chart's order."""
+    return [record for record in document.measurements if record.outcome != MEASURED]
+
+
+def absences(document: ChartDocument) -> list[Absence]:
+    """Why measurements have no value; those with the same reason together."""
+    names: dict[tuple[str, str], list[str]] = {}
+    for record in unmeasured(document):
+        names.setdefault((record.outcome, record.reason), []).append(record.name)
+    # Names have commas in them.
+    return [Absence("; ".join(each), outcome, reason) for (outcome, reason), each in names.items()]
+
+
+def remarked(document: ChartDocument) -> list[BodyMeasurement]:
+    """The measurements that have a value and something to be said about it."""
+    return [m for m in document.measurements if m.outcome == MEASURED and m.reason]
+
+
+def tiles(document: ChartDocument) -> list[tuple[str, str, str]]:
+    """The key figures: heading, figure, remark."""
+    records = [m for m in document.measurements if m.outcome == MEASURED]
+    lengths = [m for m in records if m.unit == document.unit]
+    error = max(lengths, key=lambda m: m.error_estimate or 0.0, default=None)
+    bridged = max(lengths, key=lambda m: m.gap or 0.0, default=None)
+    missing = unmeasured(document)
+    return [
+        ("Measured", f"{len(records)} of {len(document.measurements)}", ""),
+        ("Not measured", str(len(missing)), "the reasons are below" if missing else ""),
+        (
+            "Largest error estimate",
+            small_text(error.error_estimate, error.unit) if error else NONE,
+            error.name if error else "",
+        ),
+        (
+            "Tape most above the skin",
+            small_text(bridged.gap, bridged.unit) if bridged and bridged.gap else NONE,
+            f"shorter when taut: {bridged.name}" if bridged and bridged.gap else "",
+        ),
+    ]
+
+
+def summary_sentences(document: ChartDocument) -> list[str]:
+    """What was found, in words that need no knowledge of the method."""
+    total, missing = len(document.measurements), unmeasured(document)
+    words = document.definitions_words.rstrip(".")
+    sentences = [
+        f"{counted(total, 'measurement')} of the set “{document.definitions}”"
+        f"{f' ({words})' if words else ''}. All lengths are in {UNIT_NAMES[document.unit]}, along "
+        "the smooth surface of the body.",
+    ]
+    if missing:
+        kinds = "; ".join(
+            f"{outcome}: {count}"
+            for outcome, count in document.outcomes.items()
+            if outcome != MEASURED
+        )
+        sentences.append(
+            f"{total - len(missing)} could be measured; {len(missing)} could not and "
+            f"{'has' if len(missing) == 1 else 'have'} no value here ({kinds}). “Not measured” "
+            "says which, why, and what to do."
+        )
+    else:
+        sentences.append("All could be measured.")
+    errors = [
+        m.error_estimate
+        for m in document.measurements
+        if m.unit == document.unit and m.error_estimate is not None
+    ]
+    if errors:
+        bound = as_bound(small_text(max(errors), document.unit))
+        sentences.append(
+            f"By their own estimates the lengths are in error by {bound}. This is the error of "
+            "the computation on this body's surface, not that of the scan or the model that it "
+            "was made from, nor that of where the landmarks were set."
+        )
+    return sentences

@@ -1,0 +1,74 @@
+"""The report as one self-contained page."""
+
+from collections.abc import Mapping
+from typing import Any, Protocol
+
+from bodymeasure.report import numbers
+from bodymeasure.report.patches import views
+from bodymeasure.report.patches.histogram_drawing import chart
+from bodymeasure.report.patches.ranking import DISAGREEING, disagreements
+from bodymeasure.report.patches.records import Document
+from bodymeasure.report.templating import data_uri, images, moment, render_page
+
+
+class Pictures(Protocol):
+    """Pictures of a survey, as `bodymeasure.scene.pictures` returns them."""
+
+    @property
+    def body(self) -> Mapping[str, bytes]:
+        """PNG of the body with all paths, by side: front, back, left, right."""
+
+    @property
+    def closeups(self) -> Mapping[int, bytes]:
+        """PNG of a patch with its paths, by number of the patch."""
+
+    @property
+    def color_bar(self) -> bytes:
+        """SVG of what the colors mean."""
+
+    @property
+    def note(self) -> str:
+        """What there is to say about how they were drawn; may be empty."""
+
+
+def render_html(document: Document, pictures: Pictures | None = None) -> bytes:
+    """A document and its pictures as one HTML page that loads nothing else.
+
+    Parameters
+    ----------
+    document : Document
+    pictures : Pictures, optional
+        The page has none if not given.
+
+    Raises
+    ------
+    MissingExtraError
+        If jinja2 is not installed.
+    """
+    return render_page("bodymeasure.report", "report.html.j2", _context(document, pictures))
+
+
+def _context(document: Document, pictures: Pictures | None) -> dict[str, Any]:
+    return {
+        "document": document,
+        "summary": document.summary,
+        "statuses": views.status_rows(document),
+        "sentences": views.summary_sentences(document),
+        "tiles": views.tiles(document),
+        "regions": views.regions(document),
+        "worst": views.worst_cases(document),
+        "unmeasured": views.unmeasured(document),
+        "findings": views.findings(document),
+        "chart": chart(document),
+        "disagreeing": DISAGREEING,
+        "disagreements": disagreements(document),
+        "measured_codes": views.MEASURED,
+        "has_check": views.has_check(document),
+        "unit_name": views.UNIT_NAMES[document.unit],
+        "created": moment(document.created),
+        "body": {} if pictures is None else images(pictures.body),
+        "closeups": {} if pictures is None else images(pictures.closeups),
+        "color_bar": None if pictures is None else data_uri(pictures.color_bar),
+        "picture_note": "" if pictures is None else pictures.note,
+        "text": numbers,
+    }

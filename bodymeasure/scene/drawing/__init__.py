@@ -1,0 +1,1 @@
+"""The two renderers: pyvista, and software for machines without OpenGL."""

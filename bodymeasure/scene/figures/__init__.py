@@ -1,0 +1,1 @@
+"""Plain figures: canvas, style and color bars."""

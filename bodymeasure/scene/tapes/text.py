@@ -1,0 +1,62 @@
+"""Numbers, names and leaders over pictures of tapes."""
+
+import textwrap
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bodymeasure.scene.figures.canvas import Lines, Text, draw_on
+from bodymeasure.scene.tapes.label_layout import Columns, Layout
+from bodymeasure.scene.tapes.labels import Numbered
+
+LEADER = (0.30, 0.31, 0.34)
+WHITE = (1.0, 1.0, 1.0)
+# Widths and sizes in heights of a label.
+LEADER_WIDTH = 0.055
+HALO_WIDTH = 0.12
+DOT = 0.28
+# Between a leader's start and its label.
+TEXT_GAP = 0.18
+
+
+def with_numbers(image: NDArray[np.uint8], labels: Numbered) -> NDArray[np.uint8]:
+    """A picture with numbers in its margins."""
+    if not labels.numbers:
+        return image
+    texts = [str(number) for number in labels.numbers]
+    return draw_on(
+        image,
+        lines=leaders(labels.layout, labels.columns, labels.layout.label_height),
+        texts=column_texts(texts, labels.layout, labels.columns, labels.layout.label_height),
+    )
+
+
+def leaders(layout: Layout, columns: Columns, height: float) -> list[Lines]:
+    """Lines from labels to what they label, with white along them and dots at their ends."""
+    start = np.stack([np.where(layout.on_right, columns.right, columns.left), layout.y], axis=-1)
+    lines = list(np.stack([start, layout.anchor], axis=1))
+    # A line of no length would not be drawn.
+    dots = list(layout.anchor[:, None] + np.array([(-0.5, 0.0), (0.5, 0.0)]))
+    return [
+        (lines, np.tile(WHITE, (len(lines), 1)), HALO_WIDTH * height),
+        (dots, np.tile(WHITE, (len(lines), 1)), (DOT + 0.12) * height),
+        (lines, np.tile(LEADER, (len(lines), 1)), LEADER_WIDTH * height),
+        (dots, np.tile(LEADER, (len(lines), 1)), DOT * height),
+    ]
+
+
+def column_texts(texts: Sequence[str], layout: Layout, columns: Columns, size: float) -> list[Text]:
+    """Texts in their columns, those of the left one ending at its inner edge."""
+    gap = TEXT_GAP * size
+    return [
+        Text(columns.right + gap, y, text, size, horizontal="left")
+        if on_right
+        else Text(columns.left - gap, y, text, size, horizontal="right")
+        for text, on_right, y in zip(texts, layout.on_right, layout.y, strict=True)
+    ]
+
+
+def wrapped(name: str, columns: int) -> str:
+    """A name in as many lines as it takes."""
+    return "\n".join(textwrap.wrap(name, columns))

@@ -1,0 +1,62 @@
+"""Whole charts of the sample bodies: their time and memory, and what takes it.
+
+python tests/benchmarks/bodies/chart.py [BODY ...] [--values]
+"""
+
+import os
+
+os.environ["OMP_NUM_THREADS"] = "1"
+
+import argparse
+import resource
+import time
+
+import bodymeasure as bm
+from bodymeasure.chart import Chart, Outcome, load_definitions, measure_chart
+
+BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
+MEBIBYTE = 2**20
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("bodies", nargs="*", default=BODIES)
+    parser.add_argument("--values", action="store_true", help="print every measurement")
+    options = parser.parse_args()
+    load_definitions()
+    for name in options.bodies:
+        begin = time.process_time()
+        chart, times = timed_chart(bm.load_sample(name))
+        seconds = times[-1] - begin
+        # In kibibytes on Linux: the most that this process has had so far.
+        peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024 / MEBIBYTE
+        outcomes = {kind: sum(one.outcome is kind for one in chart.measured) for kind in Outcome}
+        counts = ", ".join(f"{count} {kind}" for kind, count in outcomes.items() if count)
+        print(f"{name}: {counts}; {seconds:.1f} s of processor time, {peak:.0f} MiB")
+        print(f"  first measurement, and with it the landmarks: {times[0] - begin:.1f} s")
+        for one in chart.measured:
+            if one.outcome is not Outcome.MEASURED:
+                print(f"  {one.definition.key}: {one.outcome}: {one.reason}")
+        if options.values:
+            print_values(chart)
+
+
+def timed_chart(atlas: bm.Atlas) -> tuple[Chart, list[float]]:
+    """A chart, and the processor time at which each measurement was done."""
+    times: list[float] = []
+    chart = measure_chart(atlas, progress=lambda *_: times.append(time.process_time()))
+    return chart, times
+
+
+def print_values(chart: Chart) -> None:
+    print(f"  {'':36s} {'value':>9s} {'contact':>9s} {'taut':>9s} {'error':>8s}  cm, degrees")
+    for one in chart.measured:
+        scale = 1.0
+        if not getattr(one.definition, "angle", False):
+            scale = bm.convert_length(1.0, chart.atlas.unit, bm.Unit.CM)
+        lengths = " ".join(f"{scale * x:9.3f}" for x in (one.value, one.contact, one.taut))
+        print(f"  {one.definition.key:36s} {lengths} {scale * one.error_estimate:8.0e}")
+
+
+if __name__ == "__main__":
+    main()

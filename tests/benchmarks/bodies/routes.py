@@ -1,0 +1,205 @@
+"""How often, how well and how fast the geodesic between two points of an atlas is found.
+
+Bodies: random pairs, uniform over the patches. Each is measured both ways round and on the body
+turned and moved. The best known is the shortest of both and of starts from finer meshes, at degree
+16. Of pairs whose parameters are quarters, libigl's exact distance on local submeshes too,
+extrapolated, with its own uncertainty. Surfaces: random pairs on whole patches and on the same cut
+into 2, 4, 64, and into nine along curves that meet at kinks.
+
+Run it by hand: ``python tests/benchmarks/bodies/routes.py [BODY ...] [--pairs N] [--free M] [--cuts
+K]``; 300 pairs by libigl and 100 others take some ten minutes a body.
+"""
+
+import os
+
+os.environ["OMP_NUM_THREADS"] = "1"
+import argparse
+import sys
+import time
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+import bodymeasure as bm
+from bodymeasure.atlas.topology.neighbors import Place
+from bodymeasure.geodesic.across.pieces.route_error import route_length
+from bodymeasure.geodesic.across.pieces.route_refine import refine
+from bodymeasure.geodesic.across.routes.reading import first_route
+from bodymeasure.geodesic.across.search.ends import topology
+from bodymeasure.geodesic.across.search.route_search import shortest_along
+
+sys.path.insert(0, str(Path(__file__).parents[2]))
+from helpers.oracles.body_oracle import LEVELS, mesh_distance, quarter_point
+from helpers.surfaces.cut_atlases import cut, on_cut, on_part, random_point, slant_cut
+from helpers.surfaces.surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID, PH_CYLINDER, PLANE
+
+BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
+# The finest degree, and the meshes of the starts.
+DEGREE, SEGMENTS = 16, (4, 6, 8)
+# Where libigl does not agree, it has another look on these. What it can tell at all, relative.
+FINER = (8, 16, 24)
+RESOLUTION = 1e-6
+SHAPES = {
+    "plane": PLANE,
+    "cylinder": PH_CYLINDER,
+    "Enneper": ENNEPER,
+    "paraboloid": PARABOLOID,
+    "saddle": HYPERBOLIC_PARABOLOID,
+}
+EIGHTHS = tuple(np.arange(1, 8) / 8)
+
+
+@dataclass
+class Tally:
+    """What was found on one body."""
+
+    statuses: Counter[str] = field(default_factory=Counter)
+    seconds: list[float] = field(default_factory=list)
+    refining: list[float] = field(default_factory=list)
+    excess: list[float] = field(default_factory=list)
+    swap: list[float] = field(default_factory=list)
+    motion: list[float] = field(default_factory=list)
+    covered: int = 0
+    measured: int = 0
+    closer: int = 0
+    longer: list[float] = field(default_factory=list)
+    shorter: list[float] = field(default_factory=list)
+
+    def print(self, name: str) -> None:
+        """The bars' figures."""
+        good, count = np.array(self.excess), len(self.excess)
+        swap, motion = np.array(self.swap), np.array(self.motion)
+        print(f"{name}: {dict(self.statuses)}")
+        print(
+            f"  over the best known: median {np.median(good):.1e}, worst {good.max():.1e}, within "
+            f"1e-5: {100.0 * (good < 1e-5).mean():.1f} %; estimate covers "
+            f"{100.0 * self.covered / count:.1f} %"
+        )
+        print(
+            f"  ends swapped {swap.max():.1e}, {(swap > 1e-9).sum()} above 1e-9; turned and moved "
+            f"{motion.max():.1e}, {(motion > 1e-9).sum()} above 1e-9"
+        )
+        print(
+            f"  median {1e3 * np.median(self.seconds):.0f} ms, 95 % "
+            f"{1e3 * np.quantile(self.seconds, 0.95):.0f} ms, longest {max(self.seconds):.2f} s; "
+            f"refinement alone {1e3 * np.median(self.refining):.1f} ms"
+        )
+        print(
+            f"  of {self.measured} by libigl, {self.closer} of them on finer meshes, longer "
+            f"{self.longer}, shorter {self.shorter} (in its uncertainties)",
+            flush=True,
+        )
+
+
+def best_known(
+    atlas: bm.Atlas, path: bm.AtlasPath, ends: tuple[Place, Place]
+) -> tuple[float, float]:
+    """The shortest from several starts at a high degree, and the time of one refinement."""
+    lengths, times = [], []
+    neighbors = topology(atlas).neighbors
+    for segments in SEGMENTS:
+        route = first_route(atlas, neighbors, ends, segments)
+        assert route is not None
+        begin = time.thread_time()
+        refine(atlas, route, 8, path.raw_length)
+        times.append(time.thread_time() - begin)
+        found = shortest_along(atlas, neighbors, route, path.raw_length)
+        fine = refine(atlas, found.refined.route, DEGREE, path.raw_length)
+        lengths += [found.length.corrected, route_length(fine).corrected]
+    return min(lengths), times[0]
+
+
+def survey(name: str, pairs: int, free: int) -> None:
+    """Print what is found on one body."""
+    atlas, rng, tally = bm.load_sample(name), np.random.default_rng(5), Tally()
+    turn = Rotation.from_rotvec(rng.normal(size=3)).as_matrix()
+    moved = replace(atlas, points=atlas.points @ turn.T + rng.normal(size=3))
+    for number in range(pairs + free):
+        pick = quarter_point if number < pairs else random_point
+        start, end = pick(rng, atlas), pick(rng, atlas)
+        begin = time.thread_time()
+        path = bm.geodesic_between(atlas, start, end, on_failure="status")
+        tally.seconds.append(time.thread_time() - begin)
+        tally.statuses[path.status.name] += 1
+        if not path.converged or path.raw_length == 0.0:
+            print(f"  {path.status.name}: {start}, {end}", flush=True)
+            continue
+        compare(tally, atlas, moved, path)
+        if number < pairs:
+            by_libigl(tally, atlas, path)
+    tally.print(name)
+
+
+def compare(tally: Tally, atlas: bm.Atlas, moved: bm.Atlas, path: bm.AtlasPath) -> None:
+    """Hold a path against its invariances and the best known."""
+    start, end = path.points
+    back = bm.geodesic_between(atlas, end, start, on_failure="status")
+    there = bm.geodesic_between(moved, start, end, on_failure="status")
+    for changes, other in ((tally.swap, back), (tally.motion, there)):
+        changes.append(abs(other.length / path.length - 1.0))
+        if not changes[-1] <= 1e-9:
+            print(f"  {changes[-1]:.1e} {path.length} {other.status.name}: {start}, {end}")
+    ends = Place(start.patch, start.u, start.v), Place(end.patch, end.u, end.v)
+    best, refinement = best_known(atlas, path, ends)
+    tally.refining.append(refinement)
+    tally.excess.append(path.length / min(best, back.length) - 1.0)
+    tally.covered += int(abs(path.length - best) <= path.error_estimate)
+
+
+def by_libigl(tally: Tally, atlas: bm.Atlas, path: bm.AtlasPath) -> None:
+    """Hold a path against the extrapolated exact distances over meshes."""
+    start, end = path.points
+    tally.measured += 1
+    for levels in (LEVELS, FINER):
+        distance, doubt = mesh_distance(atlas, start, end, path.length, levels)
+        over = (path.length - distance) / max(doubt, RESOLUTION * distance)
+        if abs(over) <= 1.0:
+            return
+        tally.closer += int(levels == LEVELS)
+    (tally.longer if over > 0.0 else tally.shorter).append(round(over, 2))
+
+
+def cut_surfaces(count: int) -> None:
+    """Print by how much lengths change where patches are cut."""
+    rng = np.random.default_rng(5)
+    grids: dict[str, tuple[Sequence[float], Sequence[float]]] = {
+        "2": ((0.4,), ()),
+        "4": ((0.5,), (0.5,)),
+        "64": (EIGHTHS, EIGHTHS),
+    }
+    for name, net in SHAPES.items():
+        atlases = {pieces: cut(net, *lines, turn=False) for pieces, lines in grids.items()}
+        changes: dict[str, list[float]] = {pieces: [] for pieces in (*grids, "9 slanted")}
+        for _ in range(count):
+            slanted, corners = slant_cut(net, rng)
+            points = random_point(rng, slanted), random_point(rng, slanted)
+            ends = [on_part(corners[point.patch], point.u, point.v).tolist() for point in points]
+            whole = bm.solve_geodesic(net, *ends)
+            paths = {"9 slanted": bm.geodesic_between(slanted, *points)}
+            for pieces, atlas in atlases.items():
+                start, end = (on_cut(grids[pieces], uv) for uv in ends)
+                paths[pieces] = bm.geodesic_between(atlas, start, end)
+            for pieces, path in paths.items():
+                changes[pieces].append(abs(path.length / whole.length - 1.0))
+        worst = ", ".join(f"{max(each):.1e} in {pieces}" for pieces, each in changes.items())
+        print(f"{name} cut: at most {worst}", flush=True)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("bodies", nargs="*", default=BODIES)
+    parser.add_argument("--pairs", type=int, default=60, help="on each body, by libigl too")
+    parser.add_argument("--free", type=int, default=20, help="on each body, not by libigl")
+    parser.add_argument("--cuts", type=int, default=20, help="pairs on each cut surface")
+    arguments = parser.parse_args()
+    cut_surfaces(arguments.cuts)
+    for name in arguments.bodies:
+        survey(name, arguments.pairs, arguments.free)
+
+
+if __name__ == "__main__":
+    main()

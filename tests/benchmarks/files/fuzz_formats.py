@@ -1,0 +1,76 @@
+"""Damage valid files in thousands of ways, and see that each is read or refused at once.
+
+Run by hand: python tests/benchmarks/files/fuzz_formats.py [--mutations 10000] [--seed 0] [--only
+NAME]
+
+Prints for each kind of file how many mutations were refused and how many read, the most processor
+time that one took, and by how much the process grew. Ends with code 1 if one crashed with another
+error than `InputError`, took more than a second, left what is no number in the atlas, or had the
+process grow beyond bounds.
+"""
+
+import argparse
+import os
+import resource
+import sys
+import time
+import traceback
+import warnings
+from pathlib import Path
+
+os.environ["OMP_NUM_THREADS"] = "1"
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parents[2]))
+from helpers.files.mutations import mutated, read_or_refused, valid_files
+
+SECONDS = 1.0
+# Of memory, by which one kind of file may make the process grow: MiB.
+GROWTH = 200.0
+
+
+def run(name: str, form: str, content: bytes, mutations: int, seed: int) -> bool:
+    """Whether all mutations of a file ended well; prints what happened."""
+    refused, slowest, failures = 0, 0.0, 0
+    before = peak()
+    for number in range(mutations):
+        damaged = mutated(content, np.random.default_rng([seed, number]))
+        begin = time.process_time()
+        try:
+            refused += read_or_refused(damaged, form) is None
+        except Exception:
+            failures += 1
+            print(f"{name}, seed {seed}, mutation {number}:\n{traceback.format_exc(limit=-3)}")
+        slowest = max(slowest, time.process_time() - begin)
+    growth = peak() - before
+    print(
+        f"{name:16} {mutations:6} mutations: {refused:6} refused, "
+        f"{mutations - refused - failures:5} read, {failures} failed; slowest {slowest:.3f} s, "
+        f"{growth:.0f} MiB more",
+        flush=True,
+    )
+    return failures == 0 and slowest < SECONDS and growth < GROWTH
+
+
+def peak() -> float:
+    """The most memory that the process had, in MiB."""
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description="Damage files of all formats, and read them.")
+    parser.add_argument("--mutations", type=int, default=10_000)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--only", choices=list(valid_files()))
+    arguments = parser.parse_args()
+    warnings.simplefilter("error")
+    well = [
+        run(name, form, content, arguments.mutations, arguments.seed)
+        for name, (form, content) in valid_files().items()
+        if arguments.only in (None, name)
+    ]
+    return 0 if all(well) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

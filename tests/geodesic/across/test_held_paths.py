@@ -1,0 +1,91 @@
+"""What paths are made of that edges hold for a part."""
+
+import numpy as np
+import pytest
+from helpers.surfaces.cut_atlases import cut
+from helpers.surfaces.grids import grid_atlas
+
+from bodymeasure.atlas import Atlas
+from bodymeasure.atlas.topology.neighbors import Neighbors, Place
+from bodymeasure.geodesic.across.contact.pattern import FreePart, HeldPart, read_pattern
+from bodymeasure.geodesic.across.contact.solve import held_path
+from bodymeasure.geodesic.across.pieces.route_refine import refine
+from bodymeasure.geodesic.across.routes.route import Route
+from bodymeasure.geodesic.across.search.sides import corners_along_seams, one_sided
+from bodymeasure.geodesic.spaces.polygons import polygon_space
+
+
+def test_polygons_are_straight_between_their_nodes() -> None:
+    space = polygon_space(5)
+    values = np.array([0.0, 1.0, -1.0, 3.0, 2.0, 0.5])
+    times = np.linspace(0.0, 1.0, 23)
+    place, slope, bend = space.matrices(times)
+    np.testing.assert_allclose(place @ values, np.interp(times, space.nodes, values), atol=1e-14)
+    np.testing.assert_allclose(slope[3] @ values, 5.0, rtol=1e-14)
+    np.testing.assert_array_equal(bend, 0.0)
+
+
+def over_the_bulge() -> tuple[Atlas, Neighbors, Route]:
+    """Along the lower edge of two patches that bulges into them."""
+    x, y = np.meshgrid(np.arange(4) / 3, np.arange(4) / 3, indexing="ij")
+    net = np.stack([3 * x, y + 3 * (1 - y) * x * (1 - x), 0 * x], axis=-1)
+    atlas = cut(net, (0.5,), (), turn=False)
+    neighbors = Neighbors(atlas)
+    (over,) = neighbors.over[0, 1]
+    return atlas, neighbors, Route(Place(0, 0.0, 0.1), Place(1, 1.0, 0.1), (over,), (0.05,))
+
+
+def test_free_and_held_parts_are_read_off_a_polygon() -> None:
+    atlas, neighbors, route = over_the_bulge()
+    parts = read_pattern(refine(atlas, route, polygon_space(32), 3.0))
+    assert [type(part) for part in parts] == [FreePart, HeldPart, HeldPart, FreePart]
+    first, *_, last = parts
+    assert isinstance(first, FreePart)
+    assert isinstance(last, FreePart)
+    # On the side v = 0, the third of them.
+    assert (first.slides, last.slides) == ((None, 2), (2, None))
+    found = held_path(atlas, neighbors, refine(atlas, route, 8, 3.0), 1e-9)
+    assert found is not None
+    assert [piece.patch for piece in found.pieces] == [0, 0, 1, 1]
+    assert len(found.crossings) == 1
+    # Where the legs join it, they are tangential to the edge.
+    leg = found.pieces[0]
+    slope = leg.space.matrices([1.0])[1, 0] @ leg.values[1]
+    assert slope == pytest.approx(0.0, abs=1e-9)
+    assert leg.values[1, -1] == 0.0
+
+
+def test_nothing_holds_a_path_that_would_rather_take_a_neighbor() -> None:
+    atlas = grid_atlas(
+        2,
+        1,
+        lambda x, y: np.stack(
+            [x - 0.5 * np.sin(np.pi * y) * np.sin(np.pi * x / 2.0), y, 0 * x], -1
+        ),
+    )
+    alone = Route(Place(0, 0.95, 0.05), Place(0, 0.95, 0.95), (), ())
+    refined = refine(atlas, alone, 8, 1.0)
+    assert refined.held_nodes.any()
+    assert held_path(atlas, Neighbors(atlas), refined, 1e-9) is None
+
+
+def test_routes_along_seams_are_put_on_either_side() -> None:
+    # Along x = 1 over three squares, on the left, on the right, and on the left again.
+    atlas = grid_atlas(2, 3)
+    neighbors = Neighbors(atlas)
+    corners = [Place(0, 1.0, 1.0), Place(4, 0.0, 1.0)]
+    goals = [Place(4, 0.0, 0.0), Place(2, 1.0, 0.0)]
+    steps = [
+        step
+        for corner, goal in zip(corners, goals, strict=True)
+        for step in neighbors.ways(corner, goal)[0]
+    ]
+    route = Route(
+        Place(0, 1.0, 0.3),
+        Place(2, 1.0, 0.6),
+        tuple(step.crossing for step in steps),
+        tuple(step.along for step in steps),
+    )
+    refined = refine(atlas, route, 8, 3.0)
+    assert len(corners_along_seams(neighbors, refined)) >= 2
+    assert {found.patches for found in one_sided(neighbors, refined)} == {(0, 1, 2), (3, 4, 5)}

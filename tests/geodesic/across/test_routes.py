@@ -1,0 +1,252 @@
+"""What `geodesic_between` is made of, each against what is known without it."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from helpers.surfaces.cut_atlases import random_point, wavy_plane
+from helpers.surfaces.grids import grid_atlas
+
+from bodymeasure._typing import Array
+from bodymeasure.atlas import Atlas, AtlasPoint, tessellate
+from bodymeasure.atlas.topology.neighbors import Neighbors, Place
+from bodymeasure.geodesic.across.pieces.route_length import RouteProblem
+from bodymeasure.geodesic.across.pieces.route_refine import refine
+from bodymeasure.geodesic.across.routes.mesh import RouteMesh, inserted
+from bodymeasure.geodesic.across.routes.polyhedral import polyhedral_path
+from bodymeasure.geodesic.across.routes.reading import first_route
+from bodymeasure.geodesic.across.routes.route import Route
+from bodymeasure.geodesic.across.search.route_repair import other_routes
+from bodymeasure.geodesic.across.search.route_search import shortest_along
+from bodymeasure.geodesic.numerics.box_newton import banded_product, minimize_in_box, solve_free
+from bodymeasure.geodesic.spaces.polynomials import polynomial_space
+
+# There are no wheels of it for the latest versions of Python.
+pytest.importorskip("pygeodesic")
+
+
+def place_of(point: AtlasPoint) -> Place:
+    return Place(point.patch, point.u, point.v)
+
+
+@pytest.mark.parametrize(
+    ("place", "faces"),
+    [
+        (Place(4, 0.5, 0.5), 0),  # a vertex
+        (Place(4, 1.0, 0.25), 0),  # one on a seam
+        (Place(4, 0.3, 0.1), 2),  # within a face
+        (Place(4, 0.3, 0.3), 2),  # on the diagonal between two
+        (Place(4, 1.0, 0.6), 2),  # on a seam
+        (Place(1, 0.0, 0.6), 1),  # on the boundary
+    ],
+)
+def test_points_are_inserted_by_splitting_faces(
+    place: Place, faces: int, rng: np.random.Generator
+) -> None:
+    atlas = wavy_plane(rng)
+    whole = RouteMesh.of(atlas, tessellate(atlas, 4))
+    mesh, number = inserted(whole, atlas, place)
+    assert len(mesh.faces) == len(whole.faces) + faces
+    np.testing.assert_allclose(
+        mesh.vertices[number], atlas.position(AtlasPoint(*place)), atol=1e-14
+    )
+    # Split along a curved edge, the faces still cover the plane, none of them turned over.
+    a, b, c = np.moveaxis(mesh.vertices[mesh.faces], 1, 0)
+    area = 0.5 * np.cross(b - a, c - a)[:, 2]
+    assert area.min() > 0.0
+    assert area.sum() == pytest.approx(9.0, rel=1e-12)
+    # Of every use of the vertex, the parameters are those of its point.
+    uses = mesh.faces == number
+    for patch, uv in zip(np.nonzero(uses)[0], mesh.face_parameters[uses], strict=True):
+        there = atlas.position(AtlasPoint(int(mesh.face_patch[patch]), *uv.tolist()))
+        np.testing.assert_allclose(there, mesh.vertices[number], atol=1e-14)
+
+
+def test_the_path_over_the_mesh_of_a_plane_is_nearly_straight(rng: np.random.Generator) -> None:
+    atlas = wavy_plane(rng)
+    for _ in range(10):
+        start, end = place_of(random_point(rng, atlas)), place_of(random_point(rng, atlas))
+        found = polyhedral_path(atlas, start, end)
+        assert found is not None
+        mesh, points, first = found
+        np.testing.assert_array_equal(points[0], mesh.vertices[first])
+        length = np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
+        chord = np.linalg.norm(points[-1] - points[0])
+        # The package's algorithm drops small windows: mostly right to rounding, it is at times off
+        # by some 1e-4, whatever part of the mesh it is given.
+        assert chord * (1.0 - 1e-12) <= length < chord * (1.0 + 1e-3)
+
+
+def test_routes_read_off_the_mesh_hang_together(rng: np.random.Generator) -> None:
+    atlas = wavy_plane(rng)
+    neighbors = Neighbors(atlas)
+    for _ in range(20):
+        ends = place_of(random_point(rng, atlas)), place_of(random_point(rng, atlas))
+        route = first_route(atlas, neighbors, ends)
+        assert route is not None
+        assert (route.start, route.end) == ends
+        for number, crossing in enumerate(route.crossings):
+            assert crossing in neighbors.over[route.patches[number], crossing.from_side]
+            leave, enter = route.exit(number), route.entry(number + 1)
+            np.testing.assert_allclose(
+                atlas.position(AtlasPoint(*leave)), atlas.position(AtlasPoint(*enter)), atol=1e-13
+            )
+
+
+@pytest.fixture
+def problem() -> RouteProblem:
+    """A route over three patches of a bumpy atlas, all of them turned differently."""
+    atlas = grid_atlas(2, 2, lambda x, y: np.stack([x, y, np.sin(2 * x + y * y)], axis=-1))
+    index = atlas.index.copy()
+    index[1] = np.rot90(index[1])
+    index[3] = index[3, ::-1].T
+    atlas = type(atlas)(atlas.points, index, atlas.unit)
+    neighbors = Neighbors(atlas)
+    corner = Place(0, 1.0, 1.0)
+    # From patch 0 over patch 1 to patch 3, as about the corner, but crossing in the seams' middle.
+    goal = next(place for place in neighbors.same(corner) if place.patch == 3)
+    way = next(way for way in neighbors.ways(corner, goal) if way[0].place.patch == 1)
+    crossings = tuple(step.crossing for step in way)
+    route = Route(Place(0, 0.2, 0.3), Place(3, 0.4, 0.6), crossings, (0.4, 0.55))
+    return RouteProblem(atlas, route, polynomial_space(5), 2.0)
+
+
+def test_the_derivatives_of_the_length(problem: RouteProblem, rng: np.random.Generator) -> None:
+    place = np.clip(problem.straight() + rng.normal(0.0, 0.02, problem.count), 0.0, 1.0)
+    here = problem.expand(place)
+    step = 1e-6
+    for _ in range(5):
+        way = rng.normal(size=problem.count)
+        ahead, behind = (problem.expand(place + sign * step * way) for sign in (1.0, -1.0))
+        slope = (ahead.value - behind.value) / (2.0 * step)
+        assert here.gradient @ way == pytest.approx(slope, rel=1e-7)
+        bend = (ahead.gradient - behind.gradient) / (2.0 * step)
+        np.testing.assert_allclose(
+            banded_product(here.bands, way), bend, atol=1e-7 * np.abs(bend).max()
+        )
+
+
+def test_no_unknown_moves_the_ends_apart_at_a_seam(
+    problem: RouteProblem, rng: np.random.Generator
+) -> None:
+    values = problem.values(rng.random(problem.count))
+    ends = problem.surface.control_points.mean(axis=(1, 2))[:, None] * 0.0
+    ends = ends + problem.surface.positions(values[:, :, [0, -1]].transpose(0, 2, 1))
+    np.testing.assert_allclose(ends[:-1, 1], ends[1:, 0], atol=1e-14)
+
+
+def banded(matrix: Array) -> Array:
+    bands = np.zeros_like(matrix)
+    for row in range(len(matrix)):
+        bands[row, : len(matrix) - row] = np.diagonal(matrix, -row)
+    return bands
+
+
+def test_minima_of_quadratics_in_the_box(rng: np.random.Generator) -> None:
+    on_bounds = 0
+    for _ in range(20):
+        root = rng.normal(size=(6, 6))
+        matrix, center = root @ root.T + 0.1 * np.eye(6), rng.uniform(-1.0, 2.0, 6)
+
+        def expand(x: Array, matrix: Array = matrix, center: Array = center) -> SimpleNamespace:
+            off = x - center
+            return SimpleNamespace(
+                value=1.0 + 0.5 * off @ matrix @ off, gradient=matrix @ off, bands=banded(matrix)
+            )
+
+        idle = np.arange(6) == 2
+        found = minimize_in_box(expand, np.full(6, 0.5), idle)
+        assert found.converged
+        assert found.unknowns[2] == 0.5
+        # The conditions of Karush, Kuhn and Tucker.
+        slope, x = matrix @ (found.unknowns - center), found.unknowns
+        free = (x > 0.0) & (x < 1.0) & ~idle
+        np.testing.assert_allclose(slope[free], 0.0, atol=1e-6)
+        assert (slope[(x == 0.0)] >= 0.0).all()
+        assert (slope[(x == 1.0)] <= 0.0).all()
+        np.testing.assert_array_equal(found.held, ((x == 0.0) | (x == 1.0)) & ~idle)
+        on_bounds += int(found.held.sum())
+    assert on_bounds > 10
+
+
+def test_free_unknowns_of_an_indefinite_system_have_no_minimum() -> None:
+    matrix = np.diag([1.0, -1.0, 2.0])
+    right = np.ones(3)
+    assert solve_free(banded(matrix), right, np.ones(3, bool)) is None
+    solved = solve_free(banded(matrix), right, np.array([True, False, True]))
+    assert solved is not None
+    np.testing.assert_allclose(solved, np.array([1.0, 1.0, 0.5]))
+
+
+def around_the_corner(way: tuple[int, ...]) -> tuple[Neighbors, Route, Atlas]:
+    """On four unit squares, a route from the first to the last by the patches in `way`."""
+    atlas = grid_atlas(2, 2)
+    neighbors = Neighbors(atlas)
+    corner = Place(0, 1.0, 1.0)
+    goal = Place(3, 0.0, 0.0)
+    steps = next(
+        steps
+        for steps in neighbors.ways(corner, goal)
+        if tuple(step.place.patch for step in steps) == way
+    )
+    route = Route(
+        Place(0, 0.5, 0.8),
+        Place(3, 0.1, 0.7),
+        tuple(step.crossing for step in steps),
+        tuple(step.along for step in steps),
+    )
+    return neighbors, route, atlas
+
+
+def test_a_route_on_the_wrong_side_of_a_corner_is_repaired() -> None:
+    # The line from (0.5, 0.8) to (1.1, 1.7) crosses patch 1, which is [0, 1] x [1, 2].
+    neighbors, wrong, atlas = around_the_corner((2, 3))
+    pressed = refine(atlas, wrong, 8, 1.0)
+    assert pressed.length > np.hypot(0.6, 0.9) * (1.0 + 1e-3)
+    assert (1, 3) in {route.patches[1:] for route in other_routes(neighbors, pressed)}
+    found = shortest_along(atlas, neighbors, wrong, 1.0)
+    assert found.refined.route.patches == (0, 1, 3)
+    assert found.length.corrected == pytest.approx(np.hypot(0.6, 0.9), rel=1e-9)
+
+
+def test_needless_crossings_are_taken_back_and_missing_ones_found() -> None:
+    atlas = grid_atlas(2, 1)
+    neighbors = Neighbors(atlas)
+    (there,) = neighbors.over[0, 1]
+    (back,) = neighbors.over[1, 0]
+    needless = Route(Place(0, 0.5, 0.1), Place(0, 0.6, 0.9), (there, back), (0.3, 0.6))
+    found = shortest_along(atlas, neighbors, needless, 1.0)
+    assert found.refined.route.patches == (0,)
+    assert found.length.corrected == pytest.approx(np.hypot(0.1, 0.8), rel=1e-12)
+
+
+def test_a_neighbor_that_a_path_needs_is_found() -> None:
+    # The seam bulges into the first patch: the chord leaves that patch.
+    def bulge(x: Array, y: Array) -> Array:
+        return np.stack([x - 0.5 * np.sin(np.pi * y) * np.sin(np.pi * x / 2.0), y, 0.0 * x], -1)
+
+    atlas = grid_atlas(2, 1, bulge)
+    neighbors = Neighbors(atlas)
+    start, end = Place(0, 0.95, 0.05), Place(0, 0.95, 0.95)
+    chord = np.linalg.norm(atlas.position(AtlasPoint(*end)) - atlas.position(AtlasPoint(*start)))
+    alone = Route(start, end, (), ())
+    assert refine(atlas, alone, 8, 1.0).length > chord * (1.0 + 1e-3)
+    found = shortest_along(atlas, neighbors, alone, 1.0)
+    assert found.refined.route.patches == (0, 1, 0)
+    assert found.length.corrected == pytest.approx(chord, rel=1e-9)
+
+
+def test_a_first_piece_without_length_is_trimmed() -> None:
+    atlas = grid_atlas(2, 1)
+    neighbors = Neighbors(atlas)
+    (there,) = neighbors.over[0, 1]
+    for start, end, along in (
+        (Place(0, 1.0, 0.2), Place(1, 0.7, 0.9), 0.6),
+        (Place(0, 0.3, 0.2), Place(1, 0.0, 0.9), 0.4),
+    ):
+        found = shortest_along(atlas, neighbors, Route(start, end, (there,), (along,)), 1.0)
+        assert len(found.refined.route.patches) == 1
+        chord = np.linalg.norm(
+            atlas.position(AtlasPoint(*end)) - atlas.position(AtlasPoint(*start))
+        )
+        assert found.length.corrected == pytest.approx(chord, rel=1e-12)
