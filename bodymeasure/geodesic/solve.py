@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from bodymeasure._typing import Array
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.lengths.coincident import distances_in_one_place
-from bodymeasure.geodesic.lengths.jacobi import UNKNOWN
+from bodymeasure.geodesic.lengths.length import UNKNOWN
 from bodymeasure.geodesic.methods.rbf_collocation import RBFCollocation
 from bodymeasure.geodesic.shortest.search import SEARCHES, Search, is_outside, search_further
 from bodymeasure.geodesic.solution import GeodesicSolution

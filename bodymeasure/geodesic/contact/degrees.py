@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.geodesic.lengths.measure import MeasuredLength
+from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 
 # Tried in turn. Strongly bent paths take the highest; past that, rounding errors win.
@@ -18,14 +18,14 @@ OVERSHOOT = 1e-9
 OFF = 10.0
 
 
-def degrees_wanted(degree: int, measured: MeasuredLength, tolerance: float) -> NDArray[np.float64]:
+def degrees_wanted(degree: int, measured: Length, tolerance: float) -> NDArray[np.float64]:
     """The degrees that paths seem to take, told from how good they are on one; shape (problems,).
 
     Parameters
     ----------
     degree : int
         That of the paths.
-    measured : MeasuredLength
+    measured : Length
         Their lengths, none of which is known to the tolerance.
     tolerance : float
         Relative error asked for.
@@ -38,7 +38,7 @@ def degrees_wanted(degree: int, measured: MeasuredLength, tolerance: float) -> N
 
 
 def leave_for_certain(
-    space: TrialSpace, values: NDArray[np.float64], measured: MeasuredLength
+    space: TrialSpace, values: NDArray[np.float64], measured: Length
 ) -> NDArray[np.bool_]:
     """Which paths leave their patch by so much that no higher degree brings them back.
 
@@ -46,7 +46,7 @@ def leave_for_certain(
     ----------
     space : TrialSpace
     values : ndarray, shape (problems, 2, n + 1)
-    measured : MeasuredLength
+    measured : Length
         Their lengths, known to the tolerance that is asked for.
     """
     paths = values @ space.between_nodes.T

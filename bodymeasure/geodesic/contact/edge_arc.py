@@ -13,7 +13,7 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.contact.joined import SolvedLeg
 from bodymeasure.geodesic.contact.legs import Contact
-from bodymeasure.geodesic.lengths.measure import MeasuredLength
+from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.spaces.quadrature import Quadrature
 from bodymeasure.geodesic.surfaces.bezier import Surface
@@ -61,12 +61,13 @@ def edge_arc(surface: Surface, contact: Contact, begin: Array, end: Array) -> Ed
         lengths.append(rule.integrate(speed))
     turn = _inward_turn(jet, contact, velocity, end - begin)
     length = np.array([lengths[1]])
-    measured = MeasuredLength(
+    measured = Length(
         raw=length,
         correction=np.zeros(1),
         error=2.0 * np.abs(length - lengths[0]) + ROUNDING * length,
         residual=np.zeros(1),
         index=np.zeros(1, np.int64),
+        trusted=np.ones(1, bool),
     )
     return EdgeArc(SolvedLeg(space, values, measured), bool((turn <= UNPRESSED).all()))
 

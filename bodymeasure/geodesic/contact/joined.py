@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.geodesic.lengths.measure import MeasuredLength
+from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.solving.protocol import EdgeContact
 from bodymeasure.geodesic.spaces.piecewise import PiecewisePolynomials
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
@@ -18,7 +18,7 @@ class SolvedLeg(NamedTuple):
 
     space: TrialSpace
     values: Array
-    measured: MeasuredLength
+    measured: Length
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class ContactPath:
         Piecewise: one piece a leg, in proportion to their lengths.
     values : ndarray, shape (2, n + 1)
         u and v at the space's nodes.
-    measured : MeasuredLength
+    measured : Length
         Of shape (1,).
     contacts : tuple of EdgeContact
         The edges it runs along, in order.
@@ -39,7 +39,7 @@ class ContactPath:
 
     space: TrialSpace
     values: Array
-    measured: MeasuredLength
+    measured: Length
     contacts: tuple[EdgeContact, ...]
 
 
@@ -72,5 +72,5 @@ def join(legs: Sequence[SolvedLeg], contacts: tuple[EdgeContact, ...]) -> Contac
         functions=PiecewisePolynomials(edges, coefficients),
         description=" + ".join(space.description for space, _, _ in parts),
     )
-    measured = MeasuredLength.of_parts([measured for _, _, measured in parts])
+    measured = Length.of_parts([measured for _, _, measured in parts])
     return ContactPath(joined, np.concatenate(values, axis=1), measured, contacts)

@@ -23,7 +23,7 @@ from bodymeasure.geodesic.contact.free_leg import solve_free_piece
 from bodymeasure.geodesic.contact.joined import ContactPath, SolvedLeg, join
 from bodymeasure.geodesic.contact.legs import End, Leg, read_legs
 from bodymeasure.geodesic.contact.tangency import tangency_error
-from bodymeasure.geodesic.lengths.measure import is_good, measure_length
+from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.solving.protocol import EdgeContact
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.bezier import Surface
@@ -108,7 +108,7 @@ def _solve_free(surface: Surface, points: Array, leg: Leg, tolerance: float) -> 
         wanted = degrees_wanted(degree, measured, tolerance)[0]
         joints = tangency_error(surface, space, values, leg.ends)
         measured = replace(measured, error=measured.error + joints)
-        if not is_good(measured, tolerance)[0]:
+        if not measured.is_known_to(tolerance)[0]:
             continue
         solved = SolvedLeg(space, values, measured)
         if not space.leaves_patch(values[None], OVERSHOOT)[0]:

@@ -6,7 +6,7 @@ is left to the form with two unknown functions.
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import fields, replace
+from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
 from typing import Any
@@ -18,8 +18,9 @@ from bodymeasure._typing import Array
 from bodymeasure.geodesic.graph.equation import linearize, offset_geometry
 from bodymeasure.geodesic.graph.maps import FIELDS, offset_map
 from bodymeasure.geodesic.graph.problems import OffsetProblems
-from bodymeasure.geodesic.lengths.jacobi import judge
-from bodymeasure.geodesic.lengths.measure import MeasuredLength, is_good, is_steep
+from bodymeasure.geodesic.lengths.jacobi import length_and_error
+from bodymeasure.geodesic.lengths.length import Length
+from bodymeasure.geodesic.lengths.measure import is_steep
 from bodymeasure.geodesic.numerics.array_libraries import constant, is_on_cpu, to_numpy
 from bodymeasure.geodesic.numerics.elimination import solve_batch
 from bodymeasure.geodesic.solving.on_spaces import is_far_outside
@@ -173,14 +174,14 @@ def _measured(space: TrialSpace, problems: OffsetProblems, offset: Any, toleranc
     times = space.quadrature.points
     path, slope, bend = (constant(rows, offset, xp) @ offset for rows in _inner(space, times))
     geometry = offset_geometry(_coefficients(problems, times), path, slope, bend, xp)
-    measured = MeasuredLength(*(to_numpy(each) for each in judge(space, geometry, xp)))
+    measured = length_and_error(space, geometry, xp).mapped(to_numpy)
     measured = replace(measured, error=measured.error + problems.rounding)
     values = np.empty((count, 2, space.size + 1))
     values[:, :, 0], values[:, :, -1] = problems.start, problems.end
     for axis, parameter in enumerate(problems.parameters(space.nodes[1:-1], offset)):
         values[:, axis, 1:-1] = to_numpy(parameter).T
     # Those come from differences of neighboring control points, which this form never sees.
-    good = is_good(measured, tolerance) & ~is_steep(measured.raw, values)
+    good = measured.is_known_to(tolerance) & ~is_steep(measured.raw, values)
     return Piece(
         np.arange(count),
         space.with_lines,
@@ -219,15 +220,11 @@ def _slices(count: int, size: int) -> Iterator[slice]:
 
 def _joined(pieces: Sequence[Piece]) -> Piece:
     """One piece of several on the same space."""
-    measured = [
-        [getattr(piece.measured, field.name) for piece in pieces]
-        for field in fields(MeasuredLength)
-    ]
     return Piece(
         np.concatenate([piece.problems for piece in pieces]),
         pieces[0].space,
         np.concatenate([piece.values for piece in pieces]),
-        MeasuredLength(*map(np.concatenate, measured)),
+        Length.concatenated([piece.measured for piece in pieces]),
         np.concatenate([piece.converged for piece in pieces]),
         np.concatenate([piece.singular for piece in pieces]),
         speed=np.concatenate([piece.speed for piece in pieces if piece.speed is not None]),

@@ -1,20 +1,24 @@
-"""The Jacobi equation along computed paths: what `length_error` tells of a length, calculated."""
+"""The Jacobi equation along computed paths, which gives a length its correction and its error.
+
+The formulas are derived in the text of `measure`.
+"""
 
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.polynomial import legendre
 
 from bodymeasure._typing import Array
+from bodymeasure.geodesic.lengths.length import UNKNOWN, Length, is_leading_order
 from bodymeasure.geodesic.lengths.path_geometry import PathGeometry
 from bodymeasure.geodesic.numerics.array_libraries import constant
 from bodymeasure.geodesic.numerics.elimination import solve_symmetric
 from bodymeasure.geodesic.spaces.quadrature import Quadrature
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 
-# See the text of `length_error`.
+# See the text of `measure`.
 SAFETY = 5.0
 QUADRATURE_SAFETY = 3.0
 CURVATURE_VARIATION = 4.0
@@ -27,35 +31,28 @@ LYAPUNOV_BOUND = 4.0
 MOST_IN_ONE_PRODUCT = 48
 # On spaces of fewer functions two modes are not enough to tell what is left out.
 FEW = 6
-# The index of paths of which it is not known.
-UNKNOWN = -1
 # An eigenvalue of the second variation that is this small, beside its others of about 1, is made of
 # rounding errors, and its sign says nothing.
 EIGENVALUE_ROUNDING = 1e-11
 
 
-class Judgement(NamedTuple):
-    """What is known of lengths; arrays of shape (problems,). See `length_error.MeasuredLength`."""
-
-    raw: Any
-    correction: Any
-    error: Any
-    residual: Any
-    index: Any
-
-
-def judge(space: TrialSpace, along: PathGeometry, xp: Any) -> Judgement:
-    """Lengths, their excess, the error that is left and the certificate, in one elimination.
+def length_and_error(space: TrialSpace, along: PathGeometry, xp: Any) -> Length:
+    """Return lengths, their excess, the error that is left and the index, in one elimination.
 
     Parameters
     ----------
     space : TrialSpace
-        Of the paths.
+        The trial space of the paths.
     along : PathGeometry
-        At the points of the quadrature.
+        The geometry of the paths at the points of the space's quadrature.
     xp : namespace of the arrays
-        By the Python array API standard; where a path stands still or the surface is singular,
-        divisions by zero are the caller's to silence.
+        It keeps to the Python array API standard. Where a path stands still or the surface is
+        singular, it is the caller who silences divisions by zero.
+
+    Returns
+    -------
+    Length
+        The arrays are of the library `xp`.
     """
     speed, kappa, curvature = along
     quadrature = space.quadrature
@@ -82,18 +79,23 @@ def judge(space: TrialSpace, along: PathGeometry, xp: Any) -> Judgement:
     # A system that could not be solved has a correction that is not finite, and an error too.
     known = xp.isfinite(error)
     # K on the geodesic, beside the path, differs by this times the square of the length.
-    doubt = variation * xp.max(xp.abs(shift), axis=0) * length * length / np.pi**2
-    index = _index(quadrature, along, pivots, doubt, xp)
-    return Judgement(
+    uncertainty = variation * xp.max(xp.abs(shift), axis=0) * length * length / np.pi**2
+    index = _index(quadrature, along, pivots, uncertainty, xp)
+    correction = xp.sum(by_mode, axis=0)
+    residual = xp.max(xp.abs(kappa), axis=0) * length
+    return Length(
         raw=length,
-        correction=xp.sum(by_mode, axis=0),
+        correction=correction,
         error=xp.where(known, error, xp.inf),
-        residual=xp.max(xp.abs(kappa), axis=0) * length,
+        residual=residual,
         index=xp.where(known, index, UNKNOWN),
+        trusted=is_leading_order(correction, residual, length),
     )
 
 
-def _index(quadrature: Quadrature, along: PathGeometry, pivots: Any, doubt: Any, xp: Any) -> Any:
+def _index(
+    quadrature: Quadrature, along: PathGeometry, pivots: Any, uncertainty: Any, xp: Any
+) -> Any:
     """How many eigenvalues of the second variation are negative.
 
     That is the number of conjugate points on the way (Morse's index theorem: M. do Carmo,
@@ -105,7 +107,7 @@ def _index(quadrature: Quadrature, along: PathGeometry, pivots: Any, doubt: Any,
     weights = constant(quadrature.weights, speed, xp)
     length, size = weights @ speed, weights @ (1.0 / speed)
     negative = xp.sum(xp.where(pivots < 0.0, 1, 0), axis=0)
-    clear = xp.abs(xp.prod(pivots / size, axis=0)) > doubt + EIGENVALUE_ROUNDING
+    clear = xp.abs(xp.prod(pivots / size, axis=0)) > uncertainty + EIGENVALUE_ROUNDING
     positive = weights @ (xp.where(curvature > 0.0, curvature, 0.0) * speed)
     # The cheap test for none proves it without Galerkin's method.
     return xp.where(positive * length < LYAPUNOV_BOUND, 0, xp.where(clear, negative, UNKNOWN))

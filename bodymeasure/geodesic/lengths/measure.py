@@ -27,29 +27,21 @@ the estimate covers the true error of the corrected length on more than 99.9 % o
 factor of three some adversarial ones were off by 1.6 times the estimate. It is about a hundred
 times too large in the median where errors are above rounding, and some 1e-5 of what is corrected.
 It is leading order: callers trust it only where the correction is a small part of the length
-(`TRUSTED_CORRECTION`) and the path turns but little between its nodes (`TRUSTED_RESIDUAL`).
+(`length.TRUSTED_CORRECTION`) and the path turns but little between its nodes
+(`length.TRUSTED_RESIDUAL`).
 """
-
-from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
 
 import array_api_compat.numpy
 import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
-from bodymeasure.geodesic.lengths.jacobi import UNKNOWN, judge
+from bodymeasure.geodesic.lengths.jacobi import length_and_error
+from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.lengths.path_geometry import path_geometry
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.bezier import Surface
 
-# The expansion is leading order: past this part of the length the correction is not to be trusted.
-TRUSTED_CORRECTION = 1e-4
-# Nor of a path that somewhere turns, within the surface, by more than this angle on a way as long
-# as itself. Of 7000 paths with good lengths on bodies and on mild and wild patches, one in a
-# thousand does, and is found with more functions; on folded patches and near cusps some do whose
-# formulas all agree on a wrong length.
-TRUSTED_RESIDUAL = 1.0
 # On a surface of size 1, derivatives by u and v are at most 6 in size, and more than that times the
 # rounding errors that `jacobi.ROUNDING` allows are made by a path that is not this part as long as
 # its way in u and v.
@@ -58,74 +50,7 @@ STEEP = 0.2
 CANCELLATION = 4e-16
 
 
-@dataclass(frozen=True)
-class MeasuredLength:
-    """Lengths of computed paths, and what is known of their errors; arrays of shape (problems,).
-
-    Parameters
-    ----------
-    raw : ndarray
-        Length of the path as computed.
-    correction : ndarray
-        How much longer than the geodesic the path is, to leading order.
-    error : ndarray
-        Estimated error of ``raw - correction``.
-    residual : ndarray
-        Largest geodesic curvature at the quadrature points, which lie between the nodes, times the
-        length: 0 for a geodesic.
-    index : ndarray of int
-        Of the geodesic that the path stands for (`jacobi.judge`): 0 for a strict local minimum,
-        `jacobi.UNKNOWN` where that cannot be told.
-    """
-
-    raw: Array
-    correction: Array
-    error: Array
-    residual: Array
-    index: NDArray[np.int64]
-
-    @property
-    def minimal(self) -> NDArray[np.bool_]:
-        """Which paths are proven to be shorter than all close to them."""
-        result: NDArray[np.bool_] = self.index == 0
-        return result
-
-    @property
-    def corrected(self) -> Array:
-        """The length of the geodesic: of the path, less its excess."""
-        return self.raw - self.correction
-
-    def take(self, rows: NDArray[np.int64]) -> "MeasuredLength":
-        """The lengths of some of the problems."""
-        return MeasuredLength(*(getattr(self, field.name)[rows] for field in fields(self)))
-
-    def scaled(self, powers: NDArray[np.int64]) -> "MeasuredLength":
-        """The same on surfaces that are larger by powers of two."""
-        return replace(
-            self,
-            raw=np.ldexp(self.raw, powers),
-            correction=np.ldexp(self.correction, powers),
-            error=np.ldexp(self.error, powers),
-        )
-
-    @classmethod
-    def of_parts(cls, parts: "Sequence[MeasuredLength]") -> "MeasuredLength":
-        """Of paths that are made of parts, the joints of which stay in place.
-
-        The index is then the sum of the parts' indices.
-        """
-        indices = [part.index for part in parts]
-        known = np.all([index != UNKNOWN for index in indices], axis=0)
-        return cls(
-            raw=np.sum([part.raw for part in parts], axis=0),
-            correction=np.sum([part.correction for part in parts], axis=0),
-            error=np.sum([part.error for part in parts], axis=0),
-            residual=np.max([part.residual for part in parts], axis=0),
-            index=np.where(known, np.sum(indices, axis=0), UNKNOWN),
-        )
-
-
-def measure_length(surface: Surface, space: TrialSpace, values: Array) -> MeasuredLength:
+def measure_length(surface: Surface, space: TrialSpace, values: Array) -> Length:
     """Length, leading-order correction and error estimate of paths.
 
     Parameters
@@ -140,11 +65,11 @@ def measure_length(surface: Surface, space: TrialSpace, values: Array) -> Measur
     moved = values - values[:, :, :1]
     geometry = path_geometry(surface, values @ place.T, *(moved @ rows.T for rows in slopes))
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        measured = MeasuredLength(*judge(space, geometry, array_api_compat.numpy))
-    steep = np.flatnonzero(is_steep(measured.raw, values))
+        length = length_and_error(space, geometry, array_api_compat.numpy)
+    steep = np.flatnonzero(is_steep(length.raw, values))
     if len(steep):
-        measured.error[steep] += _cancellation(surface.take(steep), space, values[steep])
-    return measured
+        length.error[steep] += _cancellation(surface.take(steep), space, values[steep])
+    return length
 
 
 def is_steep(length: Array, values: Array) -> NDArray[np.bool_]:
@@ -167,12 +92,4 @@ def _cancellation(surface: Surface, space: TrialSpace, values: Array) -> Array:
     magnitude = surface.magnitude((values @ place.T).transpose(0, 2, 1))
     terms = magnitude[0] * velocity[:, 0] + magnitude[1] * velocity[:, 1]
     result: Array = CANCELLATION * (terms @ space.quadrature.weights)
-    return result
-
-
-def is_good(measured: MeasuredLength, tolerance: float) -> NDArray[np.bool_]:
-    """Whether lengths are known to a relative tolerance, and their corrections to be trusted."""
-    known = measured.error <= tolerance * measured.raw
-    trusted = np.abs(measured.correction) <= TRUSTED_CORRECTION * measured.raw
-    result: NDArray[np.bool_] = known & trusted & (measured.residual <= TRUSTED_RESIDUAL)
     return result

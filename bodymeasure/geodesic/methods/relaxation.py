@@ -8,13 +8,8 @@ from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.lengths.equations import linearization
 from bodymeasure.geodesic.methods.settings import check_positive, whole_numbers
-from bodymeasure.geodesic.solving.newton import (
-    LAST_STEP,
-    LONGEST_STEP,
-    MAX_ITERATIONS,
-    SMALLEST_STEP,
-    SUFFICIENT_DECREASE,
-)
+from bodymeasure.geodesic.numerics.damped_newton import LAST_STEP, LONGEST_STEP, SMALLEST_STEP
+from bodymeasure.geodesic.solving.newton import MAX_ITERATIONS, SUFFICIENT_DECREASE
 from bodymeasure.geodesic.solving.on_spaces import TOLERANCE, straight
 from bodymeasure.geodesic.solving.protocol import MethodResult
 from bodymeasure.geodesic.solving.resampled import Path, resampled

@@ -13,7 +13,7 @@ from bodymeasure.geodesic.contact.joined import ContactPath
 from bodymeasure.geodesic.contact.legs import End, Pole
 from bodymeasure.geodesic.contact.solve import solve_contact_path
 from bodymeasure.geodesic.lengths.coincident import TIMES
-from bodymeasure.geodesic.lengths.measure import is_good, measure_length
+from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.shortest.descent import descend
 from bodymeasure.geodesic.shortest.polygon_energy import polygon_lengths
 from bodymeasure.geodesic.solving.newton import newton
@@ -129,7 +129,7 @@ def _collocated(surface: Surface, polygons: Array, rows: Ints, tolerance: float)
         found = newton(part, space, start, max_iterations=MOST_STEPS)
         measured = measure_length(part, space, found.values)
         path = (found.values @ space.matrices(times)[0].T).swapaxes(1, 2)
-        exact = found.converged & is_good(measured, tolerance)
+        exact = found.converged & measured.is_known_to(tolerance)
         gone = exact & leave_for_certain(space, found.values, measured)
         good = exact & ~space.leaves_patch(found.values, OUTSIDE)
         good &= np.abs(path - polygons[rows]).max(axis=(1, 2)) <= ASTRAY

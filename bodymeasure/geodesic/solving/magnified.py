@@ -118,7 +118,7 @@ def _magnified(method: Method, surface: Surface, start: Array, end: Array) -> Me
         places = magnified.take(rows).parameters(piece.values.transpose(0, 2, 1))
         values = places.transpose(0, 2, 1)
         values[:, :, -1] = end[rows]
-        measured = piece.measured.scaled(unit[rows])
+        measured = piece.measured.scaled(np.ldexp(1.0, unit[rows]))
         pieces.append(replace(piece, values=values, measured=measured))
     return MethodResult(tuple(pieces), result.iterations)
 

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
-from bodymeasure.geodesic.lengths.measure import is_good, measure_length
+from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.solving.newton import MAX_ITERATIONS, NewtonResult, newton
 from bodymeasure.geodesic.solving.protocol import MethodResult, Piece
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
@@ -95,7 +95,7 @@ def _measured(
     tolerance: float,
 ) -> Piece:
     measured = measure_length(surface, space, found.values)
-    converged = found.converged & is_good(measured, tolerance)
+    converged = found.converged & measured.is_known_to(tolerance)
     return Piece(problems, space, found.values, measured, converged, found.singular)
 
 

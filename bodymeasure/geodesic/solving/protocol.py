@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.geodesic.lengths.arc_length_times import times_at
-from bodymeasure.geodesic.lengths.measure import MeasuredLength
+from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.bezier import Surface
 
@@ -39,7 +39,7 @@ class Piece:
     space : TrialSpace
     values : ndarray, shape (k, 2, n + 1)
         u and v at the space's nodes.
-    measured : MeasuredLength
+    measured : Length
         Of shape (k,).
     converged, singular : ndarray of bool, shape (k,)
     contacts : tuple of EdgeContact
@@ -52,7 +52,7 @@ class Piece:
     problems: NDArray[np.int64]
     space: TrialSpace
     values: NDArray[np.float64]
-    measured: MeasuredLength
+    measured: Length
     converged: NDArray[np.bool_]
     singular: NDArray[np.bool_]
     contacts: tuple[EdgeContact, ...] = ()

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.geodesic.lengths.measure import is_good, measure_length
+from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.solving.on_spaces import straight
 from bodymeasure.geodesic.solving.protocol import Piece
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
@@ -63,7 +63,7 @@ def resampled(
             values[:, :, place] = target[rest]
         part = surface.take(rest)
         measured = measure_length(part, space, values)
-        good = is_good(measured, tolerance) & ~failed[rest]
+        good = measured.is_known_to(tolerance) & ~failed[rest]
         pieces.append(Piece(rest, space, values, measured, good, np.zeros(len(rest), bool)))
         relative = measured.error / measured.raw
         better = good | (relative < least[rest]) | (number == 0)

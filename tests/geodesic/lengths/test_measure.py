@@ -14,7 +14,8 @@ from helpers.surfaces.surfaces import (
 
 from bodymeasure._typing import Array
 from bodymeasure.geodesic import WU_C2, WU_C4, Kernel, RBFCollocation, solve_geodesic
-from bodymeasure.geodesic.lengths.measure import MeasuredLength, measure_length
+from bodymeasure.geodesic.lengths.length import Length
+from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.lengths.path_geometry import path_geometry
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
@@ -39,7 +40,7 @@ def bows(count: int, rng: np.random.Generator) -> Array:
     return np.asarray(random / np.abs(random).max(axis=(1, 2), keepdims=True))
 
 
-def measured(net: Array, values: Array, space: TrialSpace = SPACE) -> MeasuredLength:
+def measured(net: Array, values: Array, space: TrialSpace = SPACE) -> Length:
     return measure_length(
         BezierSurfaces(np.broadcast_to(net, (len(values), *net.shape))), space, values
     )

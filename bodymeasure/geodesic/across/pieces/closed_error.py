@@ -20,11 +20,8 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.across.pieces.closed_refine import RefinedLoop
 from bodymeasure.geodesic.across.pieces.route_error import JOINT_SAFETY, STRAIGHT, rounding_of
-from bodymeasure.geodesic.lengths.measure import (
-    TRUSTED_CORRECTION,
-    TRUSTED_RESIDUAL,
-    measure_length,
-)
+from bodymeasure.geodesic.lengths.length import TRUSTED_CORRECTION, TRUSTED_RESIDUAL
+from bodymeasure.geodesic.lengths.measure import measure_length
 
 # Of the square of 2 pi over the length: eigenvalues that small are zero, but for rounding.
 FLAT = 1e-8

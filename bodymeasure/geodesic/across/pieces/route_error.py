@@ -26,11 +26,8 @@ from numpy.typing import NDArray
 from bodymeasure._typing import Array
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.across.pieces.route_refine import Refined
-from bodymeasure.geodesic.lengths.measure import (
-    TRUSTED_CORRECTION,
-    TRUSTED_RESIDUAL,
-    measure_length,
-)
+from bodymeasure.geodesic.lengths.length import TRUSTED_CORRECTION, TRUSTED_RESIDUAL
+from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.numerics.box_newton import solve_free
 
 # See the text above.
