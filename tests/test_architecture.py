@@ -46,7 +46,7 @@ ORDERS = {
     "cli": "console · options · atlases, landmarks, measuring, study · main",
     "formats": "groups, json_faults, options, patches, spline_patches, text · atlas_json, bez, bpt,"
     " foreign, geomdl, mesh_vertices, npz, obj · registry",
-    "geodesic": "across/routes, numerics, status · spaces, surfaces · lengths ·"
+    "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"
     " across/pieces, solving · contact, graph · across/contact, methods, shortest · across/search",
     "measure": "patches · body",
     "scene": "model · clip · camera, colors · lighting · figures · drawing · diagonals · tapes",

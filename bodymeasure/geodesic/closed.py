@@ -12,7 +12,7 @@ from bodymeasure.bezier import evaluate
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.across.pieces.closed_error import LoopKind
 from bodymeasure.geodesic.across.pieces.path import AtlasPath, PathPiece, SeamCrossing
-from bodymeasure.geodesic.across.routes.closed_route import route_through
+from bodymeasure.geodesic.across.routes.through import route_through
 from bodymeasure.geodesic.across.search.closed_search import FoundLoop, contracted
 from bodymeasure.geodesic.across.search.ends import checked_places, topology
 from bodymeasure.geodesic.status import Status

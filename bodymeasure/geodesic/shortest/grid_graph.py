@@ -1,7 +1,6 @@
 """Shortest ways over grids of patches, from both ends of each problem, by Dijkstra's algorithm."""
 
 from functools import lru_cache
-from math import gcd
 from typing import NamedTuple
 
 import numpy as np
@@ -9,18 +8,15 @@ import scipy
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.lengths.equations import dot
+from bodymeasure.geodesic.numerics.grid_steps import SHORTEST, grid_steps
 from bodymeasure.geodesic.surfaces.bezier import Surface
 
-# Grid lines a side, and the longest step in them: steps in 16 directions, all coprime pairs up to
-# 3. Coarser grids missed paths round a bump that finer ones found.
+# Grid lines a side. Coarser grids missed paths round a bump that finer ones found.
 LINES = 13
-LONGEST = 3
 # Ends are joined to the grid points that are at most this far, in u and v, of a window of so many
 # lines each way that it holds them all.
 REACH = 2.5 / (LINES - 1)
 WINDOW = 6
-# A zero would read as "no edge": collapsed edges of a patch have such steps.
-SHORTEST = 1e-300
 
 
 class Trees(NamedTuple):
@@ -116,12 +112,10 @@ class _Grid(NamedTuple):
 def _grid() -> _Grid:
     places = _lattice(LINES)
     pairs = []
-    for i in range(LONGEST + 1):
-        for j in range(-LONGEST, LONGEST + 1):
-            if gcd(i, j) == 1 and (i > 0 or j > 0):
-                there = places + np.array([i, j])
-                inside = ((there >= 0) & (there < LINES)).all(axis=1)
-                pairs.append(np.stack([places[inside], there[inside]]))
+    for step in grid_steps():
+        there = places + np.array(step)
+        inside = ((there >= 0) & (there < LINES)).all(axis=1)
+        pairs.append(np.stack([places[inside], there[inside]]))
     ends = np.concatenate(pairs, axis=1)
     number = LINES * ends[..., 0] + ends[..., 1]
     tails, heads = number.ravel(), number[::-1].ravel()

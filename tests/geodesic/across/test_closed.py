@@ -18,7 +18,7 @@ from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic import ClosedPath, LoopKind, Status, contract
 from bodymeasure.geodesic.across.pieces.closed_error import loop_length
 from bodymeasure.geodesic.across.pieces.closed_refine import refine_loop
-from bodymeasure.geodesic.across.routes.closed_route import route_through
+from bodymeasure.geodesic.across.routes.through import route_through
 from bodymeasure.section import Plane, plane_section
 
 WAISTED = (2.0, 1.0, 1.0, 2.0)

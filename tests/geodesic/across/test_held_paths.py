@@ -32,7 +32,7 @@ def over_the_bulge() -> tuple[Atlas, Neighbors, Route]:
     atlas = cut(net, (0.5,), (), turn=False)
     neighbors = Neighbors(atlas)
     (over,) = neighbors.over[0, 1]
-    return atlas, neighbors, Route(Place(0, 0.0, 0.1), Place(1, 1.0, 0.1), (over,), (0.05,))
+    return atlas, neighbors, Route((Place(0, 0.0, 0.1), Place(1, 1.0, 0.1)), (over,), (0.05,))
 
 
 def test_free_and_held_parts_are_read_off_a_polygon() -> None:
@@ -63,7 +63,7 @@ def test_nothing_holds_a_path_that_would_rather_take_a_neighbor() -> None:
             [x - 0.5 * np.sin(np.pi * y) * np.sin(np.pi * x / 2.0), y, 0 * x], -1
         ),
     )
-    alone = Route(Place(0, 0.95, 0.05), Place(0, 0.95, 0.95), (), ())
+    alone = Route((Place(0, 0.95, 0.05), Place(0, 0.95, 0.95)))
     refined = refine(atlas, alone, 8, 1.0)
     assert refined.held_nodes.any()
     assert held_path(atlas, Neighbors(atlas), refined, 1e-9) is None
@@ -81,8 +81,7 @@ def test_routes_along_seams_are_put_on_either_side() -> None:
         for step in neighbors.ways(corner, goal)[0]
     ]
     route = Route(
-        Place(0, 1.0, 0.3),
-        Place(2, 1.0, 0.6),
+        (Place(0, 1.0, 0.3), Place(2, 1.0, 0.6)),
         tuple(step.crossing for step in steps),
         tuple(step.along for step in steps),
     )

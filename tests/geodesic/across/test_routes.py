@@ -84,7 +84,7 @@ def test_routes_read_off_the_mesh_hang_together(rng: np.random.Generator) -> Non
         ends = place_of(random_point(rng, atlas)), place_of(random_point(rng, atlas))
         route = first_route(atlas, neighbors, ends)
         assert route is not None
-        assert (route.start, route.end) == ends
+        assert route.ends == ends
         for number, crossing in enumerate(route.crossings):
             assert crossing in neighbors.over[route.patches[number], crossing.from_side]
             leave, enter = route.exit(number), route.entry(number + 1)
@@ -107,7 +107,7 @@ def problem() -> RouteProblem:
     goal = next(place for place in neighbors.same(corner) if place.patch == 3)
     way = next(way for way in neighbors.ways(corner, goal) if way[0].place.patch == 1)
     crossings = tuple(step.crossing for step in way)
-    route = Route(Place(0, 0.2, 0.3), Place(3, 0.4, 0.6), crossings, (0.4, 0.55))
+    route = Route((Place(0, 0.2, 0.3), Place(3, 0.4, 0.6)), crossings, (0.4, 0.55))
     return RouteProblem(atlas, route, polynomial_space(5), 2.0)
 
 
@@ -190,8 +190,7 @@ def around_the_corner(way: tuple[int, ...]) -> tuple[Neighbors, Route, Atlas]:
         if tuple(step.place.patch for step in steps) == way
     )
     route = Route(
-        Place(0, 0.5, 0.8),
-        Place(3, 0.1, 0.7),
+        (Place(0, 0.5, 0.8), Place(3, 0.1, 0.7)),
         tuple(step.crossing for step in steps),
         tuple(step.along for step in steps),
     )
@@ -214,7 +213,7 @@ def test_needless_crossings_are_taken_back_and_missing_ones_found() -> None:
     neighbors = Neighbors(atlas)
     (there,) = neighbors.over[0, 1]
     (back,) = neighbors.over[1, 0]
-    needless = Route(Place(0, 0.5, 0.1), Place(0, 0.6, 0.9), (there, back), (0.3, 0.6))
+    needless = Route((Place(0, 0.5, 0.1), Place(0, 0.6, 0.9)), (there, back), (0.3, 0.6))
     found = shortest_along(atlas, neighbors, needless, 1.0)
     assert found.refined.route.patches == (0,)
     assert found.length.corrected == pytest.approx(np.hypot(0.1, 0.8), rel=1e-12)
@@ -229,7 +228,7 @@ def test_a_neighbor_that_a_path_needs_is_found() -> None:
     neighbors = Neighbors(atlas)
     start, end = Place(0, 0.95, 0.05), Place(0, 0.95, 0.95)
     chord = np.linalg.norm(atlas.position(AtlasPoint(*end)) - atlas.position(AtlasPoint(*start)))
-    alone = Route(start, end, (), ())
+    alone = Route((start, end))
     assert refine(atlas, alone, 8, 1.0).length > chord * (1.0 + 1e-3)
     found = shortest_along(atlas, neighbors, alone, 1.0)
     assert found.refined.route.patches == (0, 1, 0)
@@ -244,7 +243,7 @@ def test_a_first_piece_without_length_is_trimmed() -> None:
         (Place(0, 1.0, 0.2), Place(1, 0.7, 0.9), 0.6),
         (Place(0, 0.3, 0.2), Place(1, 0.0, 0.9), 0.4),
     ):
-        found = shortest_along(atlas, neighbors, Route(start, end, (there,), (along,)), 1.0)
+        found = shortest_along(atlas, neighbors, Route((start, end), (there,), (along,)), 1.0)
         assert len(found.refined.route.patches) == 1
         chord = np.linalg.norm(
             atlas.position(AtlasPoint(*end)) - atlas.position(AtlasPoint(*start))

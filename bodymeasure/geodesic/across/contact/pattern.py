@@ -118,8 +118,7 @@ def free_route(polygon: Refined, part: FreePart) -> Route:
     (first, start), (last, end) = part.first, part.last
     route = polygon.route
     return Route(
-        place_at(polygon, first, start),
-        place_at(polygon, last, end),
+        (place_at(polygon, first, start), place_at(polygon, last, end)),
         route.crossings[first:last],
         route.along[first:last],
     )

@@ -19,7 +19,7 @@ from bodymeasure.geodesic.across.pieces.route_length import (
     EPSILON,
     RouteExpansion,
 )
-from bodymeasure.geodesic.across.routes.closed_route import ClosedRoute
+from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.lengths.functionals import expand
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.surfaces_of import surfaces_of
@@ -31,14 +31,14 @@ class ClosedProblem:
     Parameters
     ----------
     atlas : Atlas
-    route : ClosedRoute
+    route : Route
     space : TrialSpace
         Of each piece.
     size : float
         About the length of the loop, for scaling.
     """
 
-    def __init__(self, atlas: Atlas, route: ClosedRoute, space: TrialSpace, size: float) -> None:
+    def __init__(self, atlas: Atlas, route: Route, space: TrialSpace, size: float) -> None:
         self.route, self.space, self.size = route, space, size
         self.pieces = len(route.crossings)
         self.surface = surfaces_of(scaled(atlas.control_points[list(route.patches)], 1.0 / size))
@@ -97,9 +97,9 @@ class ClosedProblem:
             result[piece, :, -1] = route.exit(piece)[1:]
         return result
 
-    def at(self, unknowns: Array) -> ClosedRoute:
+    def at(self, unknowns: Array) -> Route:
         """The route that crosses its seams where the unknowns say."""
-        return ClosedRoute(self.route.crossings, tuple(unknowns[self.joints].tolist()))
+        return Route(None, self.route.crossings, tuple(unknowns[self.joints].tolist()))
 
     def bends(self, unknowns: Array) -> tuple[Array, Array, Array]:
         """Of each piece, the root, its gradient and its Hessian by the piece's unknowns."""

@@ -9,7 +9,7 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.geodesic.across.pieces.closed_length import ClosedProblem
 from bodymeasure.geodesic.across.pieces.route_refine import piece_lengths
-from bodymeasure.geodesic.across.routes.closed_route import ClosedRoute
+from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.numerics.box_newton import BoxMinimum, minimize_in_box
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 
@@ -39,7 +39,7 @@ class RefinedLoop:
         return float(self.lengths.sum()) * self.problem.size
 
     @property
-    def route(self) -> ClosedRoute:
+    def route(self) -> Route:
         """With its crossings where the loop has them."""
         return self.problem.at(self.minimum.unknowns)
 
@@ -56,14 +56,14 @@ class RefinedLoop:
 
 
 def refine_loop(
-    atlas: Atlas, route: ClosedRoute, degree: int, size: float, before: RefinedLoop | None = None
+    atlas: Atlas, route: Route, degree: int, size: float, before: RefinedLoop | None = None
 ) -> RefinedLoop:
     """The shortest loop along a route.
 
     Parameters
     ----------
     atlas : Atlas
-    route : ClosedRoute
+    route : Route
     degree : int
         Of the polynomial on each patch, at least 2.
     size : float

@@ -154,7 +154,7 @@ class RouteProblem:
             here if side is None else Place(here.patch, *on_side(side, float(unknowns[row])))
             for row, side, here in zip((0, -1), self.slides, self._ends, strict=True)
         )
-        return Route(start, end, self.route.crossings, along)
+        return Route((start, end), self.route.crossings, along)
 
     def expand(self, unknowns: Array) -> RouteExpansion:
         """The sum over the pieces, to the second order."""

@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import gcd
 
 import numpy as np
 import scipy
@@ -12,16 +11,12 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.topology.neighbors import Place
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.across.routes.mesh import whole_mesh
+from bodymeasure.geodesic.numerics.grid_steps import SHORTEST, grid_steps
 
 # Steps along each patch edge: the first that make for so many points, or else the last.
 SEGMENTS, ENOUGH = (4, 6, 8, 12, 16), 2000
-# The longest step over a patch's grid: steps in 16 directions, all coprime pairs up to 3. Ways of
-# such steps are a few percent too long.
-LONGEST = 3
 # A point is joined to the grid points this many steps away, in u and v.
 REACH = 1.5
-# A zero would read as "no step".
-SHORTEST = 1e-300
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,12 +90,10 @@ def _steps(number: Ints) -> tuple[Ints, Ints]:
     """The first and last vertices of all steps within patches, each in one direction."""
     lines = number.shape[1]
     first, last = [], []
-    for i in range(LONGEST + 1):
-        for j in range(-LONGEST, LONGEST + 1):
-            if gcd(i, j) == 1 and (i, j) > (0, 0):
-                low, high = max(0, -j), lines - max(0, j)
-                first.append(number[:, : lines - i, low:high].ravel())
-                last.append(number[:, i:, low + j : high + j].ravel())
+    for i, j in grid_steps():
+        low, high = max(0, -j), lines - max(0, j)
+        first.append(number[:, : lines - i, low:high].ravel())
+        last.append(number[:, i:, low + j : high + j].ravel())
     a, b = np.concatenate(first), np.concatenate(last)
     proper = (a >= 0) & (b >= 0) & (a != b)
     return a[proper], b[proper]

@@ -12,7 +12,7 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.topology.neighbors import Neighbors, Place, Step
 from bodymeasure.geodesic.across.routes.mesh import RouteMesh, at_weights, barycentric
 from bodymeasure.geodesic.across.routes.polyhedral import default_segments, polyhedral_path
-from bodymeasure.geodesic.across.routes.route import Route
+from bodymeasure.geodesic.across.routes.route import Route, snapped
 
 # Barycentric coordinates below this are on the side of a face: paths are given by positions, whose
 # rounding counts more in small faces.
@@ -22,8 +22,6 @@ ON_SIDE = 1e-7
 OFF = 1e-3
 # Steps along each patch edge of the meshes that are tried where a path cannot be read.
 COARSER = (5, 4)
-# Parameters this near to 0 or 1 are on the patch's edge: means of exact 0 or 1.
-ON_EDGE = 1e-9
 
 
 class Segments(NamedTuple):
@@ -80,7 +78,7 @@ def route_along(
     start, end = ends
     if not segments:
         ways = neighbors.ways(start, end) if start.patch != end.patch else [()]
-        return _route(start, end, ways[0]) if ways else None
+        return Route(ends).replaced(0, 0, [step[:2] for step in ways[0]]) if ways else None
     start = _nearest(neighbors.same(start), segments[0][0])
     end = _nearest(neighbors.same(end), segments[-1][1])
     steps: list[Step] = []
@@ -94,13 +92,7 @@ def route_along(
         steps += ways[0]
     if (start.patch, end.patch) != (segments[0][0].patch, segments[-1][1].patch):
         return None
-    return _route(start, end, tuple(steps))
-
-
-def _route(start: Place, end: Place, steps: tuple[Step, ...]) -> Route:
-    return Route(
-        start, end, tuple(step.crossing for step in steps), tuple(step.along for step in steps)
-    )
+    return Route((start, end)).replaced(0, 0, [step[:2] for step in steps])
 
 
 def _apart(first: Place, second: Place) -> float:
@@ -157,8 +149,4 @@ def _feet(mesh: RouteMesh, faces: NDArray[np.int64], point: Array) -> tuple[Arra
 def _place(mesh: RouteMesh, face: int, weights: Array) -> Place:
     weights = np.where(weights > ON_SIDE, weights, 0.0)
     u, v = at_weights(mesh, face, weights / weights.sum())
-    return Place(int(mesh.face_patch[face]), _snapped(u), _snapped(v))
-
-
-def _snapped(value: float) -> float:
-    return float(round(value)) if abs(value - round(value)) < ON_EDGE else float(value)
+    return snapped(int(mesh.face_patch[face]), u, v)

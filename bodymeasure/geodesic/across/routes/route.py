@@ -1,53 +1,119 @@
-"""A route over an atlas: patches in order, and the seams that are crossed between them."""
+"""A route over an atlas: the seams that a path or a loop crosses, one after the other."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 from bodymeasure.atlas.topology.neighbors import Crossing, Place, on_side
 
-# What tells routes apart, wherever on their seams they cross.
-RouteKey = tuple[tuple[int, ...], tuple[Crossing, ...]]
+# Parameters this near to 0 or 1 are on the patch's edge, but for rounding.
+ON_EDGE = 1e-9
+
+# What distinguishes routes, wherever on their seams they cross.
+RouteKey = tuple[int | None, tuple[Crossing, ...]]
 
 
 @dataclass(frozen=True)
 class Route:
-    """What a path crosses on its way, and about where.
+    """The seams that a path crosses, and about where.
+
+    The patches between the crossings are the route's pieces. A path has one piece more than
+    crossings. A loop has as many: crossing i enters its piece i, and the first crossing leaves its
+    last piece.
 
     Parameters
     ----------
-    start, end : Place
-        On the first and on the last patch.
+    ends : pair of Place or None
+        The start, on the first patch, and the end, on the last one; None for a loop.
     crossings : tuple of Crossing
-        In order; the first leaves the patch of the start.
+        In order.
     along : tuple of float
         Where each seam is crossed: the parameter in [0, 1] along the side that is left.
     """
 
-    start: Place
-    end: Place
-    crossings: tuple[Crossing, ...]
-    along: tuple[float, ...]
+    ends: tuple[Place, Place] | None
+    crossings: tuple[Crossing, ...] = ()
+    along: tuple[float, ...] = ()
+
+    @property
+    def closed(self) -> bool:
+        """Whether the route is that of a loop."""
+        return self.ends is None
 
     @property
     def patches(self) -> tuple[int, ...]:
-        """One patch more than crossings."""
-        return (self.start.patch, *(crossing.to_patch for crossing in self.crossings))
+        """The patch of each piece."""
+        entered = tuple(crossing.to_patch for crossing in self.crossings)
+        return entered if self.ends is None else (self.ends[0].patch, *entered)
+
+    @property
+    def start(self) -> Place:
+        """The start of the first piece."""
+        return self.entry(0)
+
+    @property
+    def end(self) -> Place:
+        """The end of the last piece."""
+        return self.exit(len(self.patches) - 1)
 
     @property
     def key(self) -> RouteKey:
-        """Equal for routes over the same patches and seams."""
-        return self.patches, self.crossings
+        """A value that routes over the same seams share, and loops wherever they begin."""
+        if self.ends is not None:
+            return self.ends[0].patch, self.crossings
+        turns = (self.crossings[i:] + self.crossings[:i] for i in range(len(self.crossings)))
+        return None, min(turns, default=())
 
     def entry(self, piece: int) -> Place:
-        """Where a piece starts, on its patch."""
-        if piece == 0:
-            return self.start
-        crossing, along = self.crossings[piece - 1], self.along[piece - 1]
-        along = 1.0 - along if crossing.flipped else along
-        return Place(crossing.to_patch, *on_side(crossing.to_side, along))
+        """The place where a piece starts, on its patch."""
+        if self.ends is not None and piece == 0:
+            return self.ends[0]
+        return self.entered_at(piece if self.ends is None else piece - 1)
 
     def exit(self, piece: int) -> Place:
-        """Where a piece ends, on its patch."""
-        if piece == len(self.crossings):
-            return self.end
-        side = self.crossings[piece].from_side
-        return Place(self.patches[piece], *on_side(side, self.along[piece]))
+        """The place where a piece ends, on its patch."""
+        if self.ends is None:
+            return self.left_at((piece + 1) % len(self.crossings))
+        return self.ends[1] if piece == len(self.crossings) else self.left_at(piece)
+
+    def left_at(self, crossing: int) -> Place:
+        """The place of a crossing on the patch that it leaves."""
+        # A number of -1, for the last piece, is right.
+        patch = self.patches[crossing - self.closed]
+        return Place(patch, *on_side(self.crossings[crossing].from_side, self.along[crossing]))
+
+    def entered_at(self, crossing: int) -> Place:
+        """The place of a crossing on the patch that it enters."""
+        over, along = self.crossings[crossing], self.along[crossing]
+        along = 1.0 - along if over.flipped else along
+        return Place(over.to_patch, *on_side(over.to_side, along))
+
+    def begun_at(self, first: int) -> "Route":
+        """The same loop, begun with another crossing."""
+        return Route(
+            self.ends,
+            self.crossings[first:] + self.crossings[:first],
+            self.along[first:] + self.along[:first],
+        )
+
+    def replaced(
+        self, first: int, last: int, steps: Sequence[tuple[Crossing, float]] = ()
+    ) -> "Route":
+        """The route with its crossings from `first` to before `last` replaced by others."""
+        return replace(
+            self,
+            crossings=(
+                *self.crossings[:first],
+                *(crossing for crossing, _ in steps),
+                *self.crossings[last:],
+            ),
+            along=(*self.along[:first], *(along for _, along in steps), *self.along[last:]),
+        )
+
+
+def snapped(patch: int, u: float, v: float) -> Place:
+    """A place, on the edge of its patch if it is beside that by no more than rounding."""
+    u, v = (
+        float(round(value)) if abs(value - round(value)) < ON_EDGE else float(value)
+        for value in (u, v)
+    )
+    return Place(patch, u, v)

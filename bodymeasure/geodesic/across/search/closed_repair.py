@@ -9,7 +9,7 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors
 from bodymeasure.geodesic.across.pieces.closed_refine import RefinedLoop
-from bodymeasure.geodesic.across.routes.closed_route import ClosedRoute
+from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.route_repair import OUTSIDE, SHORT, WORTHWHILE, corner_near
 from bodymeasure.geodesic.lengths.measure import measure_length
 
@@ -22,7 +22,7 @@ class _Change(NamedTuple):
     steps: tuple[tuple[Crossing, float], ...]
 
 
-def other_loops(neighbors: Neighbors, loop: RefinedLoop) -> Iterator[ClosedRoute]:
+def other_loops(neighbors: Neighbors, loop: RefinedLoop) -> Iterator[Route]:
     """Routes that may be shorter, the likeliest first.
 
     A loop that slides over the body is held by many corners at once, and by none once it is past
@@ -42,7 +42,7 @@ def other_loops(neighbors: Neighbors, loop: RefinedLoop) -> Iterator[ClosedRoute
     yield from (_changed(route, [change]) for change in corners)
 
 
-def _all_at_once(route: ClosedRoute, changes: list[_Change]) -> Iterator[ClosedRoute]:
+def _all_at_once(route: Route, changes: list[_Change]) -> Iterator[Route]:
     """With the first change of each stretch, if there are several."""
     chosen: list[_Change] = []
     for change in changes:
@@ -52,13 +52,13 @@ def _all_at_once(route: ClosedRoute, changes: list[_Change]) -> Iterator[ClosedR
         yield _changed(route, chosen)
 
 
-def _changed(route: ClosedRoute, changes: list[_Change]) -> ClosedRoute:
+def _changed(route: Route, changes: list[_Change]) -> Route:
     for change in reversed(changes):
         route = route.replaced(change.first, change.last, change.steps)
     return route
 
 
-def _outside_corners(route: ClosedRoute) -> int:
+def _outside_corners(route: Route) -> int:
     """A crossing before which the loop does not stay in a corner."""
     for piece in range(len(route.crossings)):
         corner = corner_near(route.entry(piece - 1))
@@ -67,7 +67,7 @@ def _outside_corners(route: ClosedRoute) -> int:
     return 0
 
 
-def _round_corners(neighbors: Neighbors, route: ClosedRoute) -> Iterator[_Change]:
+def _round_corners(neighbors: Neighbors, route: Route) -> Iterator[_Change]:
     """Round the other side of corners that a loop runs into or nearly so."""
     first, count = 0, len(route.crossings)
     while first < count:
@@ -90,7 +90,7 @@ def _round_corners(neighbors: Neighbors, route: ClosedRoute) -> Iterator[_Change
         first = last + 1
 
 
-def _without_returns(route: ClosedRoute, lengths: Array) -> Iterator[ClosedRoute]:
+def _without_returns(route: Route, lengths: Array) -> Iterator[Route]:
     """Without a piece that only goes over a seam and comes back."""
     count, patches = len(route.crossings), route.patches
     for piece in range(count):

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.seams import EDGES
-from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors
+from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.geodesic.across.pieces.closed_error import LoopKind, LoopLength, loop_length
 from bodymeasure.geodesic.across.pieces.closed_refine import RefinedLoop, refine_loop
-from bodymeasure.geodesic.across.routes.closed_route import ClosedRoute
+from bodymeasure.geodesic.across.routes.route import Route, RouteKey
 from bodymeasure.geodesic.across.search.closed_repair import other_loops
 from bodymeasure.geodesic.across.search.route_search import (
     CONTACT_SAFETY,
@@ -47,16 +47,14 @@ class FoundLoop:
     good: bool
 
 
-def contracted(
-    atlas: Atlas, neighbors: Neighbors, route: ClosedRoute, size: float
-) -> FoundLoop | None:
+def contracted(atlas: Atlas, neighbors: Neighbors, route: Route, size: float) -> FoundLoop | None:
     """The shortest loop that a route contracts to; None if that is a point.
 
     Parameters
     ----------
     atlas : Atlas
     neighbors : Neighbors
-    route : ClosedRoute
+    route : Route
     size : float
         About the length of the loop.
     """
@@ -97,7 +95,7 @@ def _repaired(
     not better by enough. None if nothing is left to cross.
     """
     degree, missed = best.problem.space.size, 0.0
-    tried: set[tuple[Crossing, ...]] = {best.route.key}
+    tried: set[RouteKey] = {best.route.key}
     improved = True
     while improved:
         improved = False

@@ -33,22 +33,6 @@ def other_routes(neighbors: Neighbors, refined: Refined) -> Iterator[Route]:
     yield from _round_corners(neighbors, route, corners_along_seams(neighbors, refined))
 
 
-def _replaced(
-    route: Route,
-    first: int,
-    last: int,
-    crossings: tuple[Crossing, ...] = (),
-    along: tuple[float, ...] = (),
-) -> Route:
-    """The route with its crossings from first to before last replaced."""
-    return Route(
-        route.start,
-        route.end,
-        route.crossings[:first] + crossings + route.crossings[last:],
-        route.along[:first] + along + route.along[last:],
-    )
-
-
 def _without_empty_ends(neighbors: Neighbors, refined: Refined, route: Route) -> Iterator[Route]:
     """Without a first or last piece that has no length, since its end lies on the seam."""
     total = refined.lengths.sum()
@@ -57,7 +41,7 @@ def _without_empty_ends(neighbors: Neighbors, refined: Refined, route: Route) ->
     if refined.lengths[0] < SHORT * total:
         for step in neighbors.steps(route.start):
             if step.crossing == route.crossings[0]:
-                yield Route(step.place, route.end, route.crossings[1:], route.along[1:])
+                yield Route((step.place, route.end), route.crossings[1:], route.along[1:])
     if refined.lengths[-1] < SHORT * total:
         last, patch = route.crossings[-1], route.patches[-2]
         for step in neighbors.steps(route.end):
@@ -68,7 +52,7 @@ def _without_empty_ends(neighbors: Neighbors, refined: Refined, route: Route) ->
                 last.from_side,
                 patch,
             ):
-                yield Route(route.start, step.place, route.crossings[:-1], route.along[:-1])
+                yield Route((route.start, step.place), route.crossings[:-1], route.along[:-1])
 
 
 def _without_returns(refined: Refined, route: Route) -> Iterator[Route]:
@@ -78,7 +62,7 @@ def _without_returns(refined: Refined, route: Route) -> Iterator[Route]:
         enter, leave = route.crossings[piece - 1 : piece + 1]
         returns = enter.edge == leave.edge and patches[piece - 1] == patches[piece + 1]
         if returns and refined.lengths[piece] < SHORT * refined.lengths.sum():
-            yield _replaced(route, piece - 1, piece + 1)
+            yield route.replaced(piece - 1, piece + 1)
 
 
 def over_missing_neighbors(neighbors: Neighbors, refined: Refined) -> Iterator[Route]:
@@ -129,7 +113,7 @@ def _detour(route: Route, piece: int, crossing: Crossing, along: Array) -> Route
     back = Crossing(crossing.edge, crossing.to_side, crossing.from_side, patch, crossing.flipped)
     leave, enter = along.tolist()
     enter = 1.0 - enter if crossing.flipped else enter
-    return _replaced(route, piece, piece, (crossing, back), (leave, enter))
+    return route.replaced(piece, piece, ((crossing, leave), (back, enter)))
 
 
 def _round_corners(neighbors: Neighbors, route: Route, passed: set[int]) -> Iterator[Route]:
@@ -149,11 +133,8 @@ def _round_corners(neighbors: Neighbors, route: Route, passed: set[int]) -> Iter
         enter = corner_near(route.entry(last + 1))
         current = route.crossings[first : last + 1]
         for way in neighbors.ways(leave, enter) if enter else ():
-            crossings = tuple(step.crossing for step in way)
-            if crossings != current:
-                yield _replaced(
-                    route, first, last + 1, crossings, tuple(step.along for step in way)
-                )
+            if tuple(step.crossing for step in way) != current:
+                yield route.replaced(first, last + 1, [step[:2] for step in way])
         first = last + 1
 
 

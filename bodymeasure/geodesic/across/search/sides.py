@@ -120,7 +120,7 @@ def _along(neighbors: Neighbors, route: Route, run: _Run, start: _Side) -> Route
             crossings.append(_over(neighbors, chosen))
             along.append(chosen.leave)
     crossings += route.crossings[last:]
-    return Route(begin, end, tuple(crossings), (*along, *route.along[last:]))
+    return Route((begin, end), tuple(crossings), (*along, *route.along[last:]))
 
 
 def _on_seam(neighbors: Neighbors, place: Place, side: _Side) -> Place | None:
