@@ -1,71 +1,13 @@
-"""Geodesic body measurements on atlases of Bezier patches, with stated errors."""
+"""Geodesic body measurements on atlases of Bezier patches, with stated errors.
 
-from bodymeasure.atlas import (
-    Atlas,
-    AtlasPoint,
-    Axes,
-    Finding,
-    Unit,
-    check_atlas,
-    convert_length,
-    tessellate,
-)
-from bodymeasure.bezier import homogeneous
-from bodymeasure.chart import load_definitions, measure_chart
-from bodymeasure.errors import (
-    BodymeasureError,
-    ConvergenceError,
-    InputError,
-    MissingExtraError,
-)
-from bodymeasure.formats import read_atlas, read_population, write_atlas, write_population
-from bodymeasure.geodesic import (
-    SEARCHES,
-    WU_C2,
-    WU_C4,
-    WU_C6,
-    WU_C10,
-    AtlasPath,
-    ClosedPath,
-    EdgeContact,
-    GeodesicSolution,
-    Kernel,
-    LoopKind,
-    PolynomialCollocation,
-    RBFCollocation,
-    Relaxation,
-    Ritz,
-    SeamCrossing,
-    Shooting,
-    Status,
-    contract,
-    geodesic_alternatives,
-    geodesic_between,
-    geodesics_between,
-    solve_geodesic,
-)
-from bodymeasure.measure import (
-    Drop,
-    Girth,
-    Survey,
-    body_girth,
-    boundary_lengths,
-    closed_geodesic,
-    diagonals,
-    drop,
-    extreme_girth,
-    fork,
-    limb_girth,
-    measure_atlas,
-    plane_girth,
-)
-from bodymeasure.mesh import MeshPath, measure_mesh, path_to_trimesh, write_glb
-from bodymeasure.samples import load_sample, sample_names
-from bodymeasure.section import Plane
-from bodymeasure.taut import TautStatus, TautTape, taut_tape
+Each public name is loaded when it is first asked for, so that ``import bodymeasure`` is quick and
+a program pays only for the parts that it uses.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING
 
 __all__ = [
-    "SEARCHES",
     "WU_C2",
     "WU_C4",
     "WU_C6",
@@ -90,10 +32,8 @@ __all__ = [
     "Plane",
     "PolynomialCollocation",
     "RBFCollocation",
-    "Relaxation",
     "Ritz",
     "SeamCrossing",
-    "Shooting",
     "Status",
     "Survey",
     "TautStatus",
@@ -104,7 +44,6 @@ __all__ = [
     "check_atlas",
     "closed_geodesic",
     "contract",
-    "convert_length",
     "diagonals",
     "drop",
     "extreme_girth",
@@ -131,3 +70,98 @@ __all__ = [
     "write_glb",
     "write_population",
 ]
+
+
+# The packages that hold the public names, each after those that it imports: a name is looked up in
+# this order, so that finding it loads little more than what it needs anyway.
+_HOMES = (
+    "errors",
+    "bezier",
+    "atlas",
+    "formats",
+    "samples",
+    "geodesic",
+    "section",
+    "taut",
+    "mesh",
+    "measure",
+    "chart",
+)
+
+if TYPE_CHECKING:
+    from bodymeasure.atlas import (
+        Atlas,
+        AtlasPoint,
+        Axes,
+        Finding,
+        Unit,
+        check_atlas,
+        tessellate,
+    )
+    from bodymeasure.bezier import homogeneous
+    from bodymeasure.chart import load_definitions, measure_chart
+    from bodymeasure.errors import (
+        BodymeasureError,
+        ConvergenceError,
+        InputError,
+        MissingExtraError,
+    )
+    from bodymeasure.formats import read_atlas, read_population, write_atlas, write_population
+    from bodymeasure.geodesic import (
+        WU_C2,
+        WU_C4,
+        WU_C6,
+        WU_C10,
+        AtlasPath,
+        ClosedPath,
+        EdgeContact,
+        GeodesicSolution,
+        Kernel,
+        LoopKind,
+        PolynomialCollocation,
+        RBFCollocation,
+        Ritz,
+        SeamCrossing,
+        Status,
+        contract,
+        geodesic_alternatives,
+        geodesic_between,
+        geodesics_between,
+        solve_geodesic,
+    )
+    from bodymeasure.measure import (
+        Drop,
+        Girth,
+        Survey,
+        body_girth,
+        boundary_lengths,
+        closed_geodesic,
+        diagonals,
+        drop,
+        extreme_girth,
+        fork,
+        limb_girth,
+        measure_atlas,
+        plane_girth,
+    )
+    from bodymeasure.mesh import MeshPath, measure_mesh, path_to_trimesh, write_glb
+    from bodymeasure.samples import load_sample, sample_names
+    from bodymeasure.section import Plane
+    from bodymeasure.taut import TautStatus, TautTape, taut_tape
+else:
+
+    def __getattr__(name: str) -> object:
+        """Load a public name, or a package that holds some, when it is first asked for."""
+        if name in _HOMES:
+            return import_module(f"{__name__}.{name}")
+        if name in __all__:
+            for home in _HOMES:
+                module = import_module(f"{__name__}.{home}")
+                if hasattr(module, name):
+                    globals()[name] = getattr(module, name)
+                    return globals()[name]
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+    def __dir__() -> list[str]:
+        """List the public names and the packages, whether they have been loaded or not."""
+        return sorted({*globals(), *__all__, *_HOMES})

@@ -212,14 +212,34 @@ def test_no_global_random_numbers(module: Module) -> None:
             assert node.attr in {"default_rng", "Generator"}, f"{module.name}:{node.lineno}"
 
 
-def test_importing_the_package_loads_nothing_heavy() -> None:
-    script = "import sys, bodymeasure; print('\\n'.join(sys.modules))"
+def _loaded(script: str) -> set[str]:
+    """Run a script in a new process and return the names of the modules that it loaded."""
+    script = f"import sys, bodymeasure as bm; {script}; print('\\n'.join(sys.modules))"
     run = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, check=True, timeout=60
     )
-    loaded = {name.split(".")[0] for name in run.stdout.split()}
-    assert "bodymeasure" in loaded
+    return set(run.stdout.split())
+
+
+def test_all_that_is_public_loads_nothing_heavy() -> None:
+    loaded = {name.split(".")[0] for name in _loaded("from bodymeasure import *")}
+    assert {"bodymeasure", "numpy", "scipy"} <= loaded
     assert loaded.isdisjoint(HEAVY), loaded & HEAVY
+
+
+@pytest.mark.parametrize(
+    ("script", "loaded"),
+    [
+        ("pass", set()),
+        ("bm.load_sample", {"atlas", "formats"}),
+        ("bm.solve_geodesic", {"atlas", "formats", "geodesic"}),
+    ],
+)
+def test_packages_are_loaded_when_they_are_first_asked_for(script: str, loaded: set[str]) -> None:
+    layers = {name.split(".")[1] for name in _loaded(script) if name.startswith("bodymeasure.")}
+    # What lies below atlases is small, and all of it is needed by whoever has one.
+    below = {layer for layer, level in LEVEL.items() if level < LEVEL["atlas"]}
+    assert layers - below - {"samples"} == loaded
 
 
 def test_the_repository_stands_alone() -> None:

@@ -1,7 +1,8 @@
 import numpy as np
 import pytest
 
-from bodymeasure import InputError, Unit, convert_length
+from bodymeasure import InputError, Unit
+from bodymeasure.atlas import convert_length
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ import resource
 import time
 
 import bodymeasure as bm
+from bodymeasure.atlas import convert_length
 from bodymeasure.chart import Chart, Outcome, load_definitions, measure_chart
 
 BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
@@ -53,7 +54,7 @@ def print_values(chart: Chart) -> None:
     for one in chart.measured:
         scale = 1.0
         if not getattr(one.definition, "angle", False):
-            scale = bm.convert_length(1.0, chart.atlas.unit, bm.Unit.CM)
+            scale = convert_length(1.0, chart.atlas.unit, bm.Unit.CM)
         lengths = " ".join(f"{scale * x:9.3f}" for x in (one.value, one.contact, one.taut))
         print(f"  {one.definition.key:36s} {lengths} {scale * one.error_estimate:8.0e}")
 

@@ -22,6 +22,7 @@ from helpers.oracles.profiles import profile_hull
 from numpy.typing import NDArray
 
 import bodymeasure as bm
+from bodymeasure.atlas import convert_length
 from bodymeasure.taut.skin import Skin, skin_of
 from bodymeasure.taut.solve import Drawn, draw_taut
 from bodymeasure.taut.tape import SEGMENTS
@@ -53,7 +54,7 @@ def pushed(skin: Skin, path: bm.AtlasPath, far: float) -> Drawn:
 def survey(name: str, pairs: list[tuple[bm.AtlasPoint, bm.AtlasPoint]], atlas: bm.Atlas) -> None:
     """Print how tapes between pairs of points come out."""
     skin = skin_of(atlas, "told")
-    far = bm.convert_length(PUSH, bm.Unit.M, atlas.unit)
+    far = convert_length(PUSH, bm.Unit.M, atlas.unit)
     statuses: Counter[str] = Counter()
     seconds, errors, push, finer = [], [], [], []
     ordered = covered = 0

@@ -26,6 +26,7 @@ from benchmarks.independent.reference import symmetric, wild_patches
 from helpers.surfaces.surfaces import SURFACES
 
 from bodymeasure._typing import Array
+from bodymeasure.geodesic import SEARCHES
 
 # As in the cross-check: the meshes' uncertainty, and what they can tell at all.
 DOUBT, RESOLUTION = 3.0, 1e-6
@@ -38,7 +39,7 @@ def compare(kind: str, nets: Array) -> None:
     mesh = mesh_distances(nets, starts, ends)
     exact, doubt = mesh.exact[:, 0], DOUBT * mesh.exact_uncertainty[:, 0]
     allowed = np.maximum(doubt, RESOLUTION * exact)
-    for search in bm.SEARCHES:
+    for search in SEARCHES:
         begin = time.process_time()
         solution = bm.solve_geodesic(
             nets, (0.0, 0.0), (1.0, 1.0), search=search, on_failure="status"

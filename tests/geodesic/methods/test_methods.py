@@ -16,7 +16,7 @@ from helpers.surfaces.surfaces import (
 
 import bodymeasure as bm
 from bodymeasure._typing import Array
-from bodymeasure.geodesic import Method
+from bodymeasure.geodesic import Method, Relaxation, Shooting
 from bodymeasure.geodesic.lengths.functionals import Functional, expand
 from bodymeasure.geodesic.solving.protocol import Piece
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
@@ -29,8 +29,8 @@ METHODS: dict[str, Method] = {
     "polynomials, full": bm.PolynomialCollocation(form="full"),
     "Ritz": bm.Ritz(),
     "Ritz, u = t": bm.Ritz(parametrization="u"),
-    "shooting": bm.Shooting(),
-    "relaxation": bm.Relaxation(),
+    "shooting": Shooting(),
+    "relaxation": Relaxation(),
 }
 every_method = pytest.mark.parametrize("method", METHODS.values(), ids=METHODS)
 # On the tangent developable, the geodesic is no polynomial and its parameters are far from linear.
@@ -159,7 +159,7 @@ def test_a_patch_without_area_has_no_length(method: Method) -> None:
         bm.PolynomialCollocation(8, tolerance=ANY),
         bm.Ritz(8, tolerance=ANY),
         bm.Ritz(8, parametrization="u", tolerance=ANY),
-        bm.Relaxation(33),
+        Relaxation(33),
     ],
     ids=["polynomials", "Ritz", "Ritz, u = t", "relaxation"],
 )
@@ -213,7 +213,7 @@ def test_relaxed_paths_are_of_second_order_and_their_lengths_of_fourth() -> None
     path, length = [], []
     widths = 1.0 / np.array([16, 24, 32])
     for points in (17, 25, 33):
-        piece = solved(bm.Relaxation(points, tolerance=NEVER), CURVED)
+        piece = solved(Relaxation(points, tolerance=NEVER), CURVED)
         path.append(np.abs(piece.values @ piece.space.matrices(t)[0].T - there).max())
         length.append(piece.measured.raw[0] / CURVED.length - 1.0)
     assert abs(np.polyfit(np.log(widths), np.log(path), 1)[0] - 2.0) < 0.1
@@ -226,7 +226,7 @@ def test_shooting_follows_its_tolerance() -> None:
     there = exact.values @ exact.space.matrices(t)[0].T
     # Polynomials of degree 12, through which the path is put, leave 1.4e-6.
     for rtol in (1e-2, 1e-3, 1e-4):
-        piece = solved(bm.Shooting(rtol=rtol, tolerance=NEVER), CURVED)
+        piece = solved(Shooting(rtol=rtol, tolerance=NEVER), CURVED)
         error = np.abs(piece.values @ piece.space.matrices(t)[0].T - there).max()
         assert error < 3.0 * rtol
 
@@ -278,7 +278,7 @@ def test_v_of_u_needs_ends_with_different_u() -> None:
 
 def test_a_batch_is_solved_as_its_problems_are(rng: np.random.Generator) -> None:
     nets = mild_patches(rng, 3)
-    for method in (bm.Ritz(), bm.PolynomialCollocation(), bm.Relaxation()):
+    for method in (bm.Ritz(), bm.PolynomialCollocation(), Relaxation()):
         batch = bm.solve_geodesic(nets, (0.0, 0.0), (1.0, 1.0), method=method)
         for net, length, error in zip(nets, batch.length, batch.error_estimate, strict=True):
             one = bm.solve_geodesic(net, (0.0, 0.0), (1.0, 1.0), method=method)
@@ -297,12 +297,12 @@ def test_a_batch_is_solved_as_its_problems_are(rng: np.random.Generator) -> None
         (lambda: bm.Ritz(order="eight"), "order is 'eight'"),  # type: ignore[arg-type]
         (lambda: bm.Ritz(tolerance=math.nan), "tolerance is nan"),
         (lambda: bm.Ritz(parametrization="v"), "expected 'arbitrary' or 'u'"),  # type: ignore[arg-type]
-        (lambda: bm.Shooting(rtol=1e-15), "rtol is 1e-15; expected a number from 1e-13 to 1"),
-        (lambda: bm.Shooting(rtol=None), "rtol is None"),  # type: ignore[arg-type]
-        (lambda: bm.Shooting(tolerance=-1.0), "tolerance is -1.0"),
-        (lambda: bm.Relaxation(points=6), "points is 6; .* at least 7"),
-        (lambda: bm.Relaxation(points=(9, 17)), "points is .* expected one whole"),  # type: ignore[arg-type]
-        (lambda: bm.Relaxation(tolerance=math.inf), "tolerance is inf"),
+        (lambda: Shooting(rtol=1e-15), "rtol is 1e-15; expected a number from 1e-13 to 1"),
+        (lambda: Shooting(rtol=None), "rtol is None"),  # type: ignore[arg-type]
+        (lambda: Shooting(tolerance=-1.0), "tolerance is -1.0"),
+        (lambda: Relaxation(points=6), "points is 6; .* at least 7"),
+        (lambda: Relaxation(points=(9, 17)), "points is .* expected one whole"),  # type: ignore[arg-type]
+        (lambda: Relaxation(tolerance=math.inf), "tolerance is inf"),
     ],
 )
 def test_settings_that_make_no_sense_are_refused(make: Callable[[], Method], message: str) -> None:
