@@ -74,6 +74,11 @@ RESERVED = {
 }
 # What `import bodymeasure` must not load.
 HEAVY = set(RESERVED)
+# What only the command line may use.
+OF_THE_COMMAND_LINE = {
+    *("print", "input", "exit", "quit", "sys.exit", "sys.stdout", "sys.stderr"),
+    *("np.seterr", "warnings.simplefilter", "warnings.filterwarnings"),
+}
 
 
 class Module(NamedTuple):
@@ -124,16 +129,18 @@ def test_every_module_has_a_layer() -> None:
     assert {module.layer for module in LAYERED} <= set(LEVEL)
 
 
-@pytest.mark.parametrize("module", LAYERED, ids=lambda module: module.name)
-def test_imports_point_downwards(module: Module) -> None:
-    for name, line in module.imports():
-        if name.split(".")[0] != "bodymeasure":
-            continue
-        # The package itself gathers all layers, so only those on top may take from it.
-        target = name.split(".")[1] if "." in name else ""
-        level = LEVEL.get(target, len(LAYERS) - 2)
-        allowed = target == module.layer or level < LEVEL[module.layer]
-        assert allowed, f"{module.name}, line {line}: {module.layer} must not import {name}"
+def test_imports_point_downwards() -> None:
+    faults = []
+    for module in LAYERED:
+        for name, line in module.imports():
+            if name.split(".")[0] != "bodymeasure":
+                continue
+            # The package itself gathers all layers, so only those on top may take from it.
+            target = name.split(".")[1] if "." in name else ""
+            level = LEVEL.get(target, len(LAYERS) - 2)
+            if target != module.layer and level >= LEVEL[module.layer]:
+                faults.append(f"{module.name}:{line}: {module.layer} must not import {name}")
+    assert not faults, "\n".join(faults)
 
 
 def _group(layer: str, path: str, levels: dict[str, int]) -> str:
@@ -150,24 +157,23 @@ def test_the_orders_name_what_there_is() -> None:
             assert path.is_dir() or path.with_suffix(".py").is_file(), f"{layer}: {name.strip()}"
 
 
-@pytest.mark.parametrize(
-    "module",
-    [module for module in LAYERED if module.layer in ORDERS],
-    ids=lambda module: module.name,
-)
-def test_groups_of_a_package_import_only_those_before_them(module: Module) -> None:
+@pytest.mark.parametrize("layer", ORDERS)
+def test_groups_of_a_package_import_only_those_before_them(layer: str) -> None:
     levels = {
         name.strip(): level
-        for level, names in enumerate(ORDERS[module.layer].split("·"))
+        for level, names in enumerate(ORDERS[layer].split("·"))
         for name in names.split(",")
     }
-    group = _group(module.layer, module.name, levels)
-    for name, line in module.imports():
-        if not group or not name.startswith(f"bodymeasure.{module.layer}."):
-            continue
-        target = _group(module.layer, name, levels)
-        allowed = target == group or levels.get(target, len(levels)) < levels[group]
-        assert allowed, f"{module.name}, line {line}: {group} must not import {name}"
+    faults = []
+    for module in LAYERED:
+        group = _group(layer, module.name, levels) if module.layer == layer else ""
+        for name, line in module.imports():
+            if not group or not name.startswith(f"bodymeasure.{layer}."):
+                continue
+            target = _group(layer, name, levels)
+            if target != group and levels.get(target, len(levels)) >= levels[group]:
+                faults.append(f"{module.name}:{line}: {group} must not import {name}")
+    assert not faults, "\n".join(faults)
 
 
 def test_no_folder_holds_more_files_than_a_reader_can_overlook() -> None:
@@ -175,41 +181,49 @@ def test_no_folder_holds_more_files_than_a_reader_can_overlook() -> None:
     files = [path for folder in folders for path in folder.rglob("*.py")]
     counts = Counter(path.parent for path in files)
     crowded = {str(folder): count for folder, count in counts.items() if count > MOST_FILES}
-    assert not crowded
+    assert not crowded, f"more than {MOST_FILES} Python files: {crowded}"
 
 
-@pytest.mark.parametrize("module", MODULES, ids=lambda module: module.name)
-def test_packages_are_imported_only_where_they_belong(module: Module) -> None:
-    for name, line in module.imports():
-        package = name.split(".")[0]
-        allowed = RESERVED.get(package, {module.layer})
-        assert module.layer in allowed, f"{module.name}, line {line}: imports {name}"
+def test_packages_are_imported_only_where_they_belong() -> None:
+    faults = []
+    for module in MODULES:
+        for name, line in module.imports():
+            allowed = RESERVED.get(name.split(".")[0], {module.layer})
+            if module.layer not in allowed:
+                faults.append(f"{module.name}:{line}: imports {name}")
+    assert not faults, "\n".join(faults)
 
 
-@pytest.mark.parametrize("module", MODULES, ids=lambda module: module.name)
-def test_only_the_command_line_prints_or_exits(module: Module) -> None:
-    if module.layer == "cli":
-        return
-    for node in ast.walk(module.tree):
-        if isinstance(node, ast.Name):
-            assert node.id not in {"print", "input", "exit", "quit"}, f"{module.name}:{node.lineno}"
-        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
-            called = f"{node.value.id}.{node.attr}"
-            assert called not in {
-                "sys.exit",
-                "sys.stdout",
-                "sys.stderr",
-                "np.seterr",
-                "warnings.simplefilter",
-                "warnings.filterwarnings",
-            }, f"{module.name}:{node.lineno}: {called}"
+def _named(node: ast.AST) -> str:
+    """A name, or an attribute of a name, as it is written; or ""."""
+    if isinstance(node, ast.Name):
+        return node.id
+    if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+        return f"{node.value.id}.{node.attr}"
+    return ""
 
 
-@pytest.mark.parametrize("module", MODULES, ids=lambda module: module.name)
-def test_no_global_random_numbers(module: Module) -> None:
-    for node in ast.walk(module.tree):
-        if isinstance(node, ast.Attribute) and ast.unparse(node.value) in {"np.random", "random"}:
-            assert node.attr in {"default_rng", "Generator"}, f"{module.name}:{node.lineno}"
+def test_only_the_command_line_prints_or_exits() -> None:
+    faults = [
+        f"{module.name}:{node.lineno}: {_named(node)}"
+        for module in MODULES
+        if module.layer != "cli"
+        for node in ast.walk(module.tree)
+        if isinstance(node, ast.Name | ast.Attribute) and _named(node) in OF_THE_COMMAND_LINE
+    ]
+    assert not faults, "\n".join(faults)
+
+
+def test_no_global_random_numbers() -> None:
+    faults = [
+        f"{module.name}:{node.lineno}: {ast.unparse(node)}"
+        for module in MODULES
+        for node in ast.walk(module.tree)
+        if isinstance(node, ast.Attribute)
+        and node.attr not in {"default_rng", "Generator"}
+        and ast.unparse(node.value) in {"np.random", "random"}
+    ]
+    assert not faults, "\n".join(faults)
 
 
 def _loaded(script: str) -> set[str]:
@@ -256,12 +270,13 @@ def test_the_repository_stands_alone() -> None:
             assert text.encode() not in content, f"{path} mentions {text}"
 
 
-@pytest.mark.parametrize("name", sorted(bodymeasure.__all__))
-def test_public_names_are_documented(name: str) -> None:
-    member = getattr(bodymeasure, name)
-    if not (inspect.isclass(member) or inspect.isroutine(member)):
-        return
-    documentation = inspect.getdoc(member) or ""
-    # Dataclasses without a docstring are given their signature.
-    assert documentation, f"{name} has no docstring"
-    assert not documentation.startswith(f"{name}("), f"{name} has no docstring"
+def test_public_names_are_documented() -> None:
+    undocumented = []
+    for name in bodymeasure.__all__:
+        member = getattr(bodymeasure, name)
+        documentation = inspect.getdoc(member) or ""
+        # Dataclasses without a docstring are given their signature.
+        documented = documentation and not documentation.startswith(f"{name}(")
+        if (inspect.isclass(member) or inspect.isroutine(member)) and not documented:
+            undocumented.append(name)
+    assert not undocumented
