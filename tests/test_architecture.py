@@ -34,8 +34,8 @@ LAYERS = (
     ("measure",),
     ("chart",),
     ("scene",),
-    ("bench", "report", "viewer"),
-    ("compare", "paper"),
+    ("report", "viewer"),
+    ("bench", "compare", "paper"),
     ("cli", "plugin"),
     ("__main__", "_build"),
 )
@@ -49,6 +49,7 @@ ORDERS = {
     "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"
     " across/pieces, solving · contact, graph · across/contact, methods, shortest · across/search",
     "measure": "patches · body",
+    "report": "files, serial, units · numbers · templating · landmarks · patches · body",
     "scene": "model · clip · camera, colors · lighting · figures · drawing · diagonals · tapes",
 }
 MOST_FILES = 15

@@ -1,7 +1,7 @@
 """Methods side by side: error against time, growth with the number of patches, where time goes."""
 
 from bodymeasure.bench.figure import error_against_time
-from bodymeasure.bench.records import BenchDocument, to_csv, to_json
+from bodymeasure.bench.records import BenchDocument, to_csv
 from bodymeasure.bench.run import benchmark_steps, run_benchmark
 from bodymeasure.bench.size import FULL, QUICK, Size
 from bodymeasure.bench.write import write_benchmark
@@ -15,6 +15,5 @@ __all__ = [
     "error_against_time",
     "run_benchmark",
     "to_csv",
-    "to_json",
     "write_benchmark",
 ]

@@ -3,12 +3,11 @@
 Null stands where there is no such value; every number is finite.
 """
 
-import csv
-import io
 from typing import Final
 
-import msgspec
 from msgspec import Struct
+
+from bodymeasure.report.serial import records_csv
 
 FORMAT: Final = "bodymeasure benchmark"
 VERSION: Final = 1
@@ -105,16 +104,6 @@ class BenchDocument(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     figures: list[Figure]
 
 
-def to_json(document: BenchDocument) -> bytes:
-    """A document as JSON, indented; every float round-trips."""
-    return msgspec.json.format(msgspec.json.encode(document), indent=1) + b"\n"
-
-
 def to_csv(document: BenchDocument) -> bytes:
-    """The results as CSV (RFC 4180, UTF-8) with a header row; null is an empty field."""
-    text = io.StringIO(newline="")
-    writer = csv.writer(text, lineterminator="\r\n")
-    writer.writerow(Result.__struct_fields__)
-    for result in document.results:
-        writer.writerow(getattr(result, field) for field in result.__struct_fields__)
-    return text.getvalue().encode()
+    """Return the results as CSV (RFC 4180, UTF-8) with a header row; null is an empty field."""
+    return records_csv(Result, document.results)

@@ -3,8 +3,9 @@
 from pathlib import Path
 
 from bodymeasure.bench.figure import error_against_time
-from bodymeasure.bench.records import BenchDocument, to_csv, to_json
-from bodymeasure.files import make_folder, write_all
+from bodymeasure.bench.records import BenchDocument, to_csv
+from bodymeasure.report.files import write_files
+from bodymeasure.report.serial import indented_json
 
 
 def write_benchmark(document: BenchDocument, folder: Path) -> tuple[Path, ...]:
@@ -28,11 +29,11 @@ def write_benchmark(document: BenchDocument, folder: Path) -> tuple[Path, ...]:
     InputError
         If the folder cannot be made or written to, or the disk is full.
     """
-    contents = {
-        folder / "error_against_time.svg": error_against_time(document),
-        folder / "bench.json": to_json(document),
-        folder / "bench.csv": to_csv(document),
-    }
-    make_folder(folder)
-    write_all(contents)
-    return tuple(contents)
+    return write_files(
+        folder,
+        {
+            "error_against_time.svg": error_against_time(document),
+            "bench.json": indented_json(document),
+            "bench.csv": to_csv(document),
+        },
+    )

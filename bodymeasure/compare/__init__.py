@@ -6,13 +6,7 @@ from bodymeasure.compare.names import Known, known_from
 from bodymeasure.compare.page import render_comparison
 from bodymeasure.compare.read import read_readings
 from bodymeasure.compare.readings import Reading, Readings, readings_of
-from bodymeasure.compare.records import (
-    VERDICTS,
-    Comparison,
-    comparison_schema,
-    comparison_to_csv,
-    comparison_to_json,
-)
+from bodymeasure.compare.records import VERDICTS, Comparison, comparison_to_csv
 
 __all__ = [
     "MINIMUM_SUBJECTS",
@@ -22,9 +16,7 @@ __all__ = [
     "Reading",
     "Readings",
     "compare",
-    "comparison_schema",
     "comparison_to_csv",
-    "comparison_to_json",
     "known_from",
     "read_readings",
     "readings_of",

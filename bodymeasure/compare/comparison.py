@@ -9,7 +9,7 @@ from bodymeasure.compare.names import Known, Vocabulary
 from bodymeasure.compare.readings import Reading, Readings, converted
 from bodymeasure.compare.records import Comparison, Difference
 from bodymeasure.errors import InputError
-from bodymeasure.report.body.records import DEGREES, ValueUnit
+from bodymeasure.report.units import DEGREES, ValueUnit
 
 # Of each kind of note; the rest is counted.
 NAMED = 20

@@ -4,8 +4,8 @@ from bodymeasure.compare import shown
 from bodymeasure.compare.records import VERDICTS, Comparison
 from bodymeasure.report.body.tape import tape_text
 from bodymeasure.report.numbers import NONE
-from bodymeasure.report.patches.views import UNIT_NAMES
 from bodymeasure.report.templating import moment, render_page
+from bodymeasure.report.units import UNIT_NAMES
 
 TONES = {"within": "good", "exceeds": "poor", "too few subjects": "fair", "no class": ""}
 MARKS = {"within": "✓", "exceeds": "✕", "too few subjects": "△", "no class": NONE}

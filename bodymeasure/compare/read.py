@@ -13,7 +13,8 @@ from bodymeasure.atlas import Unit
 from bodymeasure.compare.readings import Reading, Readings, readings_of
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes
-from bodymeasure.report.body.records import DEGREES, SCHEMA, ChartDocument
+from bodymeasure.report.body.records import SCHEMA, ChartDocument
+from bodymeasure.report.units import DEGREES
 
 # Columns, each with the names that it may have; those of a chart's CSV are among them.
 COLUMNS = {

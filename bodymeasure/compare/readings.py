@@ -5,7 +5,8 @@ from dataclasses import dataclass, field
 from bodymeasure.atlas import Unit, convert_length
 from bodymeasure.compare.names import Known
 from bodymeasure.errors import InputError
-from bodymeasure.report.body.records import DEGREES, ChartDocument
+from bodymeasure.report.body.records import ChartDocument
+from bodymeasure.report.units import DEGREES
 
 
 @dataclass(frozen=True)

@@ -1,11 +1,11 @@
 """What a comparison holds, as JSON and CSV, and its schema."""
 
-from typing import Annotated, Any, Final, Literal
+from typing import Annotated, Final, Literal
 
 from msgspec import Meta, Struct
 
-from bodymeasure.report.body.records import LengthUnit, ValueUnit
-from bodymeasure.report.serial import csv_bytes, json_bytes, struct_schema
+from bodymeasure.report.serial import records_csv
+from bodymeasure.report.units import LengthUnit, ValueUnit
 
 SCHEMA: Final = "bodymeasure comparison"
 
@@ -85,22 +85,6 @@ class Comparison(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     differences: list[Difference]
 
 
-def comparison_schema() -> dict[str, Any]:
-    """JSON Schema (draft 2020-12) of a comparison."""
-    return struct_schema(Comparison, SCHEMA)
-
-
-def comparison_to_json(comparison: Comparison) -> bytes:
-    """A comparison as JSON, one record a line; every float round-trips."""
-    return json_bytes(comparison)
-
-
 def comparison_to_csv(comparison: Comparison) -> bytes:
-    """The differences as CSV (RFC 4180, UTF-8); the columns are the fields of `Difference`."""
-    return csv_bytes(
-        Difference.__struct_fields__,
-        (
-            [getattr(each, field) for field in Difference.__struct_fields__]
-            for each in comparison.differences
-        ),
-    )
+    """Return the differences as CSV (RFC 4180, UTF-8), with the fields of `Difference`."""
+    return records_csv(Difference, comparison.differences)

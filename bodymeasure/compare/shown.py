@@ -1,8 +1,9 @@
 """Differences as people read them, on the page and in the terminal."""
 
 from bodymeasure.compare.records import Agreement, Difference
-from bodymeasure.report.body.tape import TAPE_DECIMALS, small_text
+from bodymeasure.report.body.tape import small_text
 from bodymeasure.report.numbers import MINUS, NONE, SPACE
+from bodymeasure.report.units import DEGREES, TAPE_DECIMALS
 
 # A tenth of a millimeter and its like: differences are means of many readings.
 EXTRA_DECIMALS = 1
@@ -21,7 +22,7 @@ def signed(value: float | None, unit: str) -> str:
 def error_text(difference: Difference) -> str:
     """The combined error of a difference with its unit; a dash for none."""
     error = difference.combined_error
-    if difference.unit == "deg":
+    if difference.unit == DEGREES:
         return NONE if error is None else f"{error:.1g}°"
     return small_text(error, difference.unit)
 

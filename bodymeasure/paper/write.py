@@ -3,13 +3,12 @@
 from pathlib import Path
 from typing import Final
 
-import msgspec
-
-from bodymeasure.files import make_folder, write_all
 from bodymeasure.paper.page.page import render_page
 from bodymeasure.paper.page.summary import render_summary
 from bodymeasure.paper.reproduce import Reproduction
 from bodymeasure.paper.tables.table import to_csv, to_record
+from bodymeasure.report.files import write_files
+from bodymeasure.report.serial import indented_json
 
 SCHEMA: Final = "bodymeasure paper"
 VERSION: Final = 1
@@ -36,15 +35,15 @@ def write_reproduction(found: Reproduction, folder: Path) -> tuple[Path, ...]:
     InputError
         If the folder cannot be made or written to, or the disk is full.
     """
-    contents = {
-        folder / "paper.html": render_page(found),
-        folder / "summary.md": render_summary(found),
-        folder / "tables.json": to_json(found),
-        folder / "tables.csv": to_csv(found.tables),
-    }
-    make_folder(folder)
-    write_all(contents)
-    return tuple(contents)
+    return write_files(
+        folder,
+        {
+            "paper.html": render_page(found),
+            "summary.md": render_summary(found),
+            "tables.json": to_json(found),
+            "tables.csv": to_csv(found.tables),
+        },
+    )
 
 
 def to_json(found: Reproduction) -> bytes:
@@ -62,4 +61,4 @@ def to_json(found: Reproduction) -> bytes:
         "seconds": found.seconds,
         "tables": {table.name: to_record(table) for table in found.tables},
     }
-    return msgspec.json.format(msgspec.json.encode(document), indent=1) + b"\n"
+    return indented_json(document)

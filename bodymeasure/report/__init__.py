@@ -1,23 +1,18 @@
-"""What a survey found, for people (``report.html``) and programs (JSON, CSV).
+"""What a survey found, for people (``report.html``) and for programs (JSON, CSV).
 
-Importing this does not load jinja2; rendering a page does.
+Importing this package does not load jinja2; rendering a page does.
 """
 
 from bodymeasure.report.patches.from_survey import measurement_records, survey_document
+from bodymeasure.report.patches.outputs import write_report
 from bodymeasure.report.patches.page import Pictures, render_html
 from bodymeasure.report.patches.ranking import closeup_patches, disagreements
-from bodymeasure.report.patches.records import (
-    Document,
-    Measurement,
-    json_schema,
-    to_csv,
-    to_json,
-)
-from bodymeasure.report.patches.write import write_report
+from bodymeasure.report.patches.records import Document, PatchRecord, to_csv
+from bodymeasure.report.serial import json_schema, to_json
 
 __all__ = [
     "Document",
-    "Measurement",
+    "PatchRecord",
     "Pictures",
     "closeup_patches",
     "disagreements",

@@ -1,11 +1,10 @@
-"""What `bodymeasure landmarks` prints: the landmarks of an atlas, and how symmetric they are."""
+"""The output of `bodymeasure landmarks`: the landmarks of an atlas, and how symmetric they are."""
 
 from typing import Literal
 
-import numpy as np
 from msgspec import Struct
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Unit, convert_length
 from bodymeasure.chart.kinds.definitions import Definitions
 from bodymeasure.chart.kinds.needed import lacking, names_in
@@ -13,14 +12,14 @@ from bodymeasure.chart.landmarks.derive import Derived, derive_landmarks
 from bodymeasure.chart.landmarks.names import other_side, suggested_name
 from bodymeasure.chart.landmarks.symmetry import SymmetryCheck, check_symmetry
 from bodymeasure.chart.landmarks.words import rule_words
-from bodymeasure.report.serial import csv_bytes
+from bodymeasure.report.serial import csv_bytes, records_csv
 
-# In metres: experienced measurers find a landmark on a body again within about that.
+# In meters. Experienced measurers find a landmark on a body again within about this distance.
 SYMMETRIC_WITHIN = 0.005
 
 
 class LandmarkRecord(Struct, frozen=True):
-    """A landmark: where it is, and whether it was picked or follows by a rule (in words)."""
+    """A landmark: where it is, and whether it was picked or a rule gives it, in words."""
 
     name: str
     patch: str
@@ -69,9 +68,9 @@ def landmarks_document(
     atlas : Atlas
     definitions : Definitions
     unit : Unit or str
-        Of the positions.
+        Unit of the positions.
     name : str
-        Of the atlas, where it has none itself.
+        Name of the atlas, for one that has none itself.
 
     Raises
     ------
@@ -115,7 +114,7 @@ def _landmarks(atlas: Atlas, derived: Derived, unit: Unit) -> list[LandmarkRecor
 
 
 def landmarks_to_csv(document: LandmarksDocument) -> bytes:
-    """The landmarks that are there, and those that are missing, as CSV."""
+    """Return the landmarks that are there, and those that are missing, as CSV."""
     columns = (*LandmarkRecord.__struct_fields__, "missing")
     rows: list[list[object]] = [
         [*(getattr(record, field) for field in LandmarkRecord.__struct_fields__), None]
@@ -127,10 +126,10 @@ def landmarks_to_csv(document: LandmarksDocument) -> bytes:
 
 
 class CheckedLandmark(Struct, frozen=True):
-    """What a check of symmetry and names says about a landmark.
+    """The result of checking the symmetry and the name of a landmark.
 
-    `distance` is that of the mirrored landmark from its partner, or of a landmark without side from
-    the mirror; `remark` is empty where there is nothing to look at.
+    `distance` is that of the mirrored landmark from its partner, or that of a landmark without a
+    side from the mirror; `remark` is empty where nothing is wrong.
     """
 
     name: str
@@ -142,7 +141,7 @@ class CheckedLandmark(Struct, frozen=True):
 class SymmetryDocument(Struct, frozen=True):
     """How symmetric an atlas's landmarks are, and how well they are named; lengths in `unit`.
 
-    `deviation` is that of the surface from its mirror image, root mean square.
+    `deviation` is the root mean square distance of the surface from its mirror image.
     """
 
     atlas: str
@@ -175,14 +174,14 @@ def symmetry_document(
     ----------
     atlas : Atlas
     definitions : Definitions
-        Whose names are known, besides those of ISO 8559-1.
+        Their names are known, besides those of ISO 8559-1.
     unit : Unit or str
     mirror : {"fitted", "axes"}
         As in `check_symmetry`.
     within : float, optional
-        What counts as symmetric, in `unit`; 5 mm if not given.
+        The largest distance that counts as symmetric, in `unit`; 5 mm if not given.
     name : str
-        Of the atlas, where it has none itself.
+        Name of the atlas, for one that has none itself.
     """
     unit = Unit.parse(unit)
     found = check_symmetry(atlas, mirror)
@@ -207,7 +206,7 @@ def symmetry_document(
     )
 
 
-def _triple(vector: NDArray[np.float64]) -> tuple[float, float, float]:
+def _triple(vector: Array) -> tuple[float, float, float]:
     x, y, z = vector.tolist()
     return x, y, z
 
@@ -237,8 +236,5 @@ def _names(atlas: Atlas, definitions: Definitions) -> list[CheckedLandmark]:
 
 
 def symmetry_to_csv(document: SymmetryDocument) -> bytes:
-    """What was checked as CSV."""
-    fields = CheckedLandmark.__struct_fields__
-    return csv_bytes(
-        fields, [[getattr(record, field) for field in fields] for record in document.landmarks]
-    )
+    """Return the landmarks that were checked as CSV."""
+    return records_csv(CheckedLandmark, document.landmarks)

@@ -4,14 +4,12 @@ import re
 from typing import TYPE_CHECKING
 
 from bodymeasure.atlas import Unit, convert_length
+from bodymeasure.report.units import LENGTH_DECIMALS
 
 if TYPE_CHECKING:
     from markupsafe import Markup
 
-# A tape is read to the millimetre; one tenth of that is shown (inches: to 0.25 mm).
-DECIMALS = {Unit.M: 4, Unit.CM: 2, Unit.MM: 1, Unit.INCH: 2}
-
-# A tenth of a micrometer is far below what any garment or scan knows.
+# A tenth of a micrometer is far smaller than what matters to any garment or scan.
 SMALLEST_MILLIMETERS = 0.0001
 
 NONE = "\N{EN DASH}"
@@ -22,12 +20,17 @@ _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def length_text(length: float | None, unit: Unit | str) -> str:
-    """A length without its unit, to a tenth of a millimetre or so; a dash for none."""
-    return NONE if length is None else f"{length:.{DECIMALS[Unit.parse(unit)]}f}"
+    """Return a length without its unit, to a tenth of a millimeter or so; a dash for None."""
+    return NONE if length is None else f"{length:.{LENGTH_DECIMALS[Unit.parse(unit)]}f}"
+
+
+def fixed(value: float, decimals: int) -> str:
+    """Return a number with so many decimals; never minus zero."""
+    return f"{round(value, decimals) + 0.0:.{decimals}f}"
 
 
 def scientific(value: float | None, *, signed: bool = False) -> str:
-    """A small number as a mantissa and a power of ten; a dash for none."""
+    """Return a small number as a mantissa and a power of ten; a dash for None."""
     if value is None:
         return NONE
     if value == 0.0:
@@ -38,7 +41,7 @@ def scientific(value: float | None, *, signed: bool = False) -> str:
 
 
 def percent(value: float | None, decimals: int = 2) -> str:
-    """A signed ratio in percent; a dash for none."""
+    """Return a signed ratio in percent; a dash for None."""
     if value is None:
         return NONE
     text = f"{100.0 * value:+.{decimals}f}"
@@ -48,7 +51,7 @@ def percent(value: float | None, decimals: int = 2) -> str:
 
 
 def millimeters(length: float | None, unit: Unit | str) -> str:
-    """The size of a small length in millimeters with its unit; a dash for none."""
+    """Return the size of a small length in millimeters with its unit; a dash for None."""
     if length is None:
         return NONE
     value = abs(convert_length(length, Unit.parse(unit), Unit.MM))
@@ -59,24 +62,24 @@ def millimeters(length: float | None, unit: Unit | str) -> str:
 
 
 def at_most(length: float | None, unit: Unit | str) -> str:
-    """A bound in words: ``at most 0.012 mm`` or ``less than 0.0001 mm``."""
+    """Return a bound in words: ``at most 0.012 mm`` or ``less than 0.0001 mm``."""
     return as_bound(millimeters(length, unit))
 
 
 def as_bound(size: str) -> str:
-    """The size of a small length as a bound in words."""
+    """Return the size of a small length as a bound in words."""
     return size.replace("<", "less than") if size.startswith("<") else f"at most {size}"
 
 
 def with_code(text: str) -> "Markup":
-    """Text with what stands between backquotes marked as code."""
+    """Return a text in which the parts between backquotes are marked as code."""
     from markupsafe import Markup, escape
 
     return Markup(re.sub("`([^`]+)`", r"<code>\1</code>", str(escape(text))))
 
 
 def unbroken(name: str) -> "Markup":
-    """A name in which no line ends inside a number such as ``3-2``."""
+    """Return a name in which no line is broken inside a number such as ``3-2``."""
     from markupsafe import Markup, escape
 
     number = r"(?<!\S)(\w{1,4}-\w{1,4})(?!\S)"

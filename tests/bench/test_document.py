@@ -17,12 +17,12 @@ from bodymeasure.bench import (
     benchmark_steps,
     error_against_time,
     to_csv,
-    to_json,
     write_benchmark,
 )
 from bodymeasure.bench.entrants.entrants import DEFAULT, entrants
 from bodymeasure.bench.records import Result
 from bodymeasure.errors import InputError
+from bodymeasure.report.serial import indented_json
 
 
 def refuse(constant: str) -> None:
@@ -40,7 +40,7 @@ def numbers(value: object) -> list[float]:
 
 def test_json_holds_all_and_is_finite() -> None:
     document = small_benchmark()
-    content = to_json(document)
+    content = indented_json(document)
     found = numbers(json.loads(content, parse_constant=refuse))
     assert len(found) > 100
     assert all(map(math.isfinite, found))
@@ -151,7 +151,7 @@ def test_files_are_written_together_or_not_at_all(tmp_path: Path) -> None:
         "bench.json",
         "error_against_time.svg",
     ]
-    assert files[1].read_bytes() == to_json(document)
+    assert files[1].read_bytes() == indented_json(document)
     (tmp_path / "other" / "bench.csv").mkdir(parents=True)
     with pytest.raises(InputError, match=r"bench\.csv: cannot be written"):
         write_benchmark(document, tmp_path / "other")

@@ -8,13 +8,14 @@ from helpers.command_line import Run
 
 from bodymeasure.cli.measuring.compare import MINIMUM_SUBJECTS
 from bodymeasure.compare import MINIMUM_SUBJECTS as STANDARD
-from bodymeasure.report.body import chart_document, chart_to_csv, chart_to_json
+from bodymeasure.report.body import chart_document, chart_to_csv
+from bodymeasure.report.serial import to_json
 
 
 @pytest.fixture
 def chart(tmp_path: Path) -> Path:
     path = tmp_path / "chart.json"
-    path.write_bytes(chart_to_json(chart_document(hand_made_chart(), "inch")))
+    path.write_bytes(to_json(chart_document(hand_made_chart(), "inch")))
     return path
 
 
@@ -50,7 +51,7 @@ def test_two_charts_of_one_body_go_by_their_files(run: Run, chart: Path, tmp_pat
     assert (ran.code, ran.err) == (0, "")
     assert ran.out.startswith(f"A {chart}, B {other}, in inch\n")
     table = tmp_path / "chart.csv"
-    table.write_bytes(chart_to_csv(chart_document(hand_made_chart(), "mm").measurements))
+    table.write_bytes(chart_to_csv(chart_document(hand_made_chart(), "mm")))
     ran = run("compare", chart, table)
     assert (ran.code, ran.err) == (0, "")
     assert re.search(r"^Bust girth +35\.95 +35\.95 +0\.000 +0\.00\s% ", ran.out, re.M)

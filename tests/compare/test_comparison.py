@@ -18,15 +18,14 @@ from bodymeasure.compare import (
     Reading,
     Readings,
     compare,
-    comparison_schema,
     comparison_to_csv,
-    comparison_to_json,
     readings_of,
     render_comparison,
 )
 from bodymeasure.compare.iso20685 import confidence_interval
 from bodymeasure.errors import InputError
 from bodymeasure.report.body import chart_document
+from bodymeasure.report.serial import json_schema, to_json
 
 KNOWN = (
     Known("bust_girth", "Bust girth", "large girth"),
@@ -247,8 +246,8 @@ def test_angles_have_no_class() -> None:
 
 def test_json_is_valid_and_csv_has_the_same_rows(rng: np.random.Generator) -> None:
     comparison = of_subjects(rng.normal(0.0, 0.3, 5))
-    content = json.loads(comparison_to_json(comparison))
-    schema = comparison_schema()
+    content = json.loads(to_json(comparison))
+    schema = json_schema(Comparison)
     jsonschema.Draft202012Validator.check_schema(schema)
     jsonschema.Draft202012Validator(schema).validate(content)
     rows = list(csv.DictReader(io.StringIO(comparison_to_csv(comparison).decode(), newline="")))

@@ -5,7 +5,8 @@ from helpers.charts.hand_made_chart import hand_made_chart
 
 from bodymeasure.compare import read_readings
 from bodymeasure.errors import InputError
-from bodymeasure.report.body import chart_document, chart_to_csv, chart_to_json
+from bodymeasure.report.body import chart_document, chart_to_csv
+from bodymeasure.report.serial import to_json
 
 
 def written(tmp_path: Path, text: str | bytes, name: str = "hand.csv") -> Path:
@@ -93,8 +94,8 @@ def test_angles_and_differences_may_be_below_zero(tmp_path: Path) -> None:
 
 def test_a_charts_json_and_csv_read_alike(tmp_path: Path) -> None:
     document = chart_document(hand_made_chart(), "inch")
-    from_json = read_readings(written(tmp_path, chart_to_json(document), "m.json"))
-    from_csv = read_readings(written(tmp_path, chart_to_csv(document.measurements), "m.csv"))
+    from_json = read_readings(written(tmp_path, to_json(document), "m.json"))
+    from_csv = read_readings(written(tmp_path, chart_to_csv(document), "m.csv"))
     assert from_json.name == "Anna <Muster>"
     assert from_json.unit == "inch"
     for one, other in zip(from_json.values, from_csv.values, strict=True):

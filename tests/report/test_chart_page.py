@@ -10,7 +10,7 @@ from helpers.charts.hand_made_chart import HOSTILE, MEASURED, hand_made_chart, t
 from helpers.files.page import Page
 
 from bodymeasure.errors import InputError, MissingExtraError
-from bodymeasure.report.body import chart_document, render_chart, write_chart
+from bodymeasure.report.body import OUTPUTS, chart_document, render_chart, write_chart
 
 
 def page_of(unit: str = "cm", pictures: Any = None, **changes: Any) -> Page:
@@ -124,15 +124,33 @@ FILES = {
 
 
 def test_all_files_are_written_or_none(tmp_path: Path) -> None:
-    document = chart_document(hand_made_chart(), "cm")
     folder = tmp_path / "new" / "chart"
-    paths = write_chart(document, folder, stem="anna", pictures=tape_pictures())
+    paths = write_chart(hand_made_chart(), folder, stem="anna", pictures=tape_pictures())
     assert paths[0] == folder / "chart.html"
     assert {path.name for path in folder.iterdir()} == {path.name for path in paths} == FILES
     (folder / "freesewing.json").unlink()
     (folder / "freesewing.json").mkdir()
     before = (folder / "measurements.csv").read_bytes()
-    other = chart_document(replace(hand_made_chart(), measured=()), "cm")
+    other = replace(hand_made_chart(), measured=())
     with pytest.raises(InputError, match=r"freesewing\.json: cannot be written"):
-        write_chart(other, folder, stem="anna")
+        write_chart(other, folder, stem="anna", pictures=False)
     assert (folder / "measurements.csv").read_bytes() == before
+
+
+def test_an_output_is_one_line_of_the_registry(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(OUTPUTS, "{stem}.txt", lambda document: document.name.encode())
+    paths = write_chart(hand_made_chart(), tmp_path, stem="anna", pictures=False)
+    assert paths[-1] == tmp_path / "anna.txt"
+    assert paths[-1].read_text("utf-8") == "Anna <Muster>"
+
+
+def test_pictures_are_drawn_unless_they_are_left_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("bodymeasure.scene.tape_pictures", lambda _chart: tape_pictures())
+    page = write_chart(hand_made_chart(), tmp_path)[0]
+    assert "data:image/png" in page.read_text("utf-8")
+    write_chart(hand_made_chart(), tmp_path, pictures=False)
+    assert "data:image/png" not in page.read_text("utf-8")

@@ -8,12 +8,8 @@ import jsonschema
 import pytest
 from helpers.charts.hand_made_chart import BUST, HOSTILE, MEASURED, hand_made_chart
 
-from bodymeasure.report.body import (
-    chart_document,
-    chart_schema,
-    chart_to_csv,
-    chart_to_json,
-)
+from bodymeasure.report.body import ChartDocument, chart_document, chart_to_csv
+from bodymeasure.report.serial import json_schema, to_json
 
 METERS_TO = {"m": 1.0, "cm": 100.0, "mm": 1000.0, "inch": 1.0 / 0.0254}
 
@@ -21,8 +17,8 @@ METERS_TO = {"m": 1.0, "cm": 100.0, "mm": 1000.0, "inch": 1.0 / 0.0254}
 @pytest.mark.parametrize("unit", METERS_TO)
 def test_json_is_valid_and_in_the_unit(unit: str) -> None:
     document = chart_document(hand_made_chart(), unit)
-    content = json.loads(chart_to_json(document))
-    schema = chart_schema()
+    content = json.loads(to_json(document))
+    schema = json_schema(ChartDocument)
     jsonschema.Draft202012Validator.check_schema(schema)
     jsonschema.Draft202012Validator(schema).validate(content)
     assert content["unit"] == unit
@@ -64,7 +60,7 @@ def test_records_say_all_that_is_known() -> None:
 
 def test_csv_holds_the_same_columns_flattened() -> None:
     document = chart_document(hand_made_chart(), "cm")
-    text = chart_to_csv(document.measurements).decode()
+    text = chart_to_csv(document).decode()
     rows = list(csv.DictReader(io.StringIO(text, newline="")))
     assert len(rows) == len(MEASURED)
     for row, record in zip(rows, document.measurements, strict=True):

@@ -123,7 +123,7 @@ def test_how_it_was_computed_is_told(survey: Any, page: Page) -> None:
 
 
 def test_closeups_are_of_the_worst_and_of_what_was_not_measured(survey: Any) -> None:
-    patches = closeup_patches(survey)
+    patches = closeup_patches(survey_document(survey, "cm"))
     assert patches[0] == 0
     missing = np.flatnonzero(np.isnan(survey.diagonals.length).any(axis=1))
     assert set(missing) <= set(patches)

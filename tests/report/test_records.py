@@ -13,6 +13,7 @@ import pytest
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.status import Status
 from bodymeasure.report import (
+    Document,
     json_schema,
     measurement_records,
     survey_document,
@@ -31,12 +32,12 @@ def decoded(survey: Any, unit: str = "cm") -> Any:
 
 @pytest.mark.parametrize("check", [True, False])
 def test_json_is_as_its_schema_says(survey_of: Callable[..., Any], check: bool) -> None:
-    jsonschema.Draft202012Validator.check_schema(json_schema())
-    jsonschema.Draft202012Validator(json_schema()).validate(decoded(survey_of(check=check)))
+    jsonschema.Draft202012Validator.check_schema(json_schema(Document))
+    jsonschema.Draft202012Validator(json_schema(Document)).validate(decoded(survey_of(check=check)))
 
 
 def test_the_schema_documents_every_field_of_a_measurement_and_refuses_others(survey: Any) -> None:
-    fields = json_schema()["$defs"]["Measurement"]["properties"]
+    fields = json_schema(Document)["$defs"]["PatchRecord"]["properties"]
     content = decoded(survey)
     assert list(content["measurements"][0]) == list(fields)
     undocumented = [
@@ -47,7 +48,7 @@ def test_the_schema_documents_every_field_of_a_measurement_and_refuses_others(su
     assert undocumented == []
     content["measurements"][0]["girth"] = 1.0
     with pytest.raises(jsonschema.ValidationError, match="girth"):
-        jsonschema.validate(content, json_schema())
+        jsonschema.validate(content, json_schema(Document))
 
 
 def test_lengths_survive_at_full_precision_in_the_atlas_unit(survey: Any) -> None:

@@ -65,14 +65,14 @@ def check_landmarks(
     """
     from bodymeasure.chart import load_definitions
     from bodymeasure.report.landmarks import symmetry_document, symmetry_to_csv
-    from bodymeasure.report.serial import json_bytes
+    from bodymeasure.report.serial import to_json
 
     loaded_definitions = load_definitions(definitions)
     document = symmetry_document(
         load_atlas(atlas), loaded_definitions, unit, mirror=mirror, within=within, name=atlas
     )
     if form == "json":
-        click.echo(json_bytes(document), nl=False)
+        click.echo(to_json(document), nl=False)
     elif form == "csv":
         click.echo(symmetry_to_csv(document), nl=False)
     else:

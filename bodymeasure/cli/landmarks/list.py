@@ -53,14 +53,14 @@ def list_landmarks(
     # Not needed by `--help` and the like, and slow to load.
     from bodymeasure.chart import load_definitions
     from bodymeasure.report.landmarks import landmarks_document, landmarks_to_csv
-    from bodymeasure.report.serial import json_bytes
+    from bodymeasure.report.serial import to_json
 
     loaded_definitions = load_definitions(definitions)
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
     document = landmarks_document(loaded, loaded_definitions, unit, name=atlas)
     # As bytes: these are UTF-8 whatever the terminal speaks.
     if form == "json":
-        click.echo(json_bytes(document), nl=False)
+        click.echo(to_json(document), nl=False)
     elif form == "csv":
         click.echo(landmarks_to_csv(document), nl=False)
     else:

@@ -54,8 +54,9 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) ->
     "--output",
     type=click.Path(path_type=Path, file_okay=True),
     metavar="FOLDER",
-    help="Folder for chart.html, measurements.csv, measurements.json and its schema, a .smis file "
-    "for SeamlyMe, and freesewing.json; made if it is not there. Without it, the chart is printed.",
+    help="Folder for chart.html, measurements.csv, measurements.json and its schema, and files for "
+    "pattern programs, such as a .smis file for SeamlyMe and freesewing.json; made if it is not "
+    "there. Without it, the chart is printed.",
 )
 @click.option(
     "--format",
@@ -117,8 +118,9 @@ def chart(
     with output_folder(output):
         measured = measured_chart(body, loaded_definitions)
         pictures = _pictures(measured) if pictures_wanted else None
-        document = chart_document(measured, unit)
-        files = write_chart(document, output, stem=Path(atlas).stem, pictures=pictures)
+        stem = Path(atlas).stem
+        files = write_chart(measured, output, unit=unit, stem=stem, pictures=pictures or False)
+    document = chart_document(measured, unit)
     print_table(_summary(document, time.perf_counter() - begin))
     for path in files:
         style = "bold" if path.suffix == ".html" else ""
@@ -177,13 +179,14 @@ def _exit_code(document: "ChartDocument", definitions: Path | None) -> int:
 
 
 def _print(document: "ChartDocument", form: str) -> None:
-    from bodymeasure.report.body import chart_to_csv, chart_to_json
+    from bodymeasure.report.body import chart_to_csv
+    from bodymeasure.report.serial import to_json
 
     # As bytes: these are UTF-8 whatever the terminal speaks.
     if form == "json":
-        click.echo(chart_to_json(document), nl=False)
+        click.echo(to_json(document), nl=False)
     elif form == "csv":
-        click.echo(chart_to_csv(document.measurements), nl=False)
+        click.echo(chart_to_csv(document), nl=False)
     else:
         print_table(_table(document))
         reasons = [

@@ -124,11 +124,12 @@ def _writer(output: Path | None) -> "Callable[[Comparison], bytes]":
 
     def write(comparison: "Comparison") -> bytes:
         from bodymeasure import compare
+        from bodymeasure.report.serial import to_json
 
         assert output is not None
-        writers = {
+        writers: dict[str, Callable[[Comparison], bytes]] = {
             ".csv": compare.comparison_to_csv,
-            ".json": compare.comparison_to_json,
+            ".json": to_json,
             ".html": compare.render_comparison,
         }
         return writers[output.suffix.lower()](comparison)

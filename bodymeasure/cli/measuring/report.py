@@ -79,15 +79,20 @@ def report(
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
     with output_folder(output):
         # Not needed by `--help` and the like, and slow to load.
-        from bodymeasure.report import disagreements, survey_document, write_report
+        from bodymeasure.report import (
+            closeup_patches,
+            disagreements,
+            survey_document,
+            write_report,
+        )
 
         with progress_bar("comparing with libigl", 2 * len(loaded)) as progress:
             survey = measure_atlas(
                 loaded, compare=not no_cross_check, processes=processes, progress=progress
             )
-        pictures = None if no_pictures else _pictures(survey)
         document = survey_document(survey, unit)
-        files = write_report(document, output, pictures=pictures)
+        pictures = None if no_pictures else _pictures(survey, closeup_patches(document))
+        files = write_report(survey, output, unit=unit, pictures=pictures or False)
     print_table(_table(document, time.perf_counter() - begin))
     for path in files:
         style = "bold" if path.suffix == ".html" else ""
@@ -101,11 +106,9 @@ def report(
     return EXIT_DISAGREES if wrong else 0
 
 
-def _pictures(survey: Survey) -> "Pictures":
-    from bodymeasure.report import closeup_patches
+def _pictures(survey: Survey, closeups: tuple[int, ...]) -> "Pictures":
     from bodymeasure.scene import pictures as draw
 
-    closeups = closeup_patches(survey)
     done = 0
     with progress_bar("drawing", BODY_PICTURES + len(closeups)) as progress:
 

@@ -1,33 +1,26 @@
-"""A chart of body measurements, for people (``chart.html``) and programs.
+"""A chart of body measurements, for people (``chart.html``) and for programs.
 
-JSON and CSV, SeamlyMe's ``.smis`` and FreeSewing's measurement sets. Importing this does not load
-jinja2; rendering a page does.
+The programs read JSON and CSV, SeamlyMe and Seamly2D ``.smis``, and FreeSewing its measurement
+sets. Importing this package does not load jinja2; rendering a page does.
 """
 
 from bodymeasure.report.body.codes import FREESEWING_KEYS, check_codes
 from bodymeasure.report.body.freesewing import missing_freesewing, to_freesewing
 from bodymeasure.report.body.from_chart import chart_document
+from bodymeasure.report.body.outputs import OUTPUTS, write_chart
 from bodymeasure.report.body.page import TapePictures, render_chart
-from bodymeasure.report.body.records import (
-    BodyMeasurement,
-    ChartDocument,
-    chart_schema,
-    chart_to_csv,
-    chart_to_json,
-)
+from bodymeasure.report.body.records import BodyRecord, ChartDocument, chart_to_csv
 from bodymeasure.report.body.smis import to_smis
 from bodymeasure.report.body.tape import tailor_inches, tape_text
-from bodymeasure.report.body.write import write_chart
 
 __all__ = [
     "FREESEWING_KEYS",
-    "BodyMeasurement",
+    "OUTPUTS",
+    "BodyRecord",
     "ChartDocument",
     "TapePictures",
     "chart_document",
-    "chart_schema",
     "chart_to_csv",
-    "chart_to_json",
     "check_codes",
     "missing_freesewing",
     "render_chart",

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 
 from bodymeasure.chart import Definitions
 from bodymeasure.errors import InputError
-from bodymeasure.report.body.records import BodyMeasurement
+from bodymeasure.report.body.records import BodyRecord
 from bodymeasure.wording import hint
 
 # All measurements of FreeSewing (its config/measurements.mjs), in alphabetical order.
@@ -111,9 +111,9 @@ def _is_seamly_name(name: str) -> bool:
 
 
 def measured_by_code(
-    records: Iterable[BodyMeasurement],
-    codes: Callable[[BodyMeasurement], Iterable[str]],
-) -> Mapping[str, BodyMeasurement]:
+    records: Iterable[BodyRecord],
+    codes: Callable[[BodyRecord], Iterable[str]],
+) -> Mapping[str, BodyRecord]:
     """The measurement that stands for each name, in the order of the chart.
 
     Those without a value are passed over. Of several with the same name the one of the wearer's
@@ -121,11 +121,11 @@ def measured_by_code(
 
     Parameters
     ----------
-    records : iterable of BodyMeasurement
+    records : iterable of BodyRecord
     codes : function
         The names of a measurement in the program.
     """
-    chosen: dict[str, BodyMeasurement] = {}
+    chosen: dict[str, BodyRecord] = {}
     for record in records:
         if record.value is None:
             continue
@@ -135,5 +135,5 @@ def measured_by_code(
     return chosen
 
 
-def _is_right(record: BodyMeasurement) -> bool:
+def _is_right(record: BodyRecord) -> bool:
     return bool(_RIGHT.search(record.key) or _RIGHT.search(record.name))

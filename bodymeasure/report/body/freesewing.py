@@ -4,14 +4,15 @@ import msgspec
 
 from bodymeasure.atlas import Unit, convert_length
 from bodymeasure.report.body.codes import FREESEWING_KEYS, measured_by_code
-from bodymeasure.report.body.records import DEGREES, BodyMeasurement, ChartDocument
+from bodymeasure.report.body.records import BodyRecord, ChartDocument
+from bodymeasure.report.units import DEGREES
 
-# Of millimeters and degrees: far below what a tape tells.
+# Decimals of millimeters and degrees, which are far finer than a tape.
 DECIMALS = 2
 
 
 def to_freesewing(document: ChartDocument) -> bytes:
-    """The measurements that FreeSewing has keys for, as JSON: millimeters, slopes in degrees.
+    """Return the measurements that FreeSewing has keys for, as JSON in millimeters and degrees.
 
     Where a measurement is taken on both sides, the wearer's right one is written. The keys that are
     missing are listed in ``notes``.
@@ -37,18 +38,18 @@ def to_freesewing(document: ChartDocument) -> bytes:
 
 
 def missing_freesewing(document: ChartDocument) -> tuple[str, ...]:
-    """The keys of FreeSewing for which the chart has no value, in alphabetical order."""
+    """Return the keys of FreeSewing for which the chart has no value, in alphabetical order."""
     chosen = _chosen(document)
     return tuple(key for key in FREESEWING_KEYS if key not in chosen)
 
 
-def _chosen(document: ChartDocument) -> dict[str, BodyMeasurement]:
+def _chosen(document: ChartDocument) -> dict[str, BodyRecord]:
     return dict(
         measured_by_code(document.measurements, lambda m: (m.freesewing,) if m.freesewing else ())
     )
 
 
-def _value(record: BodyMeasurement) -> float:
+def _value(record: BodyRecord) -> float:
     assert record.value is not None
     if record.unit == DEGREES:
         return round(record.value, DECIMALS)

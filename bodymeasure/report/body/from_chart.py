@@ -1,4 +1,4 @@
-"""A chart's numbers as records: unit converted, numbers that are not finite turned to null."""
+"""The numbers of a chart as records: units are converted, and numbers not finite become null."""
 
 import math
 from collections import Counter
@@ -7,19 +7,18 @@ from datetime import UTC, datetime
 from bodymeasure.atlas import Unit, convert_length
 from bodymeasure.chart import Chart, Measured, Measurement, accuracy_class
 from bodymeasure.report.body.records import (
-    DEGREES,
-    BodyMeasurement,
+    BodyRecord,
     ChartDocument,
     LandmarkPlace,
     MissingLandmark,
-    ValueUnit,
 )
+from bodymeasure.report.units import DEGREES, ValueUnit
 
 
 def chart_document(
     chart: Chart, unit: Unit | str, *, created: datetime | None = None
 ) -> ChartDocument:
-    """All that a chart holds, as the content of its ``measurements.json``.
+    """Return all that a chart holds, as the content of its ``measurements.json``.
 
     Parameters
     ----------
@@ -27,7 +26,7 @@ def chart_document(
     unit : Unit or str
         Unit of the lengths; angles stay in degrees.
     created : datetime, optional
-        Now if not given.
+        The time that the document states; the present if not given.
     """
     unit = Unit.parse(unit)
     atlas = chart.atlas
@@ -75,7 +74,7 @@ def is_angle(definition: Measurement) -> bool:
     return bool(getattr(definition, "angle", False))
 
 
-def _record(item: Measured, number: int | None, source: Unit, target: Unit) -> BodyMeasurement:
+def _record(item: Measured, number: int | None, source: Unit, target: Unit) -> BodyRecord:
     definition = item.definition
     angle = is_angle(definition)
 
@@ -86,7 +85,7 @@ def _record(item: Measured, number: int | None, source: Unit, target: Unit) -> B
 
     unit: ValueUnit = DEGREES if angle else target.value
     iso, class_ = definition.iso, accuracy_class(definition)
-    return BodyMeasurement(
+    return BodyRecord(
         number=number,
         key=definition.key,
         name=definition.name,

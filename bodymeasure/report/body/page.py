@@ -6,8 +6,8 @@ from typing import Any, Protocol
 from bodymeasure.report.body import views
 from bodymeasure.report.body.records import ChartDocument
 from bodymeasure.report.body.tape import small_text
-from bodymeasure.report.patches.views import UNIT_NAMES
 from bodymeasure.report.templating import images, moment, render_page
+from bodymeasure.report.units import UNIT_NAMES
 
 
 class TapePictures(Protocol):
@@ -17,7 +17,8 @@ class TapePictures(Protocol):
     def body(self) -> Mapping[tuple[str, str], bytes]:
         """PNG of the body with a group's tapes, numbered, by group and side.
 
-        Sides are front, back, left and right. To be shown at half the size in pixels.
+        Sides are front, back, left and right. Pictures are to be shown at half their size in
+        pixels.
         """
 
     @property
@@ -30,17 +31,17 @@ class TapePictures(Protocol):
 
     @property
     def note(self) -> str:
-        """What there is to say about how they were drawn; may be empty."""
+        """A remark on how they were drawn; may be empty."""
 
 
 def render_chart(document: ChartDocument, pictures: TapePictures | None = None) -> bytes:
-    """A chart and its pictures as one HTML page that loads nothing else.
+    """Return a chart and its pictures as one HTML page that loads nothing else.
 
     Parameters
     ----------
     document : ChartDocument
     pictures : TapePictures, optional
-        The page has none if not given.
+        Without them, the page has none.
 
     Raises
     ------

@@ -1,60 +1,58 @@
-"""What a chart's ``measurements.json`` and ``measurements.csv`` hold, and their schema."""
+"""The content of a chart's ``measurements.json`` and ``measurements.csv``."""
 
-from collections.abc import Sequence
-from typing import Annotated, Any, Final, Literal
+from typing import Annotated, Final, Literal
 
 from msgspec import Meta, Struct
 
-from bodymeasure.report.serial import csv_bytes, json_bytes, struct_schema
+from bodymeasure.report.serial import csv_bytes
+from bodymeasure.report.units import LengthUnit, ValueUnit
 
 SCHEMA: Final = "bodymeasure chart"
 VERSION: Final = 1
 
-LengthUnit = Literal["m", "cm", "mm", "inch"]
-DEGREES: Final = "deg"
-ValueUnit = Literal["m", "cm", "mm", "inch", "deg"]
 
-
-class BodyMeasurement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class BodyRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """One measurement of a body. Null stands where there is no such value."""
 
     number: Annotated[
         int | None,
         Meta(
-            description="On the page and in its pictures: from 1, of those that have a value, in "
-            "the order of the chart."
+            description="The number on the page and in its pictures: from 1, for measurements that "
+            "have a value, in the order of the chart."
         ),
     ]
-    key: Annotated[str, Meta(description="Unique; formulas and other files name it so.")]
+    key: Annotated[str, Meta(description="Unique; formulas and other files refer to it.")]
     name: str
-    group: Annotated[str, Meta(description="Heading in tables; may be empty.")]
+    group: Annotated[str, Meta(description="The heading in tables; may be empty.")]
     kind: Annotated[str, Meta(description="How it is measured: girth, path, height, ...")]
-    value: Annotated[float | None, Meta(description="What the definition asks for.")]
+    value: Annotated[float | None, Meta(description="The value that the definition asks for.")]
     unit: Annotated[
-        ValueUnit, Meta(description="Of all numbers in this record; deg stands for degrees.")
+        ValueUnit,
+        Meta(description="Unit of all numbers in this record; deg stands for degrees."),
     ]
     error_estimate: Annotated[
         float | None,
-        Meta(description="Bound on the error of the value on this surface, estimated."),
+        Meta(description="Estimated bound on the error of the value on this surface."),
     ]
     contact: Annotated[float | None, Meta(description="Length of the tape along the skin.")]
     taut: Annotated[float | None, Meta(description="Length of the tape drawn taut.")]
     gap: Annotated[float | None, Meta(description="contact - taut")]
     outcome: Annotated[
         str,
-        Meta(description="measured, or what kept it from being: missing landmark, refused, ..."),
+        Meta(description="measured, or the reason why it is not: missing landmark, refused, ..."),
     ]
     status: Annotated[
-        str | None, Meta(description="Of the solver, in lower case; null where none was run.")
+        str | None,
+        Meta(description="Status of the solver, in lower case; null if none was run."),
     ]
     reason: Annotated[
-        str, Meta(description="What is the matter and what to do; empty if nothing is.")
+        str, Meta(description="What went wrong, and what to do about it; empty if nothing did.")
     ]
     words: Annotated[str, Meta(description="What is measured, and how the tape lies.")]
     iso_name: Annotated[str | None, Meta(description="Name in ISO 8559-1.")]
     iso_clause: Annotated[str | None, Meta(description="Clause in ISO 8559-1.")]
     accuracy_class: Annotated[
-        str | None, Meta(description="In ISO 20685-1; null for angles, which have none.")
+        str | None, Meta(description="The class in ISO 20685-1; null for angles, which have none.")
     ]
     seamly: Annotated[list[str], Meta(description="Names in Seamly2D.")]
     freesewing: Annotated[str | None, Meta(description="Key in FreeSewing.")]
@@ -66,13 +64,16 @@ class BodyMeasurement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
 
 
 class LandmarkPlace(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Where a landmark is on the atlas."""
+    """The place of a landmark on the atlas."""
 
     name: str
     patch: Annotated[str, Meta(description="Name of the patch.")]
     u: float
     v: float
-    given: Annotated[bool, Meta(description="By the atlas; else a rule of the definitions found.")]
+    given: Annotated[
+        bool,
+        Meta(description="Whether the atlas gives it, rather than a rule."),
+    ]
 
 
 class MissingLandmark(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -83,50 +84,41 @@ class MissingLandmark(Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
 
 
 class ChartDocument(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """All measurements of one body, with what is needed to judge and repeat them."""
+    """All measurements of one body, with what is needed to assess and repeat them."""
 
-    schema: Annotated[Literal["bodymeasure chart"], Meta(description="Kind of file.")] = SCHEMA
-    version: Annotated[Literal[1], Meta(description="Of this layout.")] = VERSION
+    schema: Annotated[Literal["bodymeasure chart"], Meta(description="The kind of file.")] = SCHEMA
+    version: Annotated[Literal[1], Meta(description="The version of this layout.")] = VERSION
     name: Annotated[str, Meta(description="What the atlas shows.")]
-    created: Annotated[str, Meta(description="When, in ISO 8601.")]
+    created: Annotated[str, Meta(description="The time at which it was made, in ISO 8601.")]
     unit: Annotated[LengthUnit, Meta(description="Unit of every length.")]
     definitions: Annotated[str, Meta(description="Name of the set of definitions.")]
-    definitions_words: Annotated[str, Meta(description="What the set says of itself.")]
+    definitions_words: Annotated[str, Meta(description="Description of the set of definitions.")]
     atlas_digest: Annotated[
         str, Meta(description="SHA-256 of the control points and their unit, in hexadecimal.")
     ]
     provenance: Annotated[
         dict[str, str], Meta(description="Source, author, license and the like of the atlas.")
     ]
-    versions: Annotated[dict[str, str], Meta(description="Of the packages that computed.")]
-    seconds: Annotated[float, Meta(description="Time that the measuring took.")]
-    outcomes: Annotated[dict[str, int], Meta(description="Measurements of each outcome.")]
+    versions: Annotated[dict[str, str], Meta(description="Versions of the packages used.")]
+    seconds: Annotated[float, Meta(description="The time that measuring took.")]
+    outcomes: Annotated[dict[str, int], Meta(description="Number of measurements of each outcome.")]
     landmarks: list[LandmarkPlace]
     missing_landmarks: list[MissingLandmark]
-    measurements: list[BodyMeasurement]
+    measurements: list[BodyRecord]
 
 
-def chart_schema() -> dict[str, Any]:
-    """JSON Schema (draft 2020-12) of a chart's ``measurements.json``."""
-    return struct_schema(ChartDocument, SCHEMA)
+def chart_to_csv(document: ChartDocument) -> bytes:
+    """Return the measurements as CSV (RFC 4180, UTF-8) with a header; every float round-trips.
 
-
-def chart_to_json(document: ChartDocument) -> bytes:
-    """A document as JSON, one measurement or landmark a line; every float round-trips."""
-    return json_bytes(document)
-
-
-def chart_to_csv(measurements: Sequence[BodyMeasurement]) -> bytes:
-    """Measurements as CSV (RFC 4180, UTF-8) with a header row; every float round-trips.
-
-    The columns are the fields of `BodyMeasurement` in their order. Members of a list are joined by
-    semicolons, lengths by region as ``region=length``; null is an empty field.
+    The columns are the fields of `BodyRecord` in their order. Members of a list are joined by
+    semicolons, and lengths by region are written as ``region=length``; null is an empty field.
     """
+    columns = BodyRecord.__struct_fields__
     return csv_bytes(
-        BodyMeasurement.__struct_fields__,
+        columns,
         (
-            [_flat(getattr(record, field)) for field in record.__struct_fields__]
-            for record in measurements
+            [_flat(getattr(record, column)) for column in columns]
+            for record in document.measurements
         ),
     )
 

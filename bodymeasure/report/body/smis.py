@@ -6,26 +6,24 @@ from xml.etree import ElementTree
 
 from bodymeasure.atlas import Unit, convert_length
 from bodymeasure.report.body.codes import check_seamly_name, measured_by_code
-from bodymeasure.report.body.records import DEGREES, BodyMeasurement, ChartDocument
+from bodymeasure.report.body.records import BodyRecord, ChartDocument
+from bodymeasure.report.units import DEGREES, PATTERN_DECIMALS
 
 SCHEMA_VERSION: Final = "0.3.4"
-# No pattern making system in particular, and SeamlyMe's own word for a date that is not known.
+# The number for no particular pattern making system, and the date that SeamlyMe writes if none is
+# known.
 NO_SYSTEM: Final = "998"
 NO_BIRTH_DATE: Final = "1800-01-01"
 
-# To a hundredth of a millimeter or so; a plain decimal, since values are formulas to Seamly2D.
-DECIMALS = {Unit.MM: 2, Unit.CM: 3, Unit.INCH: 4}
-DEGREE_DECIMALS = 2
-
-# What XML 1.0 has no way to write.
+# Characters that XML 1.0 cannot hold.
 _UNWRITABLE = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def to_smis(document: ChartDocument) -> bytes:
-    """The measurements that Seamly2D has names for, as its measurement file.
+    """Return the measurements that Seamly2D has names for, as its measurement file.
 
     Where a measurement is taken on both sides, the wearer's right one is written. Those without a
-    value are left out. Metres are written as centimeters, which the format has a unit for.
+    value are left out. Meters are written as centimeters, since the format has no unit for meters.
 
     Parameters
     ----------
@@ -59,7 +57,7 @@ def to_smis(document: ChartDocument) -> bytes:
 
 
 def smis_unit(unit: str) -> Unit:
-    """The unit in which a chart is written: its own, or centimeters for metres."""
+    """Return the unit in which a chart is written: its own, or centimeters for meters."""
     parsed = Unit.parse(unit)
     return Unit.CM if parsed is Unit.M else parsed
 
@@ -79,9 +77,10 @@ def _notes(document: ChartDocument) -> str:
     )
 
 
-def _value(record: BodyMeasurement, unit: Unit) -> str:
+def _value(record: BodyRecord, unit: Unit) -> str:
     assert record.value is not None
+    # Values are formulas to Seamly2D, which plain decimals are, too.
     if record.unit == DEGREES:
-        return f"{record.value:.{DEGREE_DECIMALS}f}"
+        return f"{record.value:.{PATTERN_DECIMALS[DEGREES]}f}"
     length = convert_length(record.value, Unit.parse(record.unit), unit)
-    return f"{length:.{DECIMALS[unit]}f}"
+    return f"{length:.{PATTERN_DECIMALS[unit]}f}"

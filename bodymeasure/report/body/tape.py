@@ -3,14 +3,12 @@
 from math import floor
 
 from bodymeasure.report.numbers import MINUS, NONE, SPACE, millimeters
+from bodymeasure.report.units import TAPE_DECIMALS
 
-# A tape is read to a millimeter (0.01 inch is a quarter of one), an angle to a tenth of a degree.
-TAPE_DECIMALS = {"m": 3, "cm": 1, "mm": 0, "inch": 2, "deg": 1}
-
-# Marks on a tape in inches.
+# Marks between two inches on a tape.
 SIXTEENTHS = 16
 
-# Below this many inches no garment or scan knows anything.
+# A length in inches below this is far smaller than what matters to any garment or scan.
 SMALLEST_INCHES = 0.0001
 
 

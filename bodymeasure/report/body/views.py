@@ -3,11 +3,11 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from bodymeasure.report.body.records import BodyMeasurement, ChartDocument
+from bodymeasure.report.body.records import BodyRecord, ChartDocument
 from bodymeasure.report.body.tape import small_text, tailor_inches, tape_text
 from bodymeasure.report.numbers import NONE, as_bound
-from bodymeasure.report.patches.views import UNIT_NAMES
 from bodymeasure.report.templating import Image
+from bodymeasure.report.units import UNIT_NAMES
 from bodymeasure.wording import counted
 
 MEASURED = "measured"
@@ -22,7 +22,7 @@ ABSENT = ("missing landmark", "missing operand")
 class Row:
     """A measurement as the tables show it."""
 
-    record: BodyMeasurement
+    record: BodyRecord
     number: str
     value: str
     fraction: str
@@ -81,7 +81,7 @@ def groups(
     ]
 
 
-def _row(record: BodyMeasurement, number: str) -> Row:
+def _row(record: BodyRecord, number: str) -> Row:
     unit, error = record.unit, record.error_estimate
     good = record.outcome == MEASURED
     absent = record.outcome in ABSENT
@@ -111,7 +111,7 @@ class Absence:
     reason: str
 
 
-def unmeasured(document: ChartDocument) -> list[BodyMeasurement]:
+def unmeasured(document: ChartDocument) -> list[BodyRecord]:
     """The measurements that have no value, in the chart's order."""
     return [record for record in document.measurements if record.outcome != MEASURED]
 
@@ -125,7 +125,7 @@ def absences(document: ChartDocument) -> list[Absence]:
     return [Absence("; ".join(each), outcome, reason) for (outcome, reason), each in names.items()]
 
 
-def remarked(document: ChartDocument) -> list[BodyMeasurement]:
+def remarked(document: ChartDocument) -> list[BodyRecord]:
     """The measurements that have a value and something to be said about it."""
     return [m for m in document.measurements if m.outcome == MEASURED and m.reason]
 

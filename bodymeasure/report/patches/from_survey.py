@@ -1,21 +1,21 @@
-"""A survey's numbers as records: unit converted, numbers that are not finite turned to null."""
+"""The numbers of a survey as records: units are converted, and numbers not finite become null."""
 
-import math
 from collections import Counter
 from collections.abc import Iterable
 from datetime import UTC, datetime
 from enum import Enum
+from math import isfinite
 from statistics import median
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import EDGES, Unit, convert_length
-from bodymeasure.report.patches.records import Document, Finding, Kind, Measurement, Spread, Summary
+from bodymeasure.report.patches.records import Document, Finding, Kind, PatchRecord, Spread, Summary
 
 if TYPE_CHECKING:
-    from bodymeasure.geodesic import EdgeContact
+    from bodymeasure._typing import Array
     from bodymeasure.measure import Survey
 
 ALL_KINDS: tuple[Kind, ...] = ("diagonal", "boundary")
@@ -23,8 +23,8 @@ ALL_KINDS: tuple[Kind, ...] = ("diagonal", "boundary")
 
 def measurement_records(
     survey: "Survey", unit: Unit | str, *, kinds: tuple[Kind, ...] = ALL_KINDS
-) -> list[Measurement]:
-    """One record for each length of a survey: by patch, diagonals before sides.
+) -> list[PatchRecord]:
+    """Return one record for each length of a survey: by patch, diagonals before sides.
 
     Parameters
     ----------
@@ -35,9 +35,9 @@ def measurement_records(
     """
     unit = Unit.parse(unit)
     diagonals = _diagonals(survey, unit) if "diagonal" in kinds else []
-    boundary = _boundary(survey, unit) if "boundary" in kinds else []
-    # The sort is stable, so each patch keeps diagonals first.
-    return sorted([*diagonals, *boundary], key=lambda record: record.patch_number)
+    sides = _sides(survey, unit) if "boundary" in kinds else []
+    # The sort is stable, so that the diagonals of each patch stay before its sides.
+    return sorted([*diagonals, *sides], key=lambda record: record.patch_number)
 
 
 def survey_document(
@@ -47,7 +47,7 @@ def survey_document(
     kinds: tuple[Kind, ...] = ALL_KINDS,
     created: datetime | None = None,
 ) -> Document:
-    """All that a survey found, as the content of ``measurements.json``.
+    """Return all that a survey found, as the content of ``measurements.json``.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ def survey_document(
     unit : Unit or str
     kinds : tuple of "diagonal", "boundary"
     created : datetime, optional
-        Now if not given.
+        The time that the document states; the present if not given.
     """
     atlas, check = survey.atlas, survey.cross_check
     measurements = measurement_records(survey, unit, kinds=kinds)
@@ -84,62 +84,47 @@ def survey_document(
     )
 
 
-def code(member: Enum) -> str:
-    """The short name of a status or verdict: lower case, as it stands in the files."""
-    return member.name.lower()
-
-
-def _diagonals(survey: "Survey", unit: Unit) -> list[Measurement]:
+def _diagonals(survey: "Survey", unit: Unit) -> list[PatchRecord]:
     atlas, solution, check = survey.atlas, survey.diagonals, survey.cross_check
-
-    def lengths(values: NDArray[np.float64]) -> list[list[float | None]]:
-        return _finite(convert_length(values, atlas.unit, unit))
-
-    empty: list[list[None]] = [[None, None]] * len(atlas)
-    columns: dict[str, list[list[float | None]] | list[list[None]] | list[list[int]]] = {
-        "length": lengths(solution.length),
-        "error_estimate": lengths(solution.error_estimate),
-        "raw_length": lengths(solution.raw_length),
-        "residual": _finite(solution.residual),
-        "functions": solution.functions.tolist(),
-        "iterations": solution.iterations.tolist(),
-        "exact": empty if check is None else lengths(check.exact),
-        "exact_uncertainty": empty if check is None else lengths(check.exact_uncertainty),
-        "difference": empty if check is None else lengths(check.difference),
-        "relative_difference": empty if check is None else _finite(check.relative_difference),
-        "heat": empty if check is None else lengths(check.heat),
-    }
-    contacts = solution.contacts
     start, end = np.asarray(solution.start).tolist(), np.asarray(solution.end).tolist()
+    lengths = {name: getattr(solution, name) for name in ("length", "error_estimate", "raw_length")}
+    plain = {"residual": solution.residual}
+    if check is not None:
+        compared = ("exact", "exact_uncertainty", "difference", "heat")
+        lengths |= {name: getattr(check, name) for name in compared}
+        plain["relative_difference"] = check.relative_difference
+    plain |= {name: convert_length(each, atlas.unit, unit) for name, each in lengths.items()}
+    columns: dict[str, list[list[Any]]] = {name: _finite(each) for name, each in plain.items()}
+    columns["functions"] = solution.functions.tolist()
+    columns["iterations"] = solution.iterations.tolist()
     return [
-        Measurement(
+        PatchRecord(
             name=f"{atlas.patch_names[patch]} diagonal {number + 1}",
             kind="diagonal",
             patch=atlas.patch_names[patch],
             patch_number=patch,
             region=atlas.regions[patch],
-            start=(start[patch][number][0], start[patch][number][1]),
-            end=(end[patch][number][0], end[patch][number][1]),
+            start=tuple(start[patch][number]),
+            end=tuple(end[patch][number]),
             unit=unit.value,
-            status=code(solution.status[patch, number]),
-            contacts=_contacts(contacts[patch, number]),
-            verdict=None if check is None else code(check.verdict[patch, number]),
-            **{key: values[patch][number] for key, values in columns.items()},  # type: ignore[arg-type]
+            status=solution.status[patch, number].name.lower(),
+            contacts="; ".join(
+                f"{contact.edge} from {contact.start:.6g} to {contact.end:.6g}"
+                for contact in solution.contacts[patch, number]
+            )
+            or None,
+            verdict=None if check is None else check.verdict[patch, number].name.lower(),
+            **{name: values[patch][number] for name, values in columns.items()},
         )
         for patch in range(len(atlas))
         for number in range(2)
     ]
 
 
-def _contacts(contacts: "tuple[EdgeContact, ...]") -> str | None:
-    words = [f"{each.edge} from {each.start:.6g} to {each.end:.6g}" for each in contacts]
-    return "; ".join(words) or None
-
-
-def _boundary(survey: "Survey", unit: Unit) -> list[Measurement]:
-    atlas = survey.atlas
-    length = _finite(convert_length(survey.boundary.length, atlas.unit, unit))
-    error = _finite(convert_length(survey.boundary.error_estimate, atlas.unit, unit))
+def _sides(survey: "Survey", unit: Unit) -> list[PatchRecord]:
+    atlas, boundary = survey.atlas, survey.boundary
+    length = _finite(convert_length(boundary.length, atlas.unit, unit))
+    error = _finite(convert_length(boundary.error_estimate, atlas.unit, unit))
     records = []
     for patch in range(len(atlas)):
         for number, edge in enumerate(EDGES):
@@ -147,7 +132,7 @@ def _boundary(survey: "Survey", unit: Unit) -> list[Measurement]:
             for point in ends:
                 point[edge.fixed_axis] = edge.fixed_value
             records.append(
-                Measurement(
+                PatchRecord(
                     name=f"{atlas.patch_names[patch]} side {edge.name}",
                     kind="boundary",
                     patch=atlas.patch_names[patch],
@@ -158,32 +143,30 @@ def _boundary(survey: "Survey", unit: Unit) -> list[Measurement]:
                     length=length[patch][number],
                     unit=unit.value,
                     error_estimate=error[patch][number],
-                    # A side's length is an integral, with no equation to solve.
+                    # The length of a side is an integral, with no equation to solve.
                     status="not_converged" if length[patch][number] is None else "converged",
                 )
             )
     return records
 
 
-def _finite(values: NDArray[np.float64]) -> list[list[float | None]]:
-    return [
-        [value if math.isfinite(value) else None for value in row]
-        for row in np.asarray(values, dtype=np.float64).tolist()
-    ]
+def _finite(values: "Array") -> list[list[float | None]]:
+    values = np.asarray(values, dtype=np.float64)
+    return [[value if isfinite(value) else None for value in row] for row in values.tolist()]
 
 
 def _meanings(members: NDArray[np.object_]) -> dict[str, str]:
-    """The sentence of each member that occurs, in the order of their definition."""
+    """Return the sentence of each member that occurs, in the order of their definition."""
     present: set[Enum] = set(members.ravel().tolist())
     return {
-        code(member): str(member.value)
+        member.name.lower(): str(member.value)
         for kind in {type(member) for member in present}
         for member in kind
         if member in present
     }
 
 
-def _summary(patches: int, diagonals: list[Measurement]) -> Summary:
+def _summary(patches: int, diagonals: list[PatchRecord]) -> Summary:
     compared = [m for m in diagonals if m.relative_difference is not None]
     worst = max(compared, key=lambda m: abs(m.relative_difference or 0.0), default=None)
     return Summary(

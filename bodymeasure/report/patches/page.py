@@ -5,10 +5,11 @@ from typing import Any, Protocol
 
 from bodymeasure.report import numbers
 from bodymeasure.report.patches import views
-from bodymeasure.report.patches.histogram_drawing import chart
+from bodymeasure.report.patches.histogram import draw_histogram
 from bodymeasure.report.patches.ranking import DISAGREEING, disagreements
 from bodymeasure.report.patches.records import Document
 from bodymeasure.report.templating import data_uri, images, moment, render_page
+from bodymeasure.report.units import UNIT_NAMES
 
 
 class Pictures(Protocol):
@@ -24,21 +25,21 @@ class Pictures(Protocol):
 
     @property
     def color_bar(self) -> bytes:
-        """SVG of what the colors mean."""
+        """SVG of the key to the colors."""
 
     @property
     def note(self) -> str:
-        """What there is to say about how they were drawn; may be empty."""
+        """A remark on how they were drawn; may be empty."""
 
 
 def render_html(document: Document, pictures: Pictures | None = None) -> bytes:
-    """A document and its pictures as one HTML page that loads nothing else.
+    """Return a document and its pictures as one HTML page that loads nothing else.
 
     Parameters
     ----------
     document : Document
     pictures : Pictures, optional
-        The page has none if not given.
+        Without them, the page has none.
 
     Raises
     ------
@@ -59,12 +60,12 @@ def _context(document: Document, pictures: Pictures | None) -> dict[str, Any]:
         "worst": views.worst_cases(document),
         "unmeasured": views.unmeasured(document),
         "findings": views.findings(document),
-        "chart": chart(document),
+        "histogram": draw_histogram(document),
         "disagreeing": DISAGREEING,
         "disagreements": disagreements(document),
         "measured_codes": views.MEASURED,
         "has_check": views.has_check(document),
-        "unit_name": views.UNIT_NAMES[document.unit],
+        "unit_name": UNIT_NAMES[document.unit],
         "created": moment(document.created),
         "body": {} if pictures is None else images(pictures.body),
         "closeups": {} if pictures is None else images(pictures.closeups),

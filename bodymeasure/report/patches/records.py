@@ -1,26 +1,26 @@
 """What ``measurements.json`` and ``measurements.csv`` hold, and their schema."""
 
 from collections.abc import Sequence
-from typing import Annotated, Any, Final, Literal
+from typing import Annotated, Final, Literal
 
 from msgspec import Meta, Struct
 
-from bodymeasure.report.serial import csv_bytes, json_bytes, struct_schema
+from bodymeasure.report.serial import csv_bytes
+from bodymeasure.report.units import LengthUnit
 
 SCHEMA: Final = "bodymeasure measurements"
 VERSION: Final = 1
 
 Kind = Literal["diagonal", "boundary"]
-UnitName = Literal["m", "cm", "mm", "inch"]
 Parameters = Annotated[
     tuple[float, float], Meta(description="Parameters (u, v) of a point of the patch.")
 ]
 
 
-class Measurement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class PatchRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """One length on one patch. Null stands where there is no such value."""
 
-    name: Annotated[str, Meta(description="Unique: patch and path.")]
+    name: Annotated[str, Meta(description="The patch and the path; unique.")]
     kind: Annotated[
         Kind,
         Meta(
@@ -37,37 +37,38 @@ class Measurement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
         float | None, Meta(description="Null unless the status is converged or on_boundary.")
     ]
     unit: Annotated[
-        UnitName, Meta(description="Unit of every length, error and difference in this record.")
+        LengthUnit, Meta(description="Unit of every length, error and difference in this record.")
     ]
     error_estimate: Annotated[
-        float | None, Meta(description="Bound on the error of the length, estimated.")
+        float | None, Meta(description="Estimated bound on the error of the length.")
     ]
     status: Annotated[str, Meta(description="A key of `statuses`.")]
     contacts: Annotated[
         str | None,
         Meta(
-            description="Edges of the patch that the path runs along, and from where to where on "
-            "them, as `u = 0 from 0.25 to 0.5`; null if it does not."
+            description="Edges of the patch along which the path runs, with their parts, such as "
+            "`u = 0 from 0.25 to 0.5`; null if it runs along none."
         ),
     ] = None
     raw_length: Annotated[
         float | None,
-        Meta(description="Length of the computed path before correction, good or not."),
+        Meta(description="Length of the computed path before its correction, whatever the status."),
     ] = None
     residual: Annotated[
-        float | None, Meta(description="Of the geodesic equation between the nodes; no unit.")
+        float | None,
+        Meta(description="Residual of the geodesic equation between nodes; no unit."),
     ] = None
     functions: Annotated[int | None, Meta(description="Size of the trial space.")] = None
     iterations: Annotated[int | None, Meta(description="Newton iterations.")] = None
     exact: Annotated[
         float | None,
         Meta(
-            description="Exact shortest path inside the patch on triangle meshes, "
-            "extrapolated over their sizes."
+            description="Length of the exact shortest path inside the patch on triangle meshes, "
+            "extrapolated over the sizes of the meshes."
         ),
     ] = None
     exact_uncertainty: Annotated[
-        float | None, Meta(description="Uncertainty of `exact`, from the extrapolation.")
+        float | None, Meta(description="Uncertainty of `exact`, which the extrapolation gives.")
     ] = None
     difference: Annotated[float | None, Meta(description="length - exact")] = None
     relative_difference: Annotated[
@@ -75,7 +76,7 @@ class Measurement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
     ] = None
     heat: Annotated[
         float | None,
-        Meta(description="Heat distance on the finest of these meshes: plausibility only."),
+        Meta(description="Heat distance on the finest mesh; it shows gross mistakes only."),
     ] = None
     verdict: Annotated[
         str | None, Meta(description="A key of `verdicts`; null where nothing was compared.")
@@ -85,14 +86,14 @@ class Measurement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
 class Finding(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Something that the check of the atlas noticed."""
 
-    kind: Annotated[str, Meta(description="In words.")]
-    severity: Annotated[Literal["error", "warning"], Meta(description="An error spoils lengths.")]
+    kind: Annotated[str, Meta(description="What kind of finding it is, in words.")]
+    severity: Annotated[Literal["error", "warning"], Meta(description="Errors make lengths wrong.")]
     patches: Annotated[list[str], Meta(description="Names of the patches concerned.")]
     message: str
 
 
 class Spread(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """How a set of values is distributed; null if it is empty."""
+    """The spread of a set of values; null if the set is empty."""
 
     count: int
     minimum: float | None = None
@@ -101,34 +102,35 @@ class Spread(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class Summary(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """The diagonals counted."""
+    """Counts of the diagonals, and the spread of what was measured."""
 
     patches: int
     diagonals: int
     measured: int
-    by_status: Annotated[dict[str, int], Meta(description="Diagonals of each status.")]
+    by_status: Annotated[dict[str, int], Meta(description="Number of diagonals of each status.")]
     by_verdict: Annotated[
-        dict[str, int], Meta(description="Diagonals of each verdict; empty without a cross-check.")
+        dict[str, int],
+        Meta(description="The same of each verdict; empty without a cross-check."),
     ]
     length: Spread
     error_estimate: Spread
-    difference: Annotated[Spread, Meta(description="Of |length - exact|, with its unit.")]
-    relative_difference: Annotated[Spread, Meta(description="Of |length - exact| / exact.")]
+    difference: Annotated[Spread, Meta(description="Spread of |length - exact|, in `unit`.")]
+    relative_difference: Annotated[Spread, Meta(description="Spread of |length - exact| / exact.")]
     worst: Annotated[
         str | None, Meta(description="Name of the diagonal with the largest relative difference.")
     ] = None
 
 
 class Document(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """All measurements of one atlas, with what is needed to judge and repeat them."""
+    """All measurements of one atlas, with what is needed to assess and repeat them."""
 
-    schema: Annotated[Literal["bodymeasure measurements"], Meta(description="Kind of file.")] = (
-        SCHEMA
-    )
-    version: Annotated[Literal[1], Meta(description="Of this layout.")] = VERSION
+    schema: Annotated[
+        Literal["bodymeasure measurements"], Meta(description="The kind of file.")
+    ] = SCHEMA
+    version: Annotated[Literal[1], Meta(description="The version of this layout.")] = VERSION
     name: Annotated[str, Meta(description="What the atlas shows.")]
-    created: Annotated[str, Meta(description="When, in ISO 8601.")]
-    unit: Annotated[UnitName, Meta(description="Unit of every length, error and difference.")]
+    created: Annotated[str, Meta(description="The time at which it was made, in ISO 8601.")]
+    unit: Annotated[LengthUnit, Meta(description="Unit of every length, error and difference.")]
     atlas_digest: Annotated[
         str, Meta(description="SHA-256 of the control points and their unit, in hexadecimal.")
     ]
@@ -136,7 +138,7 @@ class Document(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
         dict[str, str], Meta(description="Source, author, license and the like of the atlas.")
     ]
     settings: dict[str, str]
-    versions: Annotated[dict[str, str], Meta(description="Of the packages that computed.")]
+    versions: Annotated[dict[str, str], Meta(description="Versions of the packages used.")]
     seconds: Annotated[dict[str, float], Meta(description="Time that each step took.")]
     statuses: Annotated[
         dict[str, str], Meta(description="Meaning of each status that occurs, in a sentence.")
@@ -146,39 +148,30 @@ class Document(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     ]
     summary: Summary
     findings: list[Finding]
-    measurements: list[Measurement]
+    measurements: list[PatchRecord]
 
 
-def json_schema() -> dict[str, Any]:
-    """JSON Schema (draft 2020-12) of ``measurements.json``."""
-    return struct_schema(Document, SCHEMA)
-
-
-def to_json(document: Document) -> bytes:
-    """A document as JSON, one finding or measurement a line; every float round-trips."""
-    return json_bytes(document)
-
-
-def to_csv(measurements: Sequence[Measurement]) -> bytes:
-    """Measurements as CSV (RFC 4180, UTF-8) with a header row; every float round-trips.
-
-    The columns are the fields of `Measurement` in their order, with the ends' parameters as
-    ``start_u``, ``start_v``, ``end_u`` and ``end_v``. Null is an empty field.
-    """
-    return csv_bytes(CSV_COLUMNS, map(_flat, measurements))
-
-
-def _flat(measurement: Measurement) -> list[object]:
-    row: list[object] = []
-    for field in measurement.__struct_fields__:
-        value = getattr(measurement, field)
-        row.extend(value if field in _PAIRS else (value,))
-    return row
-
-
+# Fields that are a pair of parameters, which a CSV file holds in two columns.
 _PAIRS = ("start", "end")
 CSV_COLUMNS = tuple(
     column
-    for field in Measurement.__struct_fields__
+    for field in PatchRecord.__struct_fields__
     for column in ((f"{field}_u", f"{field}_v") if field in _PAIRS else (field,))
 )
+
+
+def to_csv(records: Sequence[PatchRecord]) -> bytes:
+    """Return records as CSV (RFC 4180, UTF-8) with a header row; every float round-trips.
+
+    The columns are the fields of `PatchRecord` in their order, with the parameters of the ends as
+    ``start_u``, ``start_v``, ``end_u`` and ``end_v``. Null is an empty field.
+    """
+    return csv_bytes(CSV_COLUMNS, map(_flat, records))
+
+
+def _flat(record: PatchRecord) -> list[object]:
+    row: list[object] = []
+    for field in record.__struct_fields__:
+        value = getattr(record, field)
+        row.extend(value if field in _PAIRS else (value,))
+    return row

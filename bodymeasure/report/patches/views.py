@@ -12,10 +12,9 @@ from bodymeasure.report.patches.ranking import (
     first_unmeasured,
     worst,
 )
-from bodymeasure.report.patches.records import Document, Finding, Measurement
+from bodymeasure.report.patches.records import Document, Finding, PatchRecord
+from bodymeasure.report.units import UNIT_NAMES
 from bodymeasure.wording import counted
-
-UNIT_NAMES = {"m": "meters", "cm": "centimeters", "mm": "millimeters", "inch": "inches"}
 
 # Statuses in the words of a table; the sentences beside them explain.
 LABELS = {
@@ -51,8 +50,8 @@ class PatchRow:
 
     number: int
     name: str
-    diagonals: tuple[Measurement, ...]
-    sides: tuple[Measurement, ...]
+    diagonals: tuple[PatchRecord, ...]
+    sides: tuple[PatchRecord, ...]
 
 
 @dataclass(frozen=True)
@@ -64,10 +63,10 @@ class Region:
     patches: tuple[PatchRow, ...]
     measured: int
     diagonals: int
-    largest: Measurement | None
+    largest: PatchRecord | None
 
 
-def diagonals(document: Document) -> list[Measurement]:
+def diagonals(document: Document) -> list[PatchRecord]:
     """The document's diagonals."""
     return [m for m in document.measurements if m.kind == "diagonal"]
 
@@ -199,7 +198,7 @@ def _precision(document: Document) -> str:
 
 def regions(document: Document) -> list[Region]:
     """The patches by body region, regions as they first occur, by name in each."""
-    rows: dict[int, list[Measurement]] = {}
+    rows: dict[int, list[PatchRecord]] = {}
     for record in document.measurements:
         rows.setdefault(record.patch_number, []).append(record)
     grouped: dict[str, list[PatchRow]] = {}
@@ -236,12 +235,12 @@ def _natural(patch: PatchRow) -> list[tuple[bool, int, str]]:
     return [(word.isdigit(), int(word) if word.isdigit() else 0, word) for word in words]
 
 
-def worst_cases(document: Document) -> list[Measurement]:
+def worst_cases(document: Document) -> list[PatchRecord]:
     """The diagonals to show as worst, worst first."""
     return worst(document.measurements)[:WORST_SHOWN]
 
 
-def unmeasured(document: Document) -> tuple[list[Measurement], list[Measurement]]:
+def unmeasured(document: Document) -> tuple[list[PatchRecord], list[PatchRecord]]:
     """The diagonals without a length: those with a picture (one a patch), and all."""
     records = [m for m in diagonals(document) if m.length is None]
     return first_unmeasured(records)[:UNMEASURED_SHOWN], records

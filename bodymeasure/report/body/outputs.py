@@ -1,0 +1,95 @@
+"""The files of a chart: the page, and the outputs for programs, one module each."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from bodymeasure.atlas import Unit
+from bodymeasure.report.body.freesewing import to_freesewing
+from bodymeasure.report.body.from_chart import chart_document
+from bodymeasure.report.body.page import TapePictures, render_chart
+from bodymeasure.report.body.records import ChartDocument, chart_to_csv
+from bodymeasure.report.body.smis import to_smis
+from bodymeasure.report.files import write_files
+from bodymeasure.report.serial import schema_bytes, to_json
+
+if TYPE_CHECKING:
+    from bodymeasure.chart import Chart
+
+# What makes each file, by its name, in which {stem} stands for the name of the body. An output is
+# added by its own module here and one line.
+OUTPUTS: dict[str, Callable[[ChartDocument], bytes]] = {
+    "measurements.json": to_json,
+    "measurements.csv": chart_to_csv,
+    "measurements.schema.json": lambda document: schema_bytes(type(document)),
+    "{stem}.smis": to_smis,
+    "freesewing.json": to_freesewing,
+}
+
+
+def write_chart(
+    chart: "Chart",
+    folder: Path | str,
+    *,
+    unit: Unit | str = Unit.CM,
+    stem: str = "body",
+    pictures: TapePictures | bool = True,
+) -> tuple[Path, ...]:
+    """Write ``chart.html``, ``measurements.json`` and ``.csv``, and files for pattern programs.
+
+    These are a ``.smis`` file for SeamlyMe and Seamly2D, and ``freesewing.json``. All files are
+    computed before the first is written, and all are written or none.
+
+    Parameters
+    ----------
+    chart : Chart
+        The result of `measure_chart`.
+    folder : Path or str
+        Made if it is not there; files of these names in it are replaced.
+    unit : Unit or str
+        Unit of the lengths; angles stay in degrees.
+    stem : str
+        Name of the file for SeamlyMe, without its ``.smis``.
+    pictures : bool or TapePictures
+        Whether the page has pictures, which are drawn then; or pictures that are drawn already,
+        by `bodymeasure.scene.tape_pictures`.
+
+    Returns
+    -------
+    tuple of Path
+        The files, the page first.
+
+    Raises
+    ------
+    MissingExtraError
+        If jinja2 is not installed, or pictures are to be drawn without matplotlib.
+    InputError
+        If a measurement has a name that Seamly2D would not take, the folder cannot be made or
+        written to, or the disk is full.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from msgspec.structs import replace
+    >>> import bodymeasure as bm
+    >>> from bodymeasure.report.body import write_chart
+    >>> definitions = bm.load_definitions()
+    >>> bust = [each for each in definitions.measurement if each.key == "bust_girth"]
+    >>> definitions = replace(definitions, measurement=tuple(bust), landmark=())
+    >>> chart = bm.measure_chart(bm.load_sample("female_average"), definitions)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     files = write_chart(chart, folder, unit="inch", stem="anna", pictures=False)
+    >>> [file.name for file in files][-2:]
+    ['anna.smis', 'freesewing.json']
+    """
+    document = chart_document(chart, unit)
+    drawn = _drawn(chart) if pictures is True else pictures or None
+    contents = {name.format(stem=stem): make(document) for name, make in OUTPUTS.items()}
+    return write_files(folder, {"chart.html": render_chart(document, drawn), **contents})
+
+
+def _drawn(chart: "Chart") -> TapePictures:
+    # Matplotlib is slow to load, and not needed without pictures.
+    from bodymeasure.scene import tape_pictures
+
+    return tape_pictures(chart)

@@ -1,0 +1,81 @@
+"""The files of a report: the page, the records as JSON and CSV, and their schema."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from bodymeasure.atlas import Unit
+from bodymeasure.report.files import write_files
+from bodymeasure.report.patches.from_survey import survey_document
+from bodymeasure.report.patches.page import Pictures, render_html
+from bodymeasure.report.patches.ranking import closeup_patches
+from bodymeasure.report.patches.records import Document, to_csv
+from bodymeasure.report.serial import schema_bytes, to_json
+
+if TYPE_CHECKING:
+    from bodymeasure.measure import Survey
+
+
+def write_report(
+    survey: "Survey",
+    folder: Path | str,
+    *,
+    unit: Unit | str = Unit.CM,
+    pictures: Pictures | bool = True,
+) -> tuple[Path, ...]:
+    """Write ``report.html``, ``measurements.json``, ``measurements.csv`` and the schema.
+
+    All files are computed before the first is written, and all are written or none.
+
+    Parameters
+    ----------
+    survey : Survey
+        The result of `measure_atlas`.
+    folder : Path or str
+        Made if it is not there; files of these names in it are replaced.
+    unit : Unit or str
+        Unit of the lengths.
+    pictures : bool or Pictures
+        Whether the page has pictures, which are drawn then; or pictures that are drawn already,
+        by `bodymeasure.scene.pictures`.
+
+    Returns
+    -------
+    tuple of Path
+        The files, the page first.
+
+    Raises
+    ------
+    MissingExtraError
+        If jinja2 is not installed, or pictures are to be drawn without matplotlib.
+    InputError
+        If the folder cannot be made or written to, or the disk is full.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import bodymeasure as bm
+    >>> from bodymeasure.report import write_report
+    >>> survey = bm.measure_atlas(bm.load_sample("paraboloid"), compare=False)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     files = write_report(survey, folder, unit="mm", pictures=False)
+    >>> [file.name for file in files]
+    ['report.html', 'measurements.json', 'measurements.csv', 'measurements.schema.json']
+    """
+    document = survey_document(survey, unit)
+    drawn = _drawn(survey, document) if pictures is True else pictures or None
+    return write_files(
+        folder,
+        {
+            "report.html": render_html(document, drawn),
+            "measurements.json": to_json(document),
+            "measurements.csv": to_csv(document.measurements),
+            "measurements.schema.json": schema_bytes(Document),
+        },
+    )
+
+
+def _drawn(survey: "Survey", document: Document) -> Pictures:
+    # Matplotlib is slow to load, and not needed without pictures.
+    from bodymeasure.scene import pictures as draw
+
+    return draw(survey, closeup_patches(document))
