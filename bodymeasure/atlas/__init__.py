@@ -6,6 +6,7 @@ from bodymeasure.atlas.check.check import check_atlas
 from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
 from bodymeasure.atlas.check.weld import weld
 from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.queries.locations import Location
 from bodymeasure.atlas.seams import EDGES, Edge, EdgeTable, edge_table, sides_of
 from bodymeasure.atlas.summary import AtlasSummary, summarize
 from bodymeasure.atlas.tessellation import Tessellation, tessellate
@@ -23,6 +24,7 @@ __all__ = [
     "EdgeTable",
     "Finding",
     "FindingKind",
+    "Location",
     "Severity",
     "Tessellation",
     "Unit",

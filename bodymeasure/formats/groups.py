@@ -57,7 +57,7 @@ def select_groups(atlas: Atlas, groups: Sequence[str]) -> Atlas:
         patch_names=tuple(atlas.patch_names[number] for number in chosen),
         regions=tuple(atlas.regions[number] for number in chosen),
         landmarks={
-            name: replace(point, patch=new_number[point.patch])
+            name: point._replace(patch=new_number[point.patch])
             for name, point in atlas.landmarks.items()
             if point.patch in new_number
         },

@@ -7,7 +7,7 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.topology.neighbors import Neighbors, Place
+from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
 from bodymeasure.geodesic.across.routes.graph import patch_graph
@@ -100,8 +100,7 @@ def _search(
     found: list[AtlasPath],
 ) -> None:
     """Add the other paths to those that are known, until there are enough."""
-    ends = tuple(Place(point.patch, point.u, point.v) for point in points)
-    for ways in _ways(atlas, (ends[0], ends[1])):
+    for ways in _ways(atlas, points):
         for length, vias in ways:
             lengths = sorted(path.length for path in found)
             if len(found) >= count and length > lengths[count - 1] * (1.0 + SLACK):
@@ -119,8 +118,8 @@ def _search(
 
 
 def _ways(
-    atlas: Atlas, ends: tuple[Place, Place]
-) -> Iterator[list[tuple[float, tuple[Place, Place]]]]:
+    atlas: Atlas, ends: tuple[AtlasPoint, AtlasPoint]
+) -> Iterator[list[tuple[float, tuple[AtlasPoint, AtlasPoint]]]]:
     """Rough ways: their lengths and what they lead through, in wider and wider regions."""
     graph = patch_graph(atlas)
     to_start, to_end = (graph.distances(atlas, place) for place in ends)
@@ -142,11 +141,11 @@ def _path(
     atlas: Atlas,
     neighbors: Neighbors,
     points: tuple[AtlasPoint, AtlasPoint],
-    vias: tuple[Place, Place],
+    vias: tuple[AtlasPoint, AtlasPoint],
     known: list[AtlasPath],
 ) -> AtlasPath | None:
     """The shortest path near a way; None if there is none, or it is known without a look."""
-    start, end = (Place(point.patch, point.u, point.v) for point in points)
+    start, end = points
     way = pulled_way(atlas, (start, *vias, end))
     if way is None or not way.places:
         return None

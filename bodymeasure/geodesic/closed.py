@@ -133,9 +133,7 @@ def _path(atlas: Atlas, points: tuple[AtlasPoint, ...], found: FoundLoop) -> Clo
             for patch, values, piece in zip(route.patches, refined.values, lengths, strict=True)
         ),
         crossings=tuple(
-            SeamCrossing(
-                AtlasPoint(*route.exit(number - 1)), AtlasPoint(*route.entry(number)), float(t)
-            )
+            SeamCrossing(route.exit(number - 1), route.entry(number), float(t))
             for number, t in enumerate(starts)
         ),
         kind=length.kind,

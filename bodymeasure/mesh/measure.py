@@ -9,6 +9,7 @@ import scipy
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Unit
+from bodymeasure.atlas.queries.locations import FARTHEST, far_words
 from bodymeasure.atlas.size import require_size
 from bodymeasure.errors import InputError
 from bodymeasure.mesh.arrays import TriangleMesh, part_of, triangle_mesh
@@ -22,8 +23,6 @@ from bodymeasure.oracle.libigl import closest_on_mesh
 MeshPlace = int | NDArray[np.float64]
 """A vertex by its number, or a position of shape (3,) on or near the mesh."""
 
-# Of the mesh's size: a position farther off is not on this mesh, or in another unit.
-FARTHEST = 0.02
 # Lengths over meshes approach the surface's by the square of the triangles' size: what halving
 # them changes is three quarters of what is missing.
 MISSING = 4.0 / 3.0
@@ -124,9 +123,9 @@ def _with_vertex(
     distance = float(np.linalg.norm(foot[0] - position))
     size = float(np.linalg.norm(np.ptp(mesh.vertices[mesh.faces.ravel()], axis=0)))
     if distance > FARTHEST * size:
+        said = far_words(name, position, distance, FARTHEST * size, surface="the mesh")
         raise InputError(
-            f"{name}, {position.tolist()}, is {distance:.3g} from the mesh, whose size is "
-            f"{size:.3g}; expected a place on it: is it in another unit?"
+            f"{said}; its size is {size:.3g}: check the position's coordinates, and its unit"
         )
     more, number = inserted(mesh, int(face[0]), foot[0])
     return more, number, float(np.linalg.norm(more.vertices[number] - foot[0]))

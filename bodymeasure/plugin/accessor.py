@@ -7,21 +7,17 @@ import numpy as np
 import pyvista as pv
 
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
-from bodymeasure.atlas.queries.closest import closest_points
+from bodymeasure.atlas.queries.locations import Location, atlas_point
 from bodymeasure.errors import BodymeasureError, InputError
 from bodymeasure.geodesic import geodesic_between
 from bodymeasure.measure import body_girth
-from bodymeasure.measure.body.places import landmark_of
 from bodymeasure.mesh import measure_mesh
 from bodymeasure.mesh.points import points_of
 from bodymeasure.plugin.drawn import drawn_path, shown
 from bodymeasure.plugin.remembered import PARAMETERS, PATCH, atlas_of, lines_of, unit_of
 
-MeshPlace = int | str | AtlasPoint | Sequence[float]
+MeshPlace = int | Location
 """A vertex by number; a position; on meshes that remember an atlas, a landmark or its point too."""
-
-# Of the body's size: a position farther off is not on it, or in another unit.
-FARTHEST = 0.02
 
 
 class MeasureAccessor:
@@ -204,11 +200,7 @@ class MeasureAccessor:
         return paths
 
     def _point(self, atlas: Atlas, place: MeshPlace) -> AtlasPoint:
-        if isinstance(place, AtlasPoint):
-            return place
-        if isinstance(place, str):
-            return landmark_of(atlas, place)
-        if isinstance(place, (int, np.integer)) and not isinstance(place, bool):
+        if isinstance(place, int | np.integer) and not isinstance(place, bool):
             count = self._mesh.n_points
             if not 0 <= place < count:
                 raise InputError(
@@ -217,23 +209,8 @@ class MeasureAccessor:
                 )
             u, v = np.asarray(self._mesh.point_data[PARAMETERS], dtype=float)[place].tolist()
             return AtlasPoint(int(self._mesh.point_data[PATCH][place]), u, v)
-        try:
-            position = np.asarray(place, dtype=np.float64)
-        except (TypeError, ValueError):
-            position = np.empty(0)
-        if position.shape != (3,):
-            raise InputError(
-                f"a place is {place!r}; expected a vertex's number, a landmark's name, three "
-                "coordinates or an AtlasPoint"
-            )
-        points, distances = closest_points(atlas, position[None])
-        size = float(np.ptp(atlas.points, axis=0).max())
-        if distances[0] > FARTHEST * size:
-            raise InputError(
-                f"the place {position.tolist()} is {distances[0]:.3g} from the surface, whose size "
-                f"is {size:.3g}; expected a place on it: is it in another unit?"
-            )
-        return points[0]
+        # A truth value is no number of a vertex, and is refused here.
+        return atlas_point(atlas, place, "the place")  # type: ignore[arg-type]
 
 
 def _plain(place: MeshPlace) -> Any:

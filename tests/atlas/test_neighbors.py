@@ -3,7 +3,8 @@ import pytest
 from helpers.surfaces.grids import grid_atlas
 
 from bodymeasure.atlas import Atlas, Unit
-from bodymeasure.atlas.topology.neighbors import Neighbors, Place
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.bezier import evaluate
 
 
@@ -17,22 +18,22 @@ def turned() -> Atlas:
     return Atlas(atlas.points, index, Unit.CM)
 
 
-def position(atlas: Atlas, place: Place) -> np.ndarray:
+def position(atlas: Atlas, place: AtlasPoint) -> np.ndarray:
     return np.asarray(evaluate(atlas.control_points[place.patch], (place.u, place.v)))
 
 
 @pytest.mark.parametrize(
     ("place", "count"),
     [
-        (Place(0, 0.3, 0.4), 1),
-        (Place(0, 0.3, 0.0), 1),
-        (Place(0, 0.3, 1.0), 2),
-        (Place(0, 1.0, 0.7), 2),
-        (Place(0, 1.0, 1.0), 4),
-        (Place(0, 1.0, 0.0), 2),
+        (AtlasPoint(0, 0.3, 0.4), 1),
+        (AtlasPoint(0, 0.3, 0.0), 1),
+        (AtlasPoint(0, 0.3, 1.0), 2),
+        (AtlasPoint(0, 1.0, 0.7), 2),
+        (AtlasPoint(0, 1.0, 1.0), 4),
+        (AtlasPoint(0, 1.0, 0.0), 2),
     ],
 )
-def test_all_places_of_a_point(turned: Atlas, place: Place, count: int) -> None:
+def test_all_places_of_a_point(turned: Atlas, place: AtlasPoint, count: int) -> None:
     same = Neighbors(turned).same(place)
     assert same[0] == place
     assert len({found.patch for found in same}) == len(same) == count
@@ -42,7 +43,7 @@ def test_all_places_of_a_point(turned: Atlas, place: Place, count: int) -> None:
 
 def test_two_ways_about_an_inner_corner_and_one_at_the_boundary(turned: Atlas) -> None:
     neighbors = Neighbors(turned)
-    inner = Place(0, 1.0, 1.0)
+    inner = AtlasPoint(0, 1.0, 1.0)
     opposite = next(place for place in neighbors.same(inner) if place.patch == 4)
     ways = neighbors.ways(inner, opposite)
     assert sorted([step.place.patch for step in way] for way in ways) == [[1, 4], [3, 4]]
@@ -51,7 +52,7 @@ def test_two_ways_about_an_inner_corner_and_one_at_the_boundary(turned: Atlas) -
             np.testing.assert_allclose(
                 position(turned, step.place), position(turned, inner), atol=1e-15
             )
-    rim = Place(0, 1.0, 0.0)
+    rim = AtlasPoint(0, 1.0, 0.0)
     (way,) = neighbors.ways(rim, neighbors.same(rim)[1])
     assert [step.place.patch for step in way] == [3]
 
@@ -61,8 +62,8 @@ def test_a_patch_can_be_its_own_neighbor() -> None:
     index = ring.index.copy()
     index[0, 3] = index[0, 0]
     neighbors = Neighbors(Atlas(ring.points, index, Unit.CM))
-    (step,) = neighbors.steps(Place(0, 1.0, 0.25))
-    assert (step.along, step.place) == (0.25, Place(0, 0.0, 0.25))
+    (step,) = neighbors.steps(AtlasPoint(0, 1.0, 0.25))
+    assert (step.along, step.place) == (0.25, AtlasPoint(0, 0.0, 0.25))
 
 
 def test_collapsed_edges_lead_nowhere() -> None:
@@ -70,4 +71,4 @@ def test_collapsed_edges_lead_nowhere() -> None:
     index = atlas.index.copy()
     index[0, 0] = index[0, 0, 0]
     neighbors = Neighbors(Atlas(atlas.points, index, Unit.CM))
-    assert neighbors.same(Place(0, 0.0, 0.5)) == [Place(0, 0.0, 0.5)]
+    assert neighbors.same(AtlasPoint(0, 0.0, 0.5)) == [AtlasPoint(0, 0.0, 0.5)]

@@ -136,11 +136,11 @@ def test_a_position_in_a_wrong_unit_is_refused_with_the_right_one(run: Run, bare
     place = ("landmarks", "add", bare, "bust point left", "--in-place", "--at")
     ran = run(*place, *BUST, "--unit", "mm")
     assert (ran.code, ran.out) == (2, "")
-    assert "from the body, more than 20 mm; in cm it would be 0.056 cm from it: check" in ran.err
+    assert "from the surface, more than 20 mm; in cm it would be 0.056 cm from it: check" in ran.err
     assert bare.read_bytes() == before
     ran = run(*place, "9.1", "-30", "116.4", "--unit", "cm")
     assert ran.code == 2
-    assert "cm from the body, more than 2 cm; check its coordinates, its unit" in ran.err
+    assert "cm from the surface, more than 2 cm; check its coordinates, its unit" in ran.err
     assert run(*place, "9.1", "-30", "116.4", "--unit", "cm", "--far").code == 0
     assert set(read_atlas(bare).landmarks) == {"front waist point", "bust point left"}
 
@@ -223,7 +223,7 @@ def test_other_meshes_are_read_by_trimesh(
         ("body.stl", "", "body.stl: unknown kind of mesh '.stl'; expected one of .obj, .off, .ply"),
         ("body.obj", "v 1 2\n", "body.obj, line 1: is 'v 1 2'; expected v and three numbers"),
         ("body.obj", "f 1 2 3\n", "body.obj: holds no vertex; expected a mesh"),
-        ("body.obj", "v nan 0 0\n", "landmark 'x' is at [nan, 0.0, 0.0]; expected finite"),
+        ("body.obj", "v nan 0 0\n", "landmark 'x' is [nan, 0.0, 0.0]; expected three finite"),
     ],
 )
 def test_bad_meshes_are_told(
@@ -264,7 +264,7 @@ def test_several_are_added_from_a_file(run: Run, bare: Path, tmp_path: Path, hea
         ("a,0,0,one\n", "picks.csv, line 1: is 'a, 0, 0, one'"),
         ("a;0,1;0,2;0,3\n", "separate them by commas, with points in numbers"),
         ('a,"0"1,0,0\n', "picks.csv, line 1: is no CSV"),
-        ("a,0,inf,0\n", "landmark 'a' is at [0.0, inf, 0.0]; expected finite coordinates"),
+        ("a,0,inf,0\n", "landmark 'a' is [0.0, inf, 0.0]; expected three finite numbers"),
         ("a,0.0,-15,97.6\na,0.0,-15,97.6\n", "landmark 'a' is given twice; expected it once"),
         (",0.0,-15,97.6\n", "is to be named ''; expected a name on one line"),
         ("a,0.0,-15,976\n", "landmark 'a' at (0, -15, 976) cm is 83"),

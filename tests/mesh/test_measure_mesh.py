@@ -121,7 +121,7 @@ Change = Callable[[Array, NDArray[np.int64]], tuple[Any, Any, Any, Any]]
     ("change", "message"),
     [
         (lambda v, f: (v, f, 0, 99), r"the end is vertex 99, .* numbered 0 to 35"),
-        (lambda v, f: (v, f, 0, [5.0, 5.0, 0.0]), r"the end.* from the mesh.*another unit"),
+        (lambda v, f: (v, f, 0, [5.0, 5.0, 0.0]), r"the end.* from the mesh.*and its unit"),
         (lambda v, f: (v, f, 0, [0.0, np.nan, 0.0]), r"the end is .*three finite coordinates"),
         (lambda v, f: (v, f, "neck", 3), r"the start is 'neck'; expected the number of a vertex"),
         (lambda v, f: (v, f[:, :2], 0, 3), r"faces have shape \(50, 2\); expected \(f, 3\)"),
@@ -140,7 +140,7 @@ Change = Callable[[Array, NDArray[np.int64]], tuple[Any, Any, Any, Any]]
         (lambda v, f: (1e-200 * v, f, 0, 3), r"the mesh extends over 1e-200; expected a size"),
         (
             lambda v, f: (np.vstack([v, [[1e6, 0.0, 0.0]]]), f, [50.0, 0.0, 0.0], 3),
-            r"the start.* from the mesh, whose size is 1.41",
+            r"the start.* from the mesh.* its size is 1.41",
         ),
     ],
 )

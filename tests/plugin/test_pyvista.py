@@ -155,10 +155,10 @@ def test_quads_are_measured_as_triangles() -> None:
     [
         ("bust point lef", r"no landmark 'bust point lef'; did you mean 'bust point left'"),
         (10**6, r"vertex 1000000 is not there"),
-        ((0.0, 0.0), r"expected a vertex's number, a landmark's name, three"),
-        ((100.0, 0.0, 0.0), r"from the surface.*another unit"),
-        (object(), r"expected a vertex's number, a landmark's name, three"),
-        (("a", "b", "c"), r"expected a vertex's number, a landmark's name, three"),
+        ((0.0, 0.0), r"the place is .*expected three finite numbers, a landmark's name or"),
+        ((100.0, 0.0, 0.0), r"from the surface.*check its coordinates, its unit"),
+        (object(), r"the place is .*expected three finite numbers, a landmark's name or"),
+        (("a", "b", "c"), r"the place is .*expected three finite numbers, a landmark's name or"),
     ],
 )
 def test_bad_places_are_refused(mesh, place, message: str) -> None:  # type: ignore[no-untyped-def]
@@ -215,4 +215,4 @@ def test_two_picked_points_are_measured(mesh) -> None:  # type: ignore[no-untype
     assert len(paths) == 1
     assert paths[0].field_data["length"][0] == pytest.approx(mesh.measure.distance(10, 300))
     # The second pair is told off in the window, where a traceback would be of no use.
-    assert "another unit" in plotter.texts[-1]
+    assert "check its coordinates, its unit" in plotter.texts[-1]

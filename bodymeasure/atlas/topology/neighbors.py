@@ -7,19 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, edge_table
 
 # Digits to which the parameters of two places must agree to be the same: they are added up from
 # few numbers in [0, 1].
 DIGITS = 9
-
-
-class Place(NamedTuple):
-    """A point (u, v) of a patch, for calculating; several places may be one point of the atlas."""
-
-    patch: int
-    u: float
-    v: float
 
 
 class Crossing(NamedTuple):
@@ -51,13 +44,13 @@ class Step(NamedTuple):
     crossing : Crossing
     along : float
         The parameter that runs along the side that is left.
-    place : Place
+    place : AtlasPoint
         The same point on the patch that is entered.
     """
 
     crossing: Crossing
     along: float
-    place: Place
+    place: AtlasPoint
 
 
 def on_side(side: int, along: float) -> tuple[float, float]:
@@ -91,23 +84,23 @@ class Neighbors:
                     if (to_patch, to_side) != (patch, side)
                 )
 
-    def steps(self, place: Place) -> Iterator[Step]:
+    def steps(self, place: AtlasPoint) -> Iterator[Step]:
         """All steps over a seam at a place; from a pole, at both ends of its collapsed side."""
         side = self.pole_side(place)
         if side is None:
             yield from self._steps(place)
             return
         for along in (0.0, 1.0):
-            yield from self._steps(Place(place.patch, *on_side(side, along)))
+            yield from self._steps(AtlasPoint(place.patch, *on_side(side, along)))
 
-    def pole_side(self, place: Place) -> int | None:
+    def pole_side(self, place: AtlasPoint) -> int | None:
         """The side on which a place lies that is collapsed to a point, if any."""
         for side, edge in enumerate(EDGES):
             if self.collapsed[place.patch, side] and place[1 + edge.fixed_axis] == edge.fixed_value:
                 return side
         return None
 
-    def _steps(self, place: Place) -> Iterator[Step]:
+    def _steps(self, place: AtlasPoint) -> Iterator[Step]:
         parameters = (place.u, place.v)
         for side, edge in enumerate(EDGES):
             if parameters[edge.fixed_axis] != edge.fixed_value:
@@ -115,10 +108,10 @@ class Neighbors:
             along = parameters[1 - edge.fixed_axis]
             for crossing in self.over.get((place.patch, side), ()):
                 there = 1.0 - along if crossing.flipped else along
-                to = Place(crossing.to_patch, *on_side(crossing.to_side, there))
+                to = AtlasPoint(crossing.to_patch, *on_side(crossing.to_side, there))
                 yield Step(crossing, along, to)
 
-    def same(self, place: Place) -> list[Place]:
+    def same(self, place: AtlasPoint) -> list[AtlasPoint]:
         """All places that are the same point of the atlas, this one first."""
         found = {self._key(place): place}
         queue = [place]
@@ -129,18 +122,18 @@ class Neighbors:
                     queue.append(step.place)
         return list(found.values())
 
-    def are_same(self, place: Place, other: Place) -> bool:
+    def are_same(self, place: AtlasPoint, other: AtlasPoint) -> bool:
         """Whether two places are the same point of the atlas."""
         return self._key(other) in {self._key(same) for same in self.same(place)}
 
-    def ways(self, start: Place, end: Place) -> list[tuple[Step, ...]]:
+    def ways(self, start: AtlasPoint, end: AtlasPoint) -> list[tuple[Step, ...]]:
         """The ways from one place to another that is the same point, fewest steps first.
 
         One over a seam; two about a corner, or one where the boundary is between.
         """
         found: list[tuple[Step, ...]] = []
 
-        def follow(here: Place, seen: frozenset[Place], way: tuple[Step, ...]) -> None:
+        def follow(here: AtlasPoint, seen: frozenset[AtlasPoint], way: tuple[Step, ...]) -> None:
             if self._key(here) == self._key(end):
                 found.append(way)
                 return
@@ -151,9 +144,9 @@ class Neighbors:
         follow(start, frozenset({self._key(start)}), ())
         return sorted(found, key=len)
 
-    def _key(self, place: Place) -> Place:
+    def _key(self, place: AtlasPoint) -> AtlasPoint:
         """The same for places of a patch that are the same point."""
         side = self.pole_side(place)
         if side is not None:
-            return Place(place.patch, *on_side(side, 0.0))
-        return Place(place.patch, round(place.u, DIGITS), round(place.v, DIGITS))
+            return AtlasPoint(place.patch, *on_side(side, 0.0))
+        return AtlasPoint(place.patch, round(place.u, DIGITS), round(place.v, DIGITS))

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
-from bodymeasure.atlas.queries.closest import closest_points
+from bodymeasure.atlas.queries.locations import points_near
 from bodymeasure.errors import InputError
 from bodymeasure.wording import hint
 
@@ -61,37 +61,15 @@ def nearest_picks(
         be.
     """
     unit = Unit.parse(unit)
-    if not np.isfinite(positions).all():
-        row = int(np.flatnonzero(~np.isfinite(positions).all(axis=1))[0])
-        raise InputError(
-            f"landmark {names[row]!r} is at {positions[row].tolist()}; expected finite coordinates"
-        )
-    points, distances = closest_points(atlas, positions * (unit.metres / atlas.unit.metres))
-    too_far = np.flatnonzero(distances * atlas.unit.metres > FARTHEST)
-    if len(too_far) and not far:
-        row = int(too_far[0])
-        apart = distances[row] * atlas.unit.metres
-        where = ", ".join(f"{x:g}" for x in positions[row])
-        raise InputError(
-            f"landmark {names[row]!r} at ({where}) {unit} is {apart / unit.metres:.4g} {unit} from "
-            f"the body, more than {FARTHEST / unit.metres:.4g} {unit}; "
-            f"{_unit_hint(atlas, positions[row], unit)}, or give --far"
-        )
+    allowed = np.inf if far else FARTHEST / atlas.unit.metres
+    said = [f"landmark {name!r}" for name in names]
+    points, distances = points_near(
+        atlas, positions, said, unit=unit, farthest=allowed, remedy=", or give --far"
+    )
     return tuple(
         Pick(name, point, float(distance))
         for name, point, distance in zip(names, points, distances, strict=True)
     )
-
-
-def _unit_hint(atlas: Atlas, position: NDArray[np.float64], unit: Unit) -> str:
-    others = [other for other in Unit if other is not unit]
-    tried = np.array([position * (other.metres / atlas.unit.metres) for other in others])
-    _, distances = closest_points(atlas, tried)
-    best = int(np.argmin(distances))
-    apart = float(distances[best]) * atlas.unit.metres / others[best].metres
-    if float(distances[best]) * atlas.unit.metres > FARTHEST:
-        return "check its coordinates, its unit, and that it is in the atlas's axes"
-    return f"in {others[best]} it would be {apart:.2g} {others[best]} from it: check the unit"
 
 
 def with_landmarks(atlas: Atlas, picks: Sequence[Pick], *, replacing: bool = False) -> Atlas:

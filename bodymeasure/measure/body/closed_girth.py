@@ -3,15 +3,15 @@
 from typing import Literal
 
 from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.atlas.queries.locations import Location, position_of
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import ClosedPath, contract
 from bodymeasure.measure.body.girths import section_loop
-from bodymeasure.measure.body.places import Place, position_of
 from bodymeasure.section import Plane
 
 
 def closed_geodesic(
-    atlas: Atlas, at: Place, *, on_failure: Literal["raise", "status"] = "raise"
+    atlas: Atlas, at: Location, *, on_failure: Literal["raise", "status"] = "raise"
 ) -> ClosedPath:
     """The closed geodesic that the horizontal loop at a place contracts to.
 

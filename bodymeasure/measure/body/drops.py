@@ -7,8 +7,8 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Unit
+from bodymeasure.atlas.queries.locations import Location, position_of
 from bodymeasure.errors import InputError
-from bodymeasure.measure.body.places import Place, position_of
 from bodymeasure.section import (
     DrawnTape,
     Hull,
@@ -76,7 +76,7 @@ class Drop:
 
 
 def drop(
-    atlas: Atlas, start: Place, level: Place, *, plane: Literal["median", "side"] = "median"
+    atlas: Atlas, start: Location, level: Location, *, plane: Literal["median", "side"] = "median"
 ) -> Drop:
     """Length along the surface in a vertical plane, from a place to the height of another one.
 

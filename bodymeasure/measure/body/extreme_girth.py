@@ -9,9 +9,9 @@ import scipy
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas
+from bodymeasure.atlas.queries.locations import Location, position_of
 from bodymeasure.errors import InputError
 from bodymeasure.measure.body.girths import Girth, girth_of_loop, limb_axis, section_loop
-from bodymeasure.measure.body.places import Place, position_of
 from bodymeasure.section import Plane, SectionLoop, convex_hull
 
 # Planes tried before Brent's method narrows down between the best one's neighbors: bodies have one
@@ -51,8 +51,8 @@ class ExtremeGirth:
 
 def extreme_girth(
     atlas: Atlas,
-    start: Place,
-    end: Place,
+    start: Location,
+    end: Location,
     kind: Literal["largest", "smallest"],
     *,
     tape: Literal["contact", "taut"] = "contact",
@@ -123,7 +123,7 @@ class _Stretch:
     limb: bool
 
     @classmethod
-    def between(cls, atlas: Atlas, start: Place, end: Place, *, limb: bool) -> "_Stretch":
+    def between(cls, atlas: Atlas, start: Location, end: Location, *, limb: bool) -> "_Stretch":
         first, last = position_of(atlas, start), position_of(atlas, end)
         up = atlas.axes.up_vector
         if not limb and (last - first) @ up == 0.0:

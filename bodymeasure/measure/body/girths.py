@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas, Unit
+from bodymeasure.atlas.queries.locations import Location, position_of
 from bodymeasure.errors import InputError
 from bodymeasure.measure.body.cutting import cut_loop
 from bodymeasure.measure.body.merging import UNJUDGED, merged, refuse_merged
-from bodymeasure.measure.body.places import Place, position_of
 from bodymeasure.section import (
     BridgedLoop,
     DrawnTape,
@@ -76,7 +76,7 @@ class Girth:
         return drawn(self.tape, self.hull.spans)
 
 
-def plane_girth(atlas: Atlas, plane: Plane, at: Place, *, limb: bool = False) -> Girth:
+def plane_girth(atlas: Atlas, plane: Plane, at: Location, *, limb: bool = False) -> Girth:
     """Girth in a plane, of the part of the body that is nearest to a place.
 
     Parameters
@@ -97,7 +97,7 @@ def plane_girth(atlas: Atlas, plane: Plane, at: Place, *, limb: bool = False) ->
     return girth_of_loop(section_loop(atlas, plane, at, limb=limb))
 
 
-def section_loop(atlas: Atlas, plane: Plane, at: Place, *, limb: bool = False) -> SectionLoop:
+def section_loop(atlas: Atlas, plane: Plane, at: Location, *, limb: bool = False) -> SectionLoop:
     """The loop that `plane_girth` measures."""
     section = plane_section(atlas, plane)
     loop = section.nearest(position_of(atlas, at))
@@ -113,7 +113,9 @@ def girth_of_loop(loop: SectionLoop, tape: SectionLoop | BridgedLoop | None = No
     return Girth(tape.length, hull.length, hull.error_estimate, loop, tape, hull, loop.unit, remark)
 
 
-def body_girth(atlas: Atlas, at: Place, *, cut: tuple[Place, Place] | None = None) -> Girth:
+def body_girth(
+    atlas: Atlas, at: Location, *, cut: tuple[Location, Location] | None = None
+) -> Girth:
     """Horizontal girth at the height of a place: bust, waist, hip, neck.
 
     Parameters
@@ -150,7 +152,9 @@ def body_girth(atlas: Atlas, at: Place, *, cut: tuple[Place, Place] | None = Non
     return girth_of_loop(loop, cut_loop(loop, atlas.axes.left_vector, (left, right)))
 
 
-def limb_girth(atlas: Atlas, start: Place, end: Place, *, at: Place | float = 0.5) -> Girth:
+def limb_girth(
+    atlas: Atlas, start: Location, end: Location, *, at: Location | float = 0.5
+) -> Girth:
     """Girth of an arm or a leg, perpendicular to its axis.
 
     Parameters

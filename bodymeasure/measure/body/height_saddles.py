@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import EDGES, Atlas, AtlasPoint
-from bodymeasure.atlas.topology.neighbors import Neighbors, Place, on_side
+from bodymeasure.atlas.topology.neighbors import Neighbors, on_side
 from bodymeasure.bezier import derivatives, project
 
 # Newton's method starts from so many points a side of each patch.
@@ -101,7 +101,7 @@ def _on_seams(atlas: Atlas, patches: NDArray[np.int64]) -> Iterator[AtlasPoint]:
             continue
         axis = EDGES[side].fixed_axis
         for along in _level_places(atlas, patch, side):
-            here = Place(patch, *on_side(side, along))
+            here = AtlasPoint(patch, *on_side(side, along))
             there = next(s.place for s in neighbors.steps(here) if s.crossing == crossings[0])
             rows = np.array([here.patch, there.patch])
             slope, bend = _slopes(atlas, rows, np.array([here[1:], there[1:]]))
@@ -117,7 +117,7 @@ def _on_seams(atlas: Atlas, patches: NDArray[np.int64]) -> Iterator[AtlasPoint]:
             falls = inwards.max() < -least and curvature > 0.0
             rises = inwards.min() > least and curvature < 0.0
             if falls or rises:
-                yield AtlasPoint(*here)
+                yield here
 
 
 def _level_places(atlas: Atlas, patch: int, side: int) -> Array:

@@ -3,11 +3,11 @@
 import numpy as np
 
 from bodymeasure.atlas import Atlas
-from bodymeasure.measure.body.places import Place, position_of
+from bodymeasure.atlas.queries.locations import Location, position_of
 from bodymeasure.section import Curve, extent
 
 
-def height(atlas: Atlas, at: Place, *, floor: float = 0.0) -> float:
+def height(atlas: Atlas, at: Location, *, floor: float = 0.0) -> float:
     """Height of a place above the floor, along the atlas's way up, in the atlas's unit.
 
     Parameters
@@ -21,7 +21,7 @@ def height(atlas: Atlas, at: Place, *, floor: float = 0.0) -> float:
     return float(position_of(atlas, at) @ atlas.axes.up_vector) - floor
 
 
-def chord(atlas: Atlas, start: Place, end: Place) -> float:
+def chord(atlas: Atlas, start: Location, end: Location) -> float:
     """Straight distance between two places, in the atlas's unit."""
     return float(np.linalg.norm(position_of(atlas, end) - position_of(atlas, start)))
 

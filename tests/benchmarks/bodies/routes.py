@@ -25,7 +25,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 import bodymeasure as bm
-from bodymeasure.atlas.topology.neighbors import Place
+from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.geodesic.across.pieces.route_error import route_length
 from bodymeasure.geodesic.across.pieces.route_refine import refine
 from bodymeasure.geodesic.across.routes.reading import first_route
@@ -96,7 +96,7 @@ class Tally:
 
 
 def best_known(
-    atlas: bm.Atlas, path: bm.AtlasPath, ends: tuple[Place, Place]
+    atlas: bm.Atlas, path: bm.AtlasPath, ends: tuple[AtlasPoint, AtlasPoint]
 ) -> tuple[float, float]:
     """The shortest from several starts at a high degree, and the time of one refinement."""
     lengths, times = [], []
@@ -143,7 +143,7 @@ def compare(tally: Tally, atlas: bm.Atlas, moved: bm.Atlas, path: bm.AtlasPath) 
         changes.append(abs(other.length / path.length - 1.0))
         if not changes[-1] <= 1e-9:
             print(f"  {changes[-1]:.1e} {path.length} {other.status.name}: {start}, {end}")
-    ends = Place(start.patch, start.u, start.v), Place(end.patch, end.u, end.v)
+    ends = start, end
     best, refinement = best_known(atlas, path, ends)
     tally.refining.append(refinement)
     tally.excess.append(path.length / min(best, back.length) - 1.0)

@@ -10,7 +10,6 @@ from helpers.surfaces.tubes import QUARTER, ring_length, tube
 import bodymeasure as bm
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
-from bodymeasure.atlas.topology.neighbors import Place
 from bodymeasure.bezier import bernstein
 from bodymeasure.geodesic.across.routes.graph import patch_graph
 from bodymeasure.geodesic.across.routes.straightened import along_way, pulled_way
@@ -119,20 +118,20 @@ def test_points_that_are_not_joined_are_refused() -> None:
 def test_rough_ways_are_a_little_too_long(rng: np.random.Generator) -> None:
     atlas = wavy_plane(rng)
     graph = patch_graph(atlas)
-    place = Place(4, 0.3, 0.4)
-    apart = np.linalg.norm(graph.vertices - atlas.position(AtlasPoint(*place)), axis=1)
+    place = AtlasPoint(4, 0.3, 0.4)
+    apart = np.linalg.norm(graph.vertices - atlas.position(place), axis=1)
     far = apart > 0.5
     ratio = graph.distances(atlas, place)[far] / apart[far]
     assert (ratio >= 1.0).all()
     assert ratio.max() < 1.15
     for vertex, there in zip(graph.vertices, graph.places, strict=True):
-        np.testing.assert_allclose(atlas.position(AtlasPoint(*there)), vertex, atol=1e-14)
+        np.testing.assert_allclose(atlas.position(there), vertex, atol=1e-14)
 
 
 def test_ways_on_both_sides_of_a_tube_are_among_the_pairs() -> None:
     atlas = tube((1.0, 1.0, 1.0, 1.0))
     graph = patch_graph(atlas)
-    first, last = (graph.distances(atlas, Place(patch, 0.5, 0.5)) for patch in (0, 2))
+    first, last = (graph.distances(atlas, AtlasPoint(patch, 0.5, 0.5)) for patch in (0, 2))
     pairs = via_pairs(graph, first, last, 4.0)
     middles = {np.sign(graph.vertices[pair.first] @ [-1.0, 1.0, 0.0]) for pair in pairs}
     assert {-1.0, 1.0} <= middles
@@ -143,7 +142,12 @@ def test_ways_on_both_sides_of_a_tube_are_among_the_pairs() -> None:
 def test_a_way_is_pulled_straight_but_not_over_to_the_other_side() -> None:
     atlas, ring = tube((1.0, 1.0, 1.0, 1.0)), ring_length()
     # The long way from patch 0 to patch 1, through points up and down.
-    places = [Place(0, 0.5, 0.5), Place(3, 0.5, 0.9), Place(2, 0.5, 0.1), Place(1, 0.5, 0.5)]
+    places = [
+        AtlasPoint(0, 0.5, 0.5),
+        AtlasPoint(3, 0.5, 0.9),
+        AtlasPoint(2, 0.5, 0.1),
+        AtlasPoint(1, 0.5, 0.5),
+    ]
     way = pulled_way(atlas, places)
     assert way is not None
     steps = np.linalg.norm(np.diff(way.points, axis=0), axis=1)

@@ -1,5 +1,4 @@
 import sys
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -168,7 +167,7 @@ def test_a_path_along_a_seam() -> None:
 def test_the_path_leads_from_start_to_end_over_its_crossings() -> None:
     atlas = cut(PARABOLOID, (0.3, 0.65), (0.2, 0.7))
     start, end = corner_of(atlas, (0, 0, 0)), corner_of(atlas, (1, 1, 2))
-    start, end = replace(start, u=abs(start.u - 0.1)), replace(end, v=abs(end.v - 0.3))
+    start, end = start._replace(u=abs(start.u - 0.1)), end._replace(v=abs(end.v - 0.3))
     path = bm.geodesic_between(atlas, start, end)
     patch, parameters = path.path([0.0, 1.0])
     assert [(int(p), *uv) for p, uv in zip(patch, parameters.tolist(), strict=True)] == [

@@ -1,7 +1,7 @@
 """Closed geodesics: loops that contract, on surfaces whose waists are known."""
 
 import math
-from dataclasses import astuple, replace
+from dataclasses import replace
 
 import numpy as np
 import potpourri3d
@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit, tessellate
-from bodymeasure.atlas.topology.neighbors import Neighbors, Place
+from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.bezier import restrict
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic import ClosedPath, LoopKind, Status, contract
@@ -164,7 +164,7 @@ def test_the_kind_is_read_off_the_second_variation(
     radii: list[float], kind: LoopKind, radius: float
 ) -> None:
     atlas = tube(radii)
-    places = [Place(*astuple(p)) for p in section(atlas, at(0, 0, 1.5), at(0, 0, 1))]
+    places = list(section(atlas, at(0, 0, 1.5), at(0, 0, 1)))
     route = route_through(Neighbors(atlas), places)
     # A quarter of the ring is a cubic in (u, v) = (t, 1/2), so that this loop is exact.
     length = loop_length(refine_loop(atlas, route, 3, radius * ring_length()))
@@ -248,14 +248,13 @@ def test_a_loop_round_nothing_is_refused() -> None:
     with pytest.raises(InputError, match=r"contracts to a point.*round the trunk or a limb"):
         contract(atlas, [AtlasPoint(0, *uv) for uv in ((0.2, 0.3), (0.4, 0.3), (0.3, 0.5))])
     # Over a seam and back.
-    places: tuple[tuple[int, float, float], ...]
-    places = ((0, 0.9, 0.3), (0, 1.0, 0.3), (1, 0.1, 0.35), (1, 0.0, 0.4), (0, 0.9, 0.4))
+    places = [(0, 0.9, 0.3), (0, 1.0, 0.3), (1, 0.1, 0.35), (1, 0.0, 0.4), (0, 0.9, 0.4)]
     with pytest.raises(InputError, match="contracts to a point"):
         contract(atlas, [AtlasPoint(*place) for place in places])
     # About a corner of four patches.
     parts = split(atlas, (0.5,), (0.5,))
-    places = ((0, 0.9, 0.9), (0, 1.0, 0.9), (2, 0.1, 0.9), (2, 0.1, 1.0), (3, 0.1, 0.1))
-    places += ((3, 0.0, 0.1), (1, 0.9, 0.1), (1, 0.9, 0.0))
+    places = [(0, 0.9, 0.9), (0, 1.0, 0.9), (2, 0.1, 0.9), (2, 0.1, 1.0), (3, 0.1, 0.1)]
+    places += [(3, 0.0, 0.1), (1, 0.9, 0.1), (1, 0.9, 0.0)]
     with pytest.raises(InputError, match="contracts to a point"):
         contract(parts, [AtlasPoint(*place) for place in places])
 

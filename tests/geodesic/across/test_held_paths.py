@@ -6,7 +6,8 @@ from helpers.surfaces.cut_atlases import cut
 from helpers.surfaces.grids import grid_atlas
 
 from bodymeasure.atlas import Atlas
-from bodymeasure.atlas.topology.neighbors import Neighbors, Place
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.geodesic.across.contact.pattern import FreePart, HeldPart, read_pattern
 from bodymeasure.geodesic.across.contact.solve import held_path
 from bodymeasure.geodesic.across.pieces.route_refine import refine
@@ -32,7 +33,11 @@ def over_the_bulge() -> tuple[Atlas, Neighbors, Route]:
     atlas = cut(net, (0.5,), (), turn=False)
     neighbors = Neighbors(atlas)
     (over,) = neighbors.over[0, 1]
-    return atlas, neighbors, Route((Place(0, 0.0, 0.1), Place(1, 1.0, 0.1)), (over,), (0.05,))
+    return (
+        atlas,
+        neighbors,
+        Route((AtlasPoint(0, 0.0, 0.1), AtlasPoint(1, 1.0, 0.1)), (over,), (0.05,)),
+    )
 
 
 def test_free_and_held_parts_are_read_off_a_polygon() -> None:
@@ -63,7 +68,7 @@ def test_nothing_holds_a_path_that_would_rather_take_a_neighbor() -> None:
             [x - 0.5 * np.sin(np.pi * y) * np.sin(np.pi * x / 2.0), y, 0 * x], -1
         ),
     )
-    alone = Route((Place(0, 0.95, 0.05), Place(0, 0.95, 0.95)))
+    alone = Route((AtlasPoint(0, 0.95, 0.05), AtlasPoint(0, 0.95, 0.95)))
     refined = refine(atlas, alone, 8, 1.0)
     assert refined.held_nodes.any()
     assert held_path(atlas, Neighbors(atlas), refined, 1e-9) is None
@@ -73,15 +78,15 @@ def test_routes_along_seams_are_put_on_either_side() -> None:
     # Along x = 1 over three squares, on the left, on the right, and on the left again.
     atlas = grid_atlas(2, 3)
     neighbors = Neighbors(atlas)
-    corners = [Place(0, 1.0, 1.0), Place(4, 0.0, 1.0)]
-    goals = [Place(4, 0.0, 0.0), Place(2, 1.0, 0.0)]
+    corners = [AtlasPoint(0, 1.0, 1.0), AtlasPoint(4, 0.0, 1.0)]
+    goals = [AtlasPoint(4, 0.0, 0.0), AtlasPoint(2, 1.0, 0.0)]
     steps = [
         step
         for corner, goal in zip(corners, goals, strict=True)
         for step in neighbors.ways(corner, goal)[0]
     ]
     route = Route(
-        (Place(0, 1.0, 0.3), Place(2, 1.0, 0.6)),
+        (AtlasPoint(0, 1.0, 0.3), AtlasPoint(2, 1.0, 0.6)),
         tuple(step.crossing for step in steps),
         tuple(step.along for step in steps),
     )

@@ -7,7 +7,7 @@ from helpers.surfaces.tubes import cone
 
 import bodymeasure as bm
 from bodymeasure.atlas import AtlasPoint
-from bodymeasure.atlas.topology.neighbors import Neighbors, Place
+from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.geodesic.across.routes.mesh import at_weights, whole_mesh
 
 # There are no wheels of it for the latest versions of Python.
@@ -60,12 +60,12 @@ def test_the_straight_line_through_the_pole_is_right_or_has_a_status() -> None:
 def test_all_places_of_a_tip_are_one_point() -> None:
     atlas = cone(1.0)
     neighbors = Neighbors(atlas)
-    tip = Place(1, 0.0, 0.3)
+    tip = AtlasPoint(1, 0.0, 0.3)
     assert {place.patch for place in neighbors.same(tip)} == {0, 1, 2, 3}
-    assert neighbors.are_same(tip, Place(3, 0.0, 0.8))
-    assert not neighbors.are_same(tip, Place(1, 0.1, 0.3))
-    assert {len(way) for way in neighbors.ways(tip, Place(3, 0.0, 0.8))} == {2}
-    path = bm.geodesic_between(atlas, AtlasPoint(*tip), AtlasPoint(3, 0.0, 0.8))
+    assert neighbors.are_same(tip, AtlasPoint(3, 0.0, 0.8))
+    assert not neighbors.are_same(tip, AtlasPoint(1, 0.1, 0.3))
+    assert {len(way) for way in neighbors.ways(tip, AtlasPoint(3, 0.0, 0.8))} == {2}
+    path = bm.geodesic_between(atlas, tip, AtlasPoint(3, 0.0, 0.8))
     assert (path.length, path.status) == (0.0, bm.Status.CONVERGED)
 
 

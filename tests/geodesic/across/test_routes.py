@@ -9,7 +9,7 @@ from helpers.surfaces.grids import grid_atlas
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, tessellate
-from bodymeasure.atlas.topology.neighbors import Neighbors, Place
+from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.geodesic.across.pieces.route_length import RouteProblem
 from bodymeasure.geodesic.across.pieces.route_refine import refine
 from bodymeasure.geodesic.across.routes.mesh import RouteMesh, inserted
@@ -25,31 +25,29 @@ from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 pytest.importorskip("pygeodesic")
 
 
-def place_of(point: AtlasPoint) -> Place:
-    return Place(point.patch, point.u, point.v)
+def place_of(point: AtlasPoint) -> AtlasPoint:
+    return point
 
 
 @pytest.mark.parametrize(
     ("place", "faces"),
     [
-        (Place(4, 0.5, 0.5), 0),  # a vertex
-        (Place(4, 1.0, 0.25), 0),  # one on a seam
-        (Place(4, 0.3, 0.1), 2),  # within a face
-        (Place(4, 0.3, 0.3), 2),  # on the diagonal between two
-        (Place(4, 1.0, 0.6), 2),  # on a seam
-        (Place(1, 0.0, 0.6), 1),  # on the boundary
+        (AtlasPoint(4, 0.5, 0.5), 0),  # a vertex
+        (AtlasPoint(4, 1.0, 0.25), 0),  # one on a seam
+        (AtlasPoint(4, 0.3, 0.1), 2),  # within a face
+        (AtlasPoint(4, 0.3, 0.3), 2),  # on the diagonal between two
+        (AtlasPoint(4, 1.0, 0.6), 2),  # on a seam
+        (AtlasPoint(1, 0.0, 0.6), 1),  # on the boundary
     ],
 )
 def test_points_are_inserted_by_splitting_faces(
-    place: Place, faces: int, rng: np.random.Generator
+    place: AtlasPoint, faces: int, rng: np.random.Generator
 ) -> None:
     atlas = wavy_plane(rng)
     whole = RouteMesh.of(atlas, tessellate(atlas, 4))
     mesh, number = inserted(whole, atlas, place)
     assert len(mesh.faces) == len(whole.faces) + faces
-    np.testing.assert_allclose(
-        mesh.vertices[number], atlas.position(AtlasPoint(*place)), atol=1e-14
-    )
+    np.testing.assert_allclose(mesh.vertices[number], atlas.position(place), atol=1e-14)
     # Split along a curved edge, the faces still cover the plane, none of them turned over.
     a, b, c = np.moveaxis(mesh.vertices[mesh.faces], 1, 0)
     area = 0.5 * np.cross(b - a, c - a)[:, 2]
@@ -88,9 +86,7 @@ def test_routes_read_off_the_mesh_hang_together(rng: np.random.Generator) -> Non
         for number, crossing in enumerate(route.crossings):
             assert crossing in neighbors.over[route.patches[number], crossing.from_side]
             leave, enter = route.exit(number), route.entry(number + 1)
-            np.testing.assert_allclose(
-                atlas.position(AtlasPoint(*leave)), atlas.position(AtlasPoint(*enter)), atol=1e-13
-            )
+            np.testing.assert_allclose(atlas.position(leave), atlas.position(enter), atol=1e-13)
 
 
 @pytest.fixture
@@ -102,12 +98,12 @@ def problem() -> RouteProblem:
     index[3] = index[3, ::-1].T
     atlas = type(atlas)(atlas.points, index, atlas.unit)
     neighbors = Neighbors(atlas)
-    corner = Place(0, 1.0, 1.0)
+    corner = AtlasPoint(0, 1.0, 1.0)
     # From patch 0 over patch 1 to patch 3, as about the corner, but crossing in the seams' middle.
     goal = next(place for place in neighbors.same(corner) if place.patch == 3)
     way = next(way for way in neighbors.ways(corner, goal) if way[0].place.patch == 1)
     crossings = tuple(step.crossing for step in way)
-    route = Route((Place(0, 0.2, 0.3), Place(3, 0.4, 0.6)), crossings, (0.4, 0.55))
+    route = Route((AtlasPoint(0, 0.2, 0.3), AtlasPoint(3, 0.4, 0.6)), crossings, (0.4, 0.55))
     return RouteProblem(atlas, route, polynomial_space(5), 2.0)
 
 
@@ -182,15 +178,15 @@ def around_the_corner(way: tuple[int, ...]) -> tuple[Neighbors, Route, Atlas]:
     """On four unit squares, a route from the first to the last by the patches in `way`."""
     atlas = grid_atlas(2, 2)
     neighbors = Neighbors(atlas)
-    corner = Place(0, 1.0, 1.0)
-    goal = Place(3, 0.0, 0.0)
+    corner = AtlasPoint(0, 1.0, 1.0)
+    goal = AtlasPoint(3, 0.0, 0.0)
     steps = next(
         steps
         for steps in neighbors.ways(corner, goal)
         if tuple(step.place.patch for step in steps) == way
     )
     route = Route(
-        (Place(0, 0.5, 0.8), Place(3, 0.1, 0.7)),
+        (AtlasPoint(0, 0.5, 0.8), AtlasPoint(3, 0.1, 0.7)),
         tuple(step.crossing for step in steps),
         tuple(step.along for step in steps),
     )
@@ -213,7 +209,7 @@ def test_needless_crossings_are_taken_back_and_missing_ones_found() -> None:
     neighbors = Neighbors(atlas)
     (there,) = neighbors.over[0, 1]
     (back,) = neighbors.over[1, 0]
-    needless = Route((Place(0, 0.5, 0.1), Place(0, 0.6, 0.9)), (there, back), (0.3, 0.6))
+    needless = Route((AtlasPoint(0, 0.5, 0.1), AtlasPoint(0, 0.6, 0.9)), (there, back), (0.3, 0.6))
     found = shortest_along(atlas, neighbors, needless, 1.0)
     assert found.refined.route.patches == (0,)
     assert found.length.corrected == pytest.approx(np.hypot(0.1, 0.8), rel=1e-12)
@@ -226,8 +222,8 @@ def test_a_neighbor_that_a_path_needs_is_found() -> None:
 
     atlas = grid_atlas(2, 1, bulge)
     neighbors = Neighbors(atlas)
-    start, end = Place(0, 0.95, 0.05), Place(0, 0.95, 0.95)
-    chord = np.linalg.norm(atlas.position(AtlasPoint(*end)) - atlas.position(AtlasPoint(*start)))
+    start, end = AtlasPoint(0, 0.95, 0.05), AtlasPoint(0, 0.95, 0.95)
+    chord = np.linalg.norm(atlas.position(end) - atlas.position(start))
     alone = Route((start, end))
     assert refine(atlas, alone, 8, 1.0).length > chord * (1.0 + 1e-3)
     found = shortest_along(atlas, neighbors, alone, 1.0)
@@ -240,12 +236,10 @@ def test_a_first_piece_without_length_is_trimmed() -> None:
     neighbors = Neighbors(atlas)
     (there,) = neighbors.over[0, 1]
     for start, end, along in (
-        (Place(0, 1.0, 0.2), Place(1, 0.7, 0.9), 0.6),
-        (Place(0, 0.3, 0.2), Place(1, 0.0, 0.9), 0.4),
+        (AtlasPoint(0, 1.0, 0.2), AtlasPoint(1, 0.7, 0.9), 0.6),
+        (AtlasPoint(0, 0.3, 0.2), AtlasPoint(1, 0.0, 0.9), 0.4),
     ):
         found = shortest_along(atlas, neighbors, Route((start, end), (there,), (along,)), 1.0)
         assert len(found.refined.route.patches) == 1
-        chord = np.linalg.norm(
-            atlas.position(AtlasPoint(*end)) - atlas.position(AtlasPoint(*start))
-        )
+        chord = np.linalg.norm(atlas.position(end) - atlas.position(start))
         assert found.length.corrected == pytest.approx(chord, rel=1e-12)

@@ -3,8 +3,9 @@
 import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES
-from bodymeasure.atlas.topology.neighbors import Neighbors, Place
+from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.bezier import scaled
 from bodymeasure.geodesic.across.contact.joined import HeldPath
 from bodymeasure.geodesic.across.contact.pattern import side_of
@@ -15,7 +16,7 @@ from bodymeasure.geodesic.contact.legs import Contact
 from bodymeasure.geodesic.surfaces.surfaces_of import surfaces_of
 
 
-def on_edge(neighbors: Neighbors, place: Place, patch: int, contact: Contact) -> Place:
+def on_edge(neighbors: Neighbors, place: AtlasPoint, patch: int, contact: Contact) -> AtlasPoint:
     """The place that is the same point, on the edge of a patch."""
     return next(
         same
@@ -28,7 +29,7 @@ def pressed_arc(
     atlas: Atlas,
     neighbors: Neighbors,
     contact: Contact,
-    ends: tuple[Place, Place],
+    ends: tuple[AtlasPoint, AtlasPoint],
     size: float,
 ) -> EdgeArc | None:
     """An arc along an edge, in parts of the size; None if it would rather leave it, to any side."""
@@ -50,7 +51,7 @@ def arc_between(
     atlas: Atlas,
     neighbors: Neighbors,
     contact: Contact,
-    ends: tuple[Place, Place],
+    ends: tuple[AtlasPoint, AtlasPoint],
     size: float,
 ) -> HeldPath | None:
     """An arc as a part of a path; None if the edge does not hold it."""

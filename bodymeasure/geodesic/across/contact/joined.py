@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from bodymeasure.atlas.topology.neighbors import Place
+from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.geodesic.across.contact.free_leg import FreeLeg
 from bodymeasure.geodesic.across.pieces.path import PathPiece
 from bodymeasure.geodesic.across.pieces.route_error import RouteLength
@@ -16,16 +16,16 @@ class HeldPath:
     Parameters
     ----------
     pieces : tuple of PathPiece
-    crossings : tuple of (int, pair of Place)
+    crossings : tuple of (int, pair of AtlasPoint)
         After which piece a seam is crossed, and the point there on both patches.
-    start, end : Place
+    start, end : AtlasPoint
     length : RouteLength
     """
 
     pieces: tuple[PathPiece, ...]
-    crossings: tuple[tuple[int, tuple[Place, Place]], ...]
-    start: Place
-    end: Place
+    crossings: tuple[tuple[int, tuple[AtlasPoint, AtlasPoint]], ...]
+    start: AtlasPoint
+    end: AtlasPoint
     length: RouteLength
 
 
@@ -54,7 +54,7 @@ def put_together(parts: Sequence[HeldPath]) -> HeldPath:
     """One path of all parts; those of no length are left out."""
     parts = [part for part in parts if part.length.raw > 0.0]
     pieces: list[PathPiece] = []
-    crossings: list[tuple[int, tuple[Place, Place]]] = []
+    crossings: list[tuple[int, tuple[AtlasPoint, AtlasPoint]]] = []
     for number, part in enumerate(parts):
         if number and parts[number - 1].end.patch != part.start.patch:
             crossings.append((len(pieces) - 1, (parts[number - 1].end, part.start)))

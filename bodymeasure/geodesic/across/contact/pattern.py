@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES
-from bodymeasure.atlas.topology.neighbors import Place
 from bodymeasure.geodesic.across.pieces.route_refine import Refined
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.contact.legs import Contact, read_legs
@@ -107,10 +107,10 @@ def side_of(contact: Contact) -> int:
     )
 
 
-def place_at(polygon: Refined, piece: int, node: int) -> Place:
+def place_at(polygon: Refined, piece: int, node: int) -> AtlasPoint:
     """Where a node of a polygon is."""
     u, v = polygon.values[piece, :, node].tolist()
-    return Place(polygon.route.patches[piece], u, v)
+    return AtlasPoint(polygon.route.patches[piece], u, v)
 
 
 def free_route(polygon: Refined, part: FreePart) -> Route:

@@ -10,8 +10,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES
-from bodymeasure.atlas.topology.neighbors import Neighbors, Place, on_side
+from bodymeasure.atlas.topology.neighbors import Neighbors, on_side
 from bodymeasure.geodesic.across.contact.arc import arc_between, on_edge, pressed_arc
 from bodymeasure.geodesic.across.contact.free_leg import FreeLeg, free_leg
 from bodymeasure.geodesic.across.contact.joined import HeldPath, of_leg, put_together
@@ -101,7 +102,9 @@ def _held_from_all_sides(atlas: Atlas, neighbors: Neighbors, refined: Refined) -
                     continue
                 contact = Contact(axis, value)
                 begin, end = (
-                    Place(patch, *on_side(side_of(contact), float(inner[piece, 1 - axis, node])))
+                    AtlasPoint(
+                        patch, *on_side(side_of(contact), float(inner[piece, 1 - axis, node]))
+                    )
                     for node in run[[0, -1]]
                 )
                 size = refined.problem.size
@@ -110,7 +113,7 @@ def _held_from_all_sides(atlas: Atlas, neighbors: Neighbors, refined: Refined) -
     return bool(held.any())
 
 
-def _beside(legs: Sequence[FreeLeg | None]) -> list[tuple[Place | None, Place | None]]:
+def _beside(legs: Sequence[FreeLeg | None]) -> list[tuple[AtlasPoint | None, AtlasPoint | None]]:
     """Of each part, where the free leg before it ends and the one after it starts."""
     padded = [None, *legs, None]
     return [
@@ -124,7 +127,7 @@ def _arc(
     neighbors: Neighbors,
     polygon: Refined,
     part: HeldPart,
-    beside: tuple[Place | None, Place | None],
+    beside: tuple[AtlasPoint | None, AtlasPoint | None],
 ) -> HeldPath | None:
     """An arc between where the legs beside it meet its edge; None if the edge does not hold it."""
     patch, axis = polygon.route.patches[part.piece], 1 - part.contact.axis

@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES
-from bodymeasure.atlas.topology.neighbors import Place, on_side
+from bodymeasure.atlas.topology.neighbors import on_side
 from bodymeasure.bezier import scaled
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.lengths.functionals import Functional, expand
@@ -117,7 +118,7 @@ class RouteProblem:
         return result
 
     @property
-    def _ends(self) -> tuple[Place, Place]:
+    def _ends(self) -> tuple[AtlasPoint, AtlasPoint]:
         return self.route.start, self.route.end
 
     def straight(self) -> Array:
@@ -151,7 +152,7 @@ class RouteProblem:
         """The route that crosses its seams where the unknowns say."""
         along = tuple(unknowns[self.joints[1:-1]].tolist())
         start, end = (
-            here if side is None else Place(here.patch, *on_side(side, float(unknowns[row])))
+            here if side is None else AtlasPoint(here.patch, *on_side(side, float(unknowns[row])))
             for row, side, here in zip((0, -1), self.slides, self._ends, strict=True)
         )
         return Route((start, end), self.route.crossings, along)

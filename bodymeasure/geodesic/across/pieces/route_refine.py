@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, sides_of
-from bodymeasure.atlas.topology.neighbors import Place
 from bodymeasure.geodesic.across.pieces.route_length import RouteProblem
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.numerics.box_newton import BoxMinimum, minimize_in_box
@@ -89,7 +89,7 @@ def refine(
     return through if through.length < refined.length else refined
 
 
-def _pole_side(atlas: Atlas, place: Place) -> int | None:
+def _pole_side(atlas: Atlas, place: AtlasPoint) -> int | None:
     """The collapsed side on which a path ends: it leaves the point there in any direction."""
     sides = sides_of(atlas.index[[place.patch]])[0]
     for side, (edge, row) in enumerate(zip(EDGES, sides, strict=True)):

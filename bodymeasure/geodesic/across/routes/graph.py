@@ -8,7 +8,7 @@ import scipy
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.topology.neighbors import Place
+from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.across.routes.mesh import whole_mesh
 from bodymeasure.geodesic.numerics.grid_steps import SHORTEST, grid_steps
@@ -28,7 +28,7 @@ class PatchGraph:
     number : ndarray of int, shape (patches, k + 1, k + 1)
         Of the vertex at each grid point; -1 where none is.
     vertices : ndarray, shape (n, 3)
-    places : tuple of Place
+    places : tuple of AtlasPoint
         A place of each vertex.
     steps : sparse array, shape (n, n)
         The steps' lengths, both ways.
@@ -36,10 +36,10 @@ class PatchGraph:
 
     number: Ints
     vertices: Array
-    places: tuple[Place, ...]
+    places: tuple[AtlasPoint, ...]
     steps: scipy.sparse.csr_array
 
-    def distances(self, atlas: Atlas, place: Place) -> Array:
+    def distances(self, atlas: Atlas, place: AtlasPoint) -> Array:
         """How far all vertices are from a place, roughly; infinite on other parts."""
         segments = self.number.shape[1] - 1
         grid = np.arange(segments + 1)
@@ -80,9 +80,9 @@ def patch_graph(atlas: Atlas) -> PatchGraph:
     first, last = first[once], last[once]
     length = np.linalg.norm(mesh.vertices[first] - mesh.vertices[last], axis=1)
     steps = scipy.sparse.csr_array((length, (first, last)), shape=(count, count))
-    places: list[Place] = [Place(0, 0.0, 0.0)] * count
+    places: list[AtlasPoint] = [AtlasPoint(0, 0.0, 0.0)] * count
     for patch, i, j in np.argwhere(number >= 0).tolist():
-        places[number[patch, i, j]] = Place(patch, i / segments, j / segments)
+        places[number[patch, i, j]] = AtlasPoint(patch, i / segments, j / segments)
     return PatchGraph(number, mesh.vertices, tuple(places), (steps + steps.T).tocsr())
 
 

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, edge_table
 from bodymeasure.atlas.tessellation import Tessellation, tessellate
-from bodymeasure.atlas.topology.neighbors import Place
 from bodymeasure.bezier import evaluate
 
 # A new vertex keeps this part of a triangle away from its sides, since the exact algorithm does
@@ -71,7 +71,7 @@ def whole_mesh(atlas: Atlas, segments: int) -> RouteMesh:
     return RouteMesh.of(atlas, tessellate(atlas, segments))
 
 
-def inserted(mesh: RouteMesh, atlas: Atlas, place: Place) -> tuple[RouteMesh, int]:
+def inserted(mesh: RouteMesh, atlas: Atlas, place: AtlasPoint) -> tuple[RouteMesh, int]:
     """The mesh with a point as a vertex, and the number of that vertex.
 
     The face that holds the point is split, and the one beyond if the point is on a side of it.
@@ -102,7 +102,7 @@ def inserted(mesh: RouteMesh, atlas: Atlas, place: Place) -> tuple[RouteMesh, in
     return _split(mesh, vertices, split, share), len(mesh.vertices)
 
 
-def _collapsed_corner(mesh: RouteMesh, faces: NDArray[np.int64], place: Place) -> int | None:
+def _collapsed_corner(mesh: RouteMesh, faces: NDArray[np.int64], place: AtlasPoint) -> int | None:
     """The vertex of the collapsed side that a place lies on, if any."""
     free, parameters = mesh.face_free[faces], mesh.face_parameters[faces]
     for axis in (0, 1):

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.components import connected_components
-from bodymeasure.atlas.topology.neighbors import Place
+from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.errors import MissingExtraError
 from bodymeasure.geodesic.across.routes.graph import patch_graph
 from bodymeasure.geodesic.across.routes.mesh import RouteMesh, inserted, whole_mesh
@@ -30,14 +30,14 @@ def default_segments(patches: int) -> int:
 
 
 def polyhedral_path(
-    atlas: Atlas, start: Place, end: Place, segments: int | None = None
+    atlas: Atlas, start: AtlasPoint, end: AtlasPoint, segments: int | None = None
 ) -> tuple[RouteMesh, Array, int] | None:
     """The shortest path over a tessellation, with both points inserted into it.
 
     Parameters
     ----------
     atlas : Atlas
-    start, end : Place
+    start, end : AtlasPoint
     segments : int, optional
         Steps along each patch edge; by default `default_segments`.
 
@@ -94,7 +94,9 @@ def _passes(points: Array, vertices: Array) -> bool:
     return bool((points[:, None] == close).all(axis=2).any())
 
 
-def _bands(atlas: Atlas, mesh: RouteMesh, start: Place, end: Place) -> Iterator[NDArray[np.bool_]]:
+def _bands(
+    atlas: Atlas, mesh: RouteMesh, start: AtlasPoint, end: AtlasPoint
+) -> Iterator[NDArray[np.bool_]]:
     """Wider and wider bands of faces about the shortest ways of the patch graph."""
     graph = patch_graph(atlas)
     through = graph.distances(atlas, start) + graph.distances(atlas, end)

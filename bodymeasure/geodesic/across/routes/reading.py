@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.topology.neighbors import Neighbors, Place, Step
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.topology.neighbors import Neighbors, Step
 from bodymeasure.geodesic.across.routes.mesh import RouteMesh, at_weights, barycentric
 from bodymeasure.geodesic.across.routes.polyhedral import default_segments, polyhedral_path
 from bodymeasure.geodesic.across.routes.route import Route, snapped
@@ -29,19 +30,22 @@ class Segments(NamedTuple):
 
     Parameters
     ----------
-    places : list of pair of Place
+    places : list of pair of AtlasPoint
         Both ends of each segment, on the patch of a face that holds it. None for a path that stays
         where it is.
     points : ndarray, shape (segments + 1, 3)
         Positions on the mesh.
     """
 
-    places: list[tuple[Place, Place]]
+    places: list[tuple[AtlasPoint, AtlasPoint]]
     points: Array
 
 
 def first_route(
-    atlas: Atlas, neighbors: Neighbors, ends: tuple[Place, Place], segments: int | None = None
+    atlas: Atlas,
+    neighbors: Neighbors,
+    ends: tuple[AtlasPoint, AtlasPoint],
+    segments: int | None = None,
 ) -> Route | None:
     """The route of the shortest path over a tessellation; None if none is found.
 
@@ -59,7 +63,7 @@ def first_route(
 
 
 def mesh_segments(
-    atlas: Atlas, start: Place, end: Place, segments: int | None = None
+    atlas: Atlas, start: AtlasPoint, end: AtlasPoint, segments: int | None = None
 ) -> Segments | None:
     """The shortest path over a tessellation; None if no path joins the two."""
     found = polyhedral_path(atlas, start, end, segments)
@@ -72,7 +76,9 @@ def mesh_segments(
 
 
 def route_along(
-    neighbors: Neighbors, ends: tuple[Place, Place], segments: list[tuple[Place, Place]]
+    neighbors: Neighbors,
+    ends: tuple[AtlasPoint, AtlasPoint],
+    segments: list[tuple[AtlasPoint, AtlasPoint]],
 ) -> Route | None:
     """The route of a path over a mesh, given by its segments; None if they hang not together."""
     start, end = ends
@@ -95,16 +101,16 @@ def route_along(
     return Route((start, end)).replaced(0, 0, [step[:2] for step in steps])
 
 
-def _apart(first: Place, second: Place) -> float:
+def _apart(first: AtlasPoint, second: AtlasPoint) -> float:
     return max(abs(first.u - second.u), abs(first.v - second.v))
 
 
-def _nearest(places: list[Place], to: Place) -> Place:
+def _nearest(places: list[AtlasPoint], to: AtlasPoint) -> AtlasPoint:
     """The place on the same patch that is nearest, or the first if none is on it."""
     return min(places, key=lambda place: (place.patch != to.patch, _apart(place, to)))
 
 
-def _legs(mesh: RouteMesh, points: Array, first: int) -> Iterator[tuple[Place, Place]]:
+def _legs(mesh: RouteMesh, points: Array, first: int) -> Iterator[tuple[AtlasPoint, AtlasPoint]]:
     """For each segment of the path, its two ends on the patch of a face that holds it.
 
     The face is sought among those about the place that the path has come to.
@@ -146,7 +152,7 @@ def _feet(mesh: RouteMesh, faces: NDArray[np.int64], point: Array) -> tuple[Arra
     return weights, np.linalg.norm(foot - point, axis=1)
 
 
-def _place(mesh: RouteMesh, face: int, weights: Array) -> Place:
+def _place(mesh: RouteMesh, face: int, weights: Array) -> AtlasPoint:
     weights = np.where(weights > ON_SIDE, weights, 0.0)
     u, v = at_weights(mesh, face, weights / weights.sum())
     return snapped(int(mesh.face_patch[face]), u, v)

@@ -3,7 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from bodymeasure.atlas.topology.neighbors import Crossing, Place, on_side
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.topology.neighbors import Crossing, on_side
 
 # Parameters this near to 0 or 1 are on the patch's edge, but for rounding.
 ON_EDGE = 1e-9
@@ -22,7 +23,7 @@ class Route:
 
     Parameters
     ----------
-    ends : pair of Place or None
+    ends : pair of AtlasPoint or None
         The start, on the first patch, and the end, on the last one; None for a loop.
     crossings : tuple of Crossing
         In order.
@@ -30,7 +31,7 @@ class Route:
         Where each seam is crossed: the parameter in [0, 1] along the side that is left.
     """
 
-    ends: tuple[Place, Place] | None
+    ends: tuple[AtlasPoint, AtlasPoint] | None
     crossings: tuple[Crossing, ...] = ()
     along: tuple[float, ...] = ()
 
@@ -46,12 +47,12 @@ class Route:
         return entered if self.ends is None else (self.ends[0].patch, *entered)
 
     @property
-    def start(self) -> Place:
+    def start(self) -> AtlasPoint:
         """The start of the first piece."""
         return self.entry(0)
 
     @property
-    def end(self) -> Place:
+    def end(self) -> AtlasPoint:
         """The end of the last piece."""
         return self.exit(len(self.patches) - 1)
 
@@ -63,29 +64,29 @@ class Route:
         turns = (self.crossings[i:] + self.crossings[:i] for i in range(len(self.crossings)))
         return None, min(turns, default=())
 
-    def entry(self, piece: int) -> Place:
+    def entry(self, piece: int) -> AtlasPoint:
         """The place where a piece starts, on its patch."""
         if self.ends is not None and piece == 0:
             return self.ends[0]
         return self.entered_at(piece if self.ends is None else piece - 1)
 
-    def exit(self, piece: int) -> Place:
+    def exit(self, piece: int) -> AtlasPoint:
         """The place where a piece ends, on its patch."""
         if self.ends is None:
             return self.left_at((piece + 1) % len(self.crossings))
         return self.ends[1] if piece == len(self.crossings) else self.left_at(piece)
 
-    def left_at(self, crossing: int) -> Place:
+    def left_at(self, crossing: int) -> AtlasPoint:
         """The place of a crossing on the patch that it leaves."""
         # A number of -1, for the last piece, is right.
         patch = self.patches[crossing - self.closed]
-        return Place(patch, *on_side(self.crossings[crossing].from_side, self.along[crossing]))
+        return AtlasPoint(patch, *on_side(self.crossings[crossing].from_side, self.along[crossing]))
 
-    def entered_at(self, crossing: int) -> Place:
+    def entered_at(self, crossing: int) -> AtlasPoint:
         """The place of a crossing on the patch that it enters."""
         over, along = self.crossings[crossing], self.along[crossing]
         along = 1.0 - along if over.flipped else along
-        return Place(over.to_patch, *on_side(over.to_side, along))
+        return AtlasPoint(over.to_patch, *on_side(over.to_side, along))
 
     def begun_at(self, first: int) -> "Route":
         """The same loop, begun with another crossing."""
@@ -110,10 +111,10 @@ class Route:
         )
 
 
-def snapped(patch: int, u: float, v: float) -> Place:
+def snapped(patch: int, u: float, v: float) -> AtlasPoint:
     """A place, on the edge of its patch if it is beside that by no more than rounding."""
     u, v = (
         float(round(value)) if abs(value - round(value)) < ON_EDGE else float(value)
         for value in (u, v)
     )
-    return Place(patch, u, v)
+    return AtlasPoint(patch, u, v)

@@ -7,7 +7,7 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.topology.neighbors import Place
+from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.geodesic.across.routes.reading import Segments, mesh_segments
 
 # Where a way is held while the rest of it is pulled straight, in turn, as parts of its length. No
@@ -17,13 +17,13 @@ HOLDS = ((1 / 6, 1 / 2, 5 / 6), (1 / 3, 2 / 3))
 MOST_PULLS, STRAIGHT = 8, 2e-3
 
 
-def pulled_way(atlas: Atlas, places: Sequence[Place]) -> Segments | None:
+def pulled_way(atlas: Atlas, places: Sequence[AtlasPoint]) -> Segments | None:
     """A way over the mesh that is nearly straight.
 
     Parameters
     ----------
     atlas : Atlas
-    places : sequence of Place
+    places : sequence of AtlasPoint
         What it leads through at first: start, points on the way, end.
 
     Returns
@@ -51,7 +51,7 @@ def along_way(points: Array, parts: Array) -> Array:
     return np.stack([np.interp(parts * bounds[-1], bounds, axis) for axis in points.T], axis=-1)
 
 
-def _through(atlas: Atlas, places: Sequence[Place]) -> Segments | None:
+def _through(atlas: Atlas, places: Sequence[AtlasPoint]) -> Segments | None:
     """The shortest ways from each place to the next, put together."""
     parts = [mesh_segments(atlas, *ends) for ends in pairwise(places)]
     found = [part for part in parts if part is not None]
@@ -67,7 +67,7 @@ def _bounds(way: Segments) -> Array:
     return np.concatenate([[0.0], np.cumsum(steps)])
 
 
-def _at(way: Segments, part: float) -> Place:
+def _at(way: Segments, part: float) -> AtlasPoint:
     """The end of a segment near to a part of the length."""
     bounds = _bounds(way)
     return way.places[int(np.argmin(np.abs(bounds[1:] - part * bounds[-1])))][1]

@@ -3,12 +3,13 @@
 from collections.abc import Sequence
 from itertools import pairwise
 
-from bodymeasure.atlas.topology.neighbors import Neighbors, Place, Step
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.topology.neighbors import Neighbors, Step
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.across.routes.route import Route, snapped
 
 
-def route_through(neighbors: Neighbors, places: Sequence[Place]) -> Route:
+def route_through(neighbors: Neighbors, places: Sequence[AtlasPoint]) -> Route:
     """The route of a loop through places, straight from each to the next, the last to the first.
 
     Raises
@@ -32,7 +33,7 @@ def route_through(neighbors: Neighbors, places: Sequence[Place]) -> Route:
     return Route(None).replaced(0, 0, [step[:2] for step in steps])
 
 
-def _way(neighbors: Neighbors, here: Place, there: Place) -> tuple[Step, ...] | None:
+def _way(neighbors: Neighbors, here: AtlasPoint, there: AtlasPoint) -> tuple[Step, ...] | None:
     """The steps from one place to another over the seams at one of them; None if there are none."""
     for place in neighbors.same(there):
         if place.patch == here.patch:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.topology.neighbors import Neighbors, Place
+from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.errors import InputError
 
 
@@ -35,7 +35,9 @@ def topology(atlas: Atlas) -> Topology:
     return Topology(neighbors, connected_components(first, second, len(atlas)))
 
 
-def checked_places(atlas: Atlas, points: Sequence[AtlasPoint], names: Sequence[str]) -> list[Place]:
+def checked_places(
+    atlas: Atlas, points: Sequence[AtlasPoint], names: Sequence[str]
+) -> list[AtlasPoint]:
     """The points as places, all on one part of the atlas.
 
     Parameters
@@ -55,7 +57,7 @@ def checked_places(atlas: Atlas, points: Sequence[AtlasPoint], names: Sequence[s
     return places
 
 
-def _checked(atlas: Atlas, name: str, point: AtlasPoint) -> Place:
+def _checked(atlas: Atlas, name: str, point: AtlasPoint) -> AtlasPoint:
     if not isinstance(point, AtlasPoint):
         raise InputError(f"{name} is {point!r}; expected an AtlasPoint, such as a landmark")
     if not 0 <= point.patch < len(atlas):
@@ -65,10 +67,12 @@ def _checked(atlas: Atlas, name: str, point: AtlasPoint) -> Place:
     # `not inside` rather than `outside`, so that NaN is refused too.
     if not (0.0 <= point.u <= 1.0 and 0.0 <= point.v <= 1.0):
         raise InputError(f"{name} has (u, v) = ({point.u}, {point.v}); expected both in [0, 1]")
-    return Place(int(point.patch), float(point.u), float(point.v))
+    return AtlasPoint(int(point.patch), float(point.u), float(point.v))
 
 
-def _check_parts(atlas: Atlas, part: NDArray[np.int64], named: list[tuple[str, Place]]) -> None:
+def _check_parts(
+    atlas: Atlas, part: NDArray[np.int64], named: list[tuple[str, AtlasPoint]]
+) -> None:
     for (name, place), (other, there) in pairwise(named):
         if part[place.patch] != part[there.patch]:
             raise InputError(

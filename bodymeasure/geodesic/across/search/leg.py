@@ -6,7 +6,7 @@ import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.topology.neighbors import Neighbors, Place
+from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.across.pieces.path import AtlasPath, PathPiece, SeamCrossing
 from bodymeasure.geodesic.across.routes.reading import first_route
@@ -29,10 +29,10 @@ class Leg(NamedTuple):
 
     status: Status
     found: Found | None
-    at: Place
+    at: AtlasPoint
 
 
-def shortest_leg(atlas: Atlas, neighbors: Neighbors, start: Place, end: Place) -> Leg:
+def shortest_leg(atlas: Atlas, neighbors: Neighbors, start: AtlasPoint, end: AtlasPoint) -> Leg:
     """The shortest path between two places that was found."""
     if neighbors.are_same(start, end):
         return Leg(Status.CONVERGED, None, start)
@@ -107,12 +107,12 @@ def _crossings(legs: list[Leg], pieces: tuple[PathPiece, ...]) -> tuple[SeamCros
     for leg in legs:
         for number, (before, after) in _leg_crossings(leg):
             t = float(ends[passed + number] / ends[-1])
-            result.append(SeamCrossing(AtlasPoint(*before), AtlasPoint(*after), t))
+            result.append(SeamCrossing(before, after, t))
         passed += len(_pieces(leg))
     return tuple(result)
 
 
-def _leg_crossings(leg: Leg) -> list[tuple[int, tuple[Place, Place]]]:
+def _leg_crossings(leg: Leg) -> list[tuple[int, tuple[AtlasPoint, AtlasPoint]]]:
     """After which piece of a leg a seam is crossed, and the point there on both patches."""
     if leg.found is None:
         return []

@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
+from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES
-from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors, Place
+from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors
 from bodymeasure.geodesic.across.pieces.route_refine import Refined
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.sides import corners_along_seams, one_sided
@@ -138,8 +139,8 @@ def _round_corners(neighbors: Neighbors, route: Route, passed: set[int]) -> Iter
         first = last + 1
 
 
-def corner_near(place: Place) -> Place | None:
+def corner_near(place: AtlasPoint) -> AtlasPoint | None:
     """The corner of its patch that a place on an edge is near to; None if it is near to none."""
-    nearest = Place(place.patch, float(round(place.u)), float(round(place.v)))
+    nearest = AtlasPoint(place.patch, float(round(place.u)), float(round(place.v)))
     apart = max(abs(place.u - nearest.u), abs(place.v - nearest.v))
     return nearest if apart <= NEAR_CORNER else None

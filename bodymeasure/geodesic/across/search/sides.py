@@ -11,8 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES
-from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors, Place, Step, on_side
+from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors, Step, on_side
 from bodymeasure.geodesic.across.pieces.route_refine import Refined
 from bodymeasure.geodesic.across.routes.route import Route
 
@@ -123,7 +124,7 @@ def _along(neighbors: Neighbors, route: Route, run: _Run, start: _Side) -> Route
     return Route((begin, end), tuple(crossings), (*along, *route.along[last:]))
 
 
-def _on_seam(neighbors: Neighbors, place: Place, side: _Side) -> Place | None:
+def _on_seam(neighbors: Neighbors, place: AtlasPoint, side: _Side) -> AtlasPoint | None:
     """The same point on the patch of a side, if it lies there."""
     return next((same for same in neighbors.same(place) if same.patch == side.patch), None)
 
@@ -132,9 +133,9 @@ def _next(
     neighbors: Neighbors, before: _Side, there: _Side
 ) -> tuple[tuple[Step, ...], _Side] | None:
     """The way round the corner to the next seam that crosses neither, and the side it comes to."""
-    corner = Place(before.patch, *on_side(before.side, float(round(before.leave))))
+    corner = AtlasPoint(before.patch, *on_side(before.side, float(round(before.leave))))
     for side in (there, _beyond(neighbors, there)):
-        goal = Place(side.patch, *on_side(side.side, float(round(side.enter))))
+        goal = AtlasPoint(side.patch, *on_side(side.side, float(round(side.enter))))
         for way in neighbors.ways(corner, goal):
             if all(step.crossing.edge not in (before.edge, there.edge) for step in way):
                 return way, side
