@@ -1,32 +1,33 @@
-"""The one entry to geodesics: checks, scales, solves, judges."""
+"""The one entry to geodesics on patches: it checks, scales and solves, and says how good it is."""
 
-from typing import Literal, NamedTuple, Protocol
+from dataclasses import dataclass
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.lengths.coincident import distances_in_one_place
 from bodymeasure.geodesic.lengths.length import UNKNOWN
 from bodymeasure.geodesic.methods.rbf_collocation import RBFCollocation
-from bodymeasure.geodesic.shortest.search import SEARCHES, Search, is_outside, search_further
+from bodymeasure.geodesic.shortest.search import Search, check_search, is_outside, search_further
 from bodymeasure.geodesic.solution import GeodesicSolution
 from bodymeasure.geodesic.solving.magnified import solve_near_and_far
-from bodymeasure.geodesic.solving.protocol import Method, MethodResult
-from bodymeasure.geodesic.status import Status, have_length
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.solving.protocol import Method, Piece
+from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure, have_length
 from bodymeasure.geodesic.surfaces.control_points import checked_control_points, of_size_one
 from bodymeasure.geodesic.surfaces.custom import CustomSurface
-from bodymeasure.geodesic.surfaces.surfaces_of import surfaces_of
+from bodymeasure.geodesic.surfaces.protocol import Surface
+from bodymeasure.geodesic.surfaces.rational import surfaces_of
 
-# What the smallest lengths are rounded to.
+# The number that the smallest lengths are rounded to.
 SMALLEST = float(np.finfo(np.float64).smallest_subnormal)
-# A path with a correction beyond this part of its length is no geodesic in any sense.
-STRAY = 0.1
-# Nor is one that turns by more than this on a way as long as itself. Of flat patches, whose
-# geodesics stay inside, unresolved paths that left them turned by 43 and more.
-WANDERING = 30.0
+# A path whose correction is beyond this part of its length is no geodesic in any sense.
+MAX_CORRECTION = 0.1
+# Neither is a path that turns by more than this on a distance as long as itself. On flat patches,
+# whose geodesics stay inside, unresolved paths that left them turned by 43 and more.
+MAX_TURN = 30.0
 # How many failed problems an error message lists.
 LISTED = 5
 
@@ -55,7 +56,7 @@ def solve_geodesic(
     *,
     method: Method | None = None,
     search: Search | None = None,
-    on_failure: Literal["raise", "status"] = "raise",
+    on_failure: OnFailure = "raise",
 ) -> GeodesicSolution:
     """Geodesics between pairs of points, each on one patch.
 
@@ -77,8 +78,8 @@ def solve_geodesic(
         elsewhere on a strongly curved patch. Straight: never. By default quick; but straight if a
         method is given, so that what is returned is what that method finds.
     on_failure : {"raise", "status"}
-        What to do if a problem has no length that can be trusted: raise, or say so in its status,
-        with NaN for a length.
+        What to do if there is no length that can be trusted: raise, so that no failure is
+        overlooked, or say so in the status, with NaN for a length.
 
     Returns
     -------
@@ -101,127 +102,145 @@ def solve_geodesic(
     """
     if search is None:
         search = "quick" if method is None else "straight"
-    _check_words(search, on_failure)
+    check_search(search)
+    check_on_failure(on_failure)
     method = RBFCollocation() if method is None else method
-    # A class is none: it lacks its settings.
+    # A class is no method yet: it lacks its settings.
     if isinstance(method, type) or not hasattr(method, "solve"):
         raise InputError(
             f"method is {method!r}; expected a method with its settings, such as RBFCollocation()"
         )
-    start, end = _checked_parameters("start", start), _checked_parameters("end", end)
-    if hasattr(surface, "derivatives"):
-        batch = _broadcast(start.shape[:-1], end.shape[:-1])
-        count = int(np.prod(batch))
-        surfaces: Surface
-        surfaces, size = CustomSurface(surface.derivatives).of_size_one()
-        patch_of, scale = np.zeros(count, np.int64), np.full(count, size)
-    else:
-        nets = checked_control_points(surface)
-        batch = _broadcast(nets.shape[:-3], start.shape[:-1], end.shape[:-1])
-        # Each patch is prepared once, however many problems it has.
-        patches = np.arange(int(np.prod(nets.shape[:-3]))).reshape(nets.shape[:-3])
-        patch_of = np.broadcast_to(patches, batch).ravel()
-        nets, sizes = of_size_one(nets.reshape((-1, *nets.shape[-3:])))
-        surfaces, scale = surfaces_of(nets), sizes[patch_of]
-        count = len(patch_of)
-    starts = np.broadcast_to(start, (*batch, 2)).reshape(-1, 2).copy()
-    ends = np.broadcast_to(end, (*batch, 2)).reshape(-1, 2).copy()
-    problems = _Problems(surfaces, patch_of, starts, ends, scale, batch)
+    problems = _problems(
+        surface, _checked_parameters("start", start), _checked_parameters("end", end)
+    )
     solution = _solve(problems, method, search)
     if on_failure == "raise" and not np.all(solution.converged):
-        raise ConvergenceError(_failures(solution, count))
+        raise ConvergenceError(_failures(solution))
     return solution
 
 
 class _Problems(NamedTuple):
-    """A flattened batch: of each problem its surface, by number, and its ends.
+    """A flattened batch of problems.
 
-    `scale` takes lengths on the surfaces to the user's.
+    Parameters
+    ----------
+    surfaces : Surface
+        The surfaces, scaled to about size 1.
+    surface_of : ndarray of int, shape (problems,)
+        The number of each problem's surface.
+    starts, ends : ndarray, shape (problems, 2)
+    scale : ndarray, shape (problems,)
+        The factors that take lengths on the surfaces to the user's unit.
+    batch : tuple of int
+        The shape of the batch as the user gave it.
     """
 
     surfaces: Surface
-    surface_of: NDArray[np.int64]
+    surface_of: Ints
     starts: Array
     ends: Array
     scale: Array
     batch: tuple[int, ...]
 
 
+def _problems(surface: ArrayLike | HasDerivatives, start: Array, end: Array) -> _Problems:
+    surfaces: Surface
+    if hasattr(surface, "derivatives"):
+        batch = _broadcast(start.shape[:-1], end.shape[:-1])
+        count = int(np.prod(batch))
+        surfaces, size = CustomSurface(surface.derivatives).of_size_one()
+        surface_of, scale = np.zeros(count, np.int64), np.full(count, size)
+    else:
+        nets = checked_control_points(surface)
+        batch = _broadcast(nets.shape[:-3], start.shape[:-1], end.shape[:-1])
+        # Each patch is prepared once, however many problems it has.
+        patches = np.arange(int(np.prod(nets.shape[:-3]))).reshape(nets.shape[:-3])
+        surface_of = np.broadcast_to(patches, batch).ravel()
+        nets, sizes = of_size_one(nets.reshape((-1, *nets.shape[-3:])))
+        surfaces, scale = surfaces_of(nets), sizes[surface_of]
+    starts, ends = (np.broadcast_to(x, (*batch, 2)).reshape(-1, 2).copy() for x in (start, end))
+    return _Problems(surfaces, surface_of, starts, ends, scale, batch)
+
+
+@dataclass(frozen=True)
+class _Outcome:
+    """What is known of each problem, by the names of `GeodesicSolution`; shape (problems,)."""
+
+    length: Array
+    raw_length: Array
+    error_estimate: Array
+    residual: Array
+    status: NDArray[np.object_]
+    index: Ints
+    functions: Ints
+    iterations: Ints
+
+    @classmethod
+    def of_coincident_points(cls, error: Array) -> "_Outcome":
+        """Paths of length zero from points to themselves, which nothing can shorten."""
+        count = len(error)
+        zeros, none = np.zeros((3, count)), np.zeros((3, count), np.int64)
+        status = np.full(count, Status.CONVERGED, dtype=object)
+        return cls(zeros[0], zeros[1], error, zeros[2], status, *none)
+
+    def put(self, piece: Piece, scale: Array) -> None:
+        """Put in what a method found for some of the problems, at their numbers."""
+        here, measured = piece.problems, piece.measured
+        scale = scale[here]
+        self.raw_length[here] = measured.raw * scale
+        self.length[here] = measured.corrected * scale
+        # The smallest numbers have few digits.
+        self.error_estimate[here] = (measured.error + SMALLEST) * scale + SMALLEST
+        self.residual[here] = measured.residual
+        self.index[here] = np.where(piece.converged, measured.index, UNKNOWN)
+        self.functions[here] = piece.space.size
+        outside = is_outside(piece) & ~_is_far_from_geodesic(piece)
+        if piece.contacts:
+            self.status[here] = Status.ON_BOUNDARY
+        self.status[here[~measured.minimal]] = Status.NOT_A_MINIMUM
+        self.status[here[outside]] = Status.LEAVES_PATCH
+        self.status[here[~piece.converged & ~outside]] = Status.NOT_CONVERGED
+        self.status[here[piece.singular]] = Status.SINGULAR
+
+
+def _is_far_from_geodesic(piece: Piece) -> Bools:
+    """Which paths are so far from a geodesic that they do not say where the geodesic would run."""
+    measured = piece.measured
+    near = np.abs(measured.correction) < MAX_CORRECTION * measured.raw
+    return ~piece.converged & ~(near & (measured.residual <= MAX_TURN))
+
+
 def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolution:
     surfaces, surface_of, starts, ends, scale, batch = problems
-    count = len(starts)
-    raw, length, residual = np.zeros(count), np.zeros(count), np.zeros(count)
-    status = np.full(count, Status.CONVERGED, dtype=object)
-    # Of geodesics from a point to itself, which nothing can shorten.
-    index = np.zeros(count, np.int64)
-    functions, iterations = np.zeros(count, np.int64), np.zeros(count, np.int64)
     # Between points in one place the length is zero, and nothing needs solving.
-    error = distances_in_one_place(surfaces, surface_of, starts, ends) * scale
-    apart = np.flatnonzero(~np.isfinite(error))
+    outcome = _Outcome.of_coincident_points(
+        distances_in_one_place(surfaces, surface_of, starts, ends) * scale
+    )
+    apart = np.flatnonzero(~np.isfinite(outcome.error_estimate))
     # A million patches with a problem each are not copied once more.
-    each_once = np.array_equal(surface_of[apart], np.arange(count))
+    each_once = np.array_equal(surface_of[apart], np.arange(len(starts)))
     part = surfaces if each_once else surfaces.take(surface_of[apart])
     result = solve_near_and_far(method, part, starts[apart], ends[apart])
     result = search_further(part, (starts[apart], ends[apart]), result, search, method.tolerance)
-    result = _renumbered(result, apart)
-    iterations[apart] = result.iterations
-    for piece in result.pieces:
-        here, measured = piece.problems, piece.measured
-        raw[here] = measured.raw * scale[here]
-        length[here] = measured.corrected * scale[here]
-        # The smallest numbers have few digits.
-        error[here] = (measured.error + SMALLEST) * scale[here] + SMALLEST
-        residual[here] = measured.residual
-        index[here] = np.where(piece.converged, measured.index, UNKNOWN)
-        functions[here] = piece.space.size
-        # A path that is far from a geodesic says nothing of where the geodesic would run.
-        near = np.abs(measured.correction) < STRAY * measured.raw
-        stray = ~piece.converged & ~(near & (measured.residual <= WANDERING))
-        outside = is_outside(piece) & ~stray
-        if piece.contacts:
-            status[here] = Status.ON_BOUNDARY
-        status[here[~measured.minimal]] = Status.NOT_A_MINIMUM
-        status[here[outside]] = Status.LEAVES_PATCH
-        status[here[~piece.converged & ~outside]] = Status.NOT_CONVERGED
-        status[here[piece.singular]] = Status.SINGULAR
-    length[~have_length(status)] = np.nan
-    arrays = {
-        "length": length,
-        "raw_length": raw,
-        "error_estimate": error,
-        "residual": residual,
-        "status": status,
-        "index": index,
-        "functions": functions,
-        "iterations": iterations,
-    }
+    outcome.iterations[apart] = result.iterations
+    pieces = tuple(piece.renumbered(apart[piece.problems]) for piece in result.pieces)
+    for piece in pieces:
+        outcome.put(piece, scale)
+    outcome.length[~have_length(outcome.status)] = np.nan
     return GeodesicSolution(
         start=starts.reshape(*batch, 2),
         end=ends.reshape(*batch, 2),
         **{
-            key: array.reshape(batch) if batch else array.tolist()[0]
-            for key, array in arrays.items()
+            name: array.reshape(batch) if batch else array.tolist()[0]
+            for name, array in vars(outcome).items()
         },
-        pieces=result.pieces,
+        pieces=pieces,
     )
-
-
-def _renumbered(result: MethodResult, numbers: NDArray[np.int64]) -> MethodResult:
-    pieces = tuple(piece.renumbered(numbers[piece.problems]) for piece in result.pieces)
-    return MethodResult(pieces, result.iterations)
-
-
-def _check_words(search: str, on_failure: str) -> None:
-    # As text, since arrays compare with nothing as a whole.
-    if str(on_failure) not in ("raise", "status"):
-        raise InputError(f"on_failure is {on_failure!r}; expected 'raise' or 'status'")
-    if str(search) not in SEARCHES:
-        raise InputError(f"search is {search!r}; expected one of {', '.join(SEARCHES)}")
 
 
 def _checked_parameters(name: str, value: ArrayLike) -> Array:
     try:
-        # Of a torch tensor that records what is done with it, only the numbers are wanted.
+        # A torch tensor may record what is done with it; only its numbers are wanted.
         array = np.asarray(value.detach() if hasattr(value, "detach") else value, dtype=np.float64)
     except (TypeError, ValueError):
         raise InputError(f"{name} is {value!r}; expected numbers (..., 2): u and v") from None
@@ -239,14 +258,15 @@ def _broadcast(*shapes: tuple[int, ...]) -> tuple[int, ...]:
         return np.broadcast_shapes(*shapes)
     except ValueError:
         raise InputError(
-            f"batch shapes {', '.join(map(str, shapes))} of surface, start and end do not "
+            f"the batch shapes {', '.join(map(str, shapes))} of surface, start and end do not "
             "broadcast with one another"
         ) from None
 
 
-def _failures(solution: GeodesicSolution, count: int) -> str:
+def _failures(solution: GeodesicSolution) -> str:
     failed = np.flatnonzero(~np.atleast_1d(solution.converged).ravel())
     statuses = np.atleast_1d(np.asarray(solution.status, dtype=object)).ravel()
+    count = len(statuses)
     if count == 1:
         return str(statuses[0].sentence)
     listed = "; ".join(f"problem {i}: {statuses[i].sentence}" for i in failed[:LISTED])

@@ -1,10 +1,22 @@
 """How a geodesic problem ended."""
 
 from enum import Enum
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
+
+from bodymeasure.errors import InputError
+
+OnFailure = Literal["raise", "status"]
+"""What a function does where it finds no length that can be trusted: raise, or say so."""
+
+
+def check_on_failure(on_failure: str) -> None:
+    """Raise an InputError unless a setting is one of `OnFailure`."""
+    # Compared as text, since an array is not compared as a whole.
+    if str(on_failure) not in ("raise", "status"):
+        raise InputError(f"on_failure is {on_failure!r}; expected 'raise' or 'status'")
 
 
 class Status(Enum):

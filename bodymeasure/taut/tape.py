@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +13,7 @@ from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.units import Unit
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic import AtlasPath, geodesic_between
+from bodymeasure.geodesic.status import OnFailure, check_on_failure
 from bodymeasure.taut.legs import leg_ends
 from bodymeasure.taut.outside import Outside
 from bodymeasure.taut.skin import Skin, skin_of
@@ -83,7 +83,7 @@ def taut_tape(
     *,
     contact: AtlasPath | None = None,
     outside: Outside = "told",
-    on_failure: Literal["raise", "status"] = "raise",
+    on_failure: OnFailure = "raise",
 ) -> TautTape:
     """The shortest way outside the body between two of its points, and the one along its skin.
 
@@ -99,8 +99,8 @@ def taut_tape(
         Where the outside is: told from what the surface encloses, or, for an open one, where
         S_u x S_v points, or opposite.
     on_failure : {"raise", "status"}
-        What to do if there is no length that can be trusted: raise, or say so in the status, with
-        NaN for a length.
+        What to do if there is no length that can be trusted: raise, so that no failure is
+        overlooked, or say so in the status, with NaN for a length.
 
     Returns
     -------
@@ -136,8 +136,7 @@ def taut_tape(
     >>> print(f"{tape.chord:.4f} {tape.length:.4f} {tape.contact.length:.4f} {tape.unit}")
     0.2092 0.2104 0.2169 m
     """
-    if on_failure not in ("raise", "status"):
-        raise InputError(f"on_failure is {on_failure!r}; expected 'raise' or 'status'")
+    check_on_failure(on_failure)
     if outside not in ("told", "along normals", "against normals"):
         raise InputError(
             f"outside is {outside!r}; expected 'told', 'along normals' or 'against normals'"

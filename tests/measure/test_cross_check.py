@@ -25,7 +25,7 @@ def compare(
         return MeshDistances(exact, uncertainty, 1.01 * exact, by_level, levels, {})
 
     monkeypatch.setattr(module, "mesh_distances", pretend)
-    return module.cross_check(atlas, diagonals(atlas), levels=(4, 8))
+    return module.cross_check(atlas, diagonals(atlas, on_failure="status"), levels=(4, 8))
 
 
 def test_verdicts(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -60,7 +60,7 @@ def test_without_a_length_or_a_distance_nothing_is_compared(
     line = bicubic({(1, 0): 1}, {}, {})
     atlas = Atlas.from_control_points(np.stack([ENNEPER, line]), "cm")
     exact = np.array([[np.nan, 5 * np.sqrt(2) / 3], [1.0, 1.0]])
-    exact[0, 1] = diagonals(atlas).length[0, 1]
+    exact[0, 1] = diagonals(atlas, on_failure="status").length[0, 1]
     checked = compare(monkeypatch, exact, np.where(np.isnan(exact), np.nan, 1e-9), atlas)
     assert checked.verdict[0].tolist() == [Verdict.NOT_COMPARED, Verdict.AGREES]
     assert checked.verdict[1].tolist() == 2 * [Verdict.NOT_COMPARED]

@@ -33,14 +33,14 @@ def test_the_method_is_the_one_that_is_given() -> None:
     assert (diagonals(atlas(ENNEPER, PARABOLOID), method=method).functions == 14).all()
 
 
-def test_failures_are_statuses_unless_asked_otherwise() -> None:
+def test_failures_raise_unless_statuses_are_asked_for() -> None:
     bad = atlas(ENNEPER, LINE)
-    solution = diagonals(bad)
+    solution = diagonals(bad, on_failure="status")
     np.testing.assert_array_equal(solution.converged, [[True, True], [False, False]])
     assert solution.status[0, 0] is Status.CONVERGED
     assert np.isnan(solution.length[1]).all()
     with pytest.raises(ConvergenceError, match="2 of 4 geodesics"):
-        diagonals(bad, on_failure="raise")
+        diagonals(bad)
 
 
 def test_a_collapsed_patch_is_named() -> None:

@@ -16,7 +16,7 @@ from bodymeasure.geodesic.contact.legs import Contact
 from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.spaces.quadrature import Quadrature
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # Gauss points of an arc, and of its halves, whose difference is its error estimate.
 POINTS = 24

@@ -24,7 +24,7 @@ from bodymeasure.geodesic.contact.legs import End, Pole
 from bodymeasure.geodesic.lengths.equations import residual_and_jacobian
 from bodymeasure.geodesic.numerics.damped_newton import damped_newton
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # Where S_u, S_uu, S_uv, S_uuv and S_uvv are in a jet, and the same with u and v exchanged.
 _AT_POLE = ((1, 3, 4, 7, 8), (2, 5, 4, 8, 7))

@@ -26,7 +26,7 @@ from bodymeasure.geodesic.contact.tangency import tangency_error
 from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.solving.protocol import EdgeContact
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # A polygon that touches edges more often than this has found no rest; five legs are the most that
 # any path had on wild patches.

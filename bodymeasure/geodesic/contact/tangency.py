@@ -22,7 +22,7 @@ from bodymeasure.geodesic.contact.edge_arc import edge_curvature
 from bodymeasure.geodesic.contact.legs import End, Pole
 from bodymeasure.geodesic.lengths.path_geometry import PathGeometry, path_geometry
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # Where joints make most of the error, on wild patches, the formula told at most 1 % too little; but
 # it is leading order, and its curvatures vary.

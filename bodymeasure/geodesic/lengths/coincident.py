@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.lengths.measure import CANCELLATION
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # Points of a line at which its speed is looked at: a polynomial of a lower degree cannot vanish at
 # all of them without being zero.

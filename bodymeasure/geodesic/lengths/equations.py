@@ -6,7 +6,7 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 _Pair = tuple[Array, Array]
 

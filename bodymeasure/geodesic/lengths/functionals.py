@@ -17,7 +17,7 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.lengths.equations import dot
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 INNER_NODES = slice(1, -1)
 

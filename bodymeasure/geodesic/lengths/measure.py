@@ -40,7 +40,7 @@ from bodymeasure.geodesic.lengths.jacobi import length_and_error
 from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.lengths.path_geometry import path_geometry
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # On a surface of size 1, derivatives by u and v are at most 6 in size, and more than that times the
 # rounding errors that `jacobi.ROUNDING` allows are made by a path that is not this part as long as

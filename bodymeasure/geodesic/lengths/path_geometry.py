@@ -6,7 +6,7 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.lengths.equations import acceleration, dot
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 
 class PathGeometry(NamedTuple):

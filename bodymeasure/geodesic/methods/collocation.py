@@ -11,7 +11,8 @@ from bodymeasure.geodesic.graph.solve import solve_offsets
 from bodymeasure.geodesic.solving.on_spaces import solve_on_spaces
 from bodymeasure.geodesic.solving.protocol import MethodResult
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces, Surface
+from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 Form = Literal["fast", "full"]
 FORMS: tuple[Form, ...] = get_args(Form)

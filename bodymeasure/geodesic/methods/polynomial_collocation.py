@@ -12,7 +12,7 @@ from bodymeasure.geodesic.methods.settings import check_positive, whole_numbers
 from bodymeasure.geodesic.solving.on_spaces import TOLERANCE
 from bodymeasure.geodesic.solving.protocol import MethodResult
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # As many unknowns as the radial functions have.
 DEGREES = (8, 12, 16, 20)

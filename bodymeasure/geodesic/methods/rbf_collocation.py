@@ -16,7 +16,7 @@ from bodymeasure.geodesic.solving.protocol import MethodResult
 from bodymeasure.geodesic.spaces.kernels import WU_C10, Kernel
 from bodymeasure.geodesic.spaces.rbf import rbf_space
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # Numbers of functions that are tried in turn. Even, so that symmetric centers and collocation
 # points give a regular system. 8 functions serve 9 of 10 diagonals of a body, 12 nearly all of the

@@ -13,7 +13,7 @@ from bodymeasure.geodesic.solving.newton import MAX_ITERATIONS, SUFFICIENT_DECRE
 from bodymeasure.geodesic.solving.on_spaces import TOLERANCE, straight
 from bodymeasure.geodesic.solving.protocol import MethodResult
 from bodymeasure.geodesic.solving.resampled import Path, resampled
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 POINTS = 129
 # The spline through the mesh points must not add to their error of second order.

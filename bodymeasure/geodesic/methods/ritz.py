@@ -15,7 +15,7 @@ from bodymeasure.geodesic.solving.levenberg_marquardt import minimize
 from bodymeasure.geodesic.solving.on_spaces import TOLERANCE, solve_on_spaces
 from bodymeasure.geodesic.solving.protocol import MethodResult
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 ORDERS = (8, 12, 16, 20)
 # A straight line has nothing to vary.

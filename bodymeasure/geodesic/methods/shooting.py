@@ -10,7 +10,7 @@ from bodymeasure.geodesic.methods.settings import check_between, check_positive
 from bodymeasure.geodesic.solving.on_spaces import TOLERANCE
 from bodymeasure.geodesic.solving.protocol import MethodResult
 from bodymeasure.geodesic.solving.resampled import Path, resampled
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # The length of a path is off by the square of what the path is: half the digits are enough.
 RTOL = 1e-8

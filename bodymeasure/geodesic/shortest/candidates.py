@@ -12,7 +12,7 @@ from bodymeasure.geodesic.shortest.polygon_energy import polygon_energy, polygon
 from bodymeasure.geodesic.shortest.rough_paths import rough_paths
 from bodymeasure.geodesic.shortest.saddles import ways_off
 from bodymeasure.geodesic.solving.protocol import Piece
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # Edges of the polygons that compete.
 EDGES = 32

@@ -5,7 +5,7 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.shortest.box_steps import box_steps
 from bodymeasure.geodesic.shortest.polygon_energy import polygon_energy
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # Newton steps at most. Nearly all paths take 6 to 15.
 MAX_STEPS = 60

@@ -19,7 +19,7 @@ from bodymeasure.geodesic.shortest.polygon_energy import polygon_lengths
 from bodymeasure.geodesic.solving.newton import newton
 from bodymeasure.geodesic.solving.protocol import Piece
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # Newton steps on each: polygons are near enough that those that converge do so in fewer.
 MOST_STEPS = 8

@@ -9,7 +9,7 @@ import scipy
 from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.lengths.equations import dot
 from bodymeasure.geodesic.numerics.grid_steps import SHORTEST, grid_steps
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # Grid lines a side. Coarser grids missed paths round a bump that finer ones found.
 LINES = 13

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.lengths.equations import dot
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # Part of its mean that is added to the metric, which vanishes on a collapsed edge.
 REGULARIZATION = 1e-10

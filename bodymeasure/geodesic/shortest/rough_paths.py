@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.numerics.grid_steps import SHORTEST
 from bodymeasure.geodesic.shortest.grid_graph import LINES, grid_points, shortest_trees
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # A second path is worth a try if it is at most this much longer than the first, and passes this
 # far, in (u, v), from all taken before it.

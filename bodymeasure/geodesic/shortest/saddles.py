@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.numerics.block_tridiagonal import apply, factorize, solve
 from bodymeasure.geodesic.shortest.polygon_energy import PolygonEnergy, polygon_energy
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # An eigenvalue below minus this part of the lowest of a flat patch's is a saddle's: more than the
 # rounding errors of a path at rest, and little enough that beyond it lie shorter paths by a part of

@@ -24,13 +24,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
+from bodymeasure.errors import InputError
 from bodymeasure.geodesic.shortest.candidates import EDGES, Known, shortest_paths
 from bodymeasure.geodesic.shortest.exact_paths import OUTSIDE
 from bodymeasure.geodesic.solving.protocol import MethodResult, Piece
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 Search = Literal["quick", "thorough", "straight"]
 SEARCHES: tuple[Search, ...] = get_args(Search)
+
 
 # Paths longer than so many chords are searched further: of 752 diagonals of a body four at most.
 # On random patches with heights of twice their side, two proven local minima in 6000 were longer
@@ -39,6 +41,13 @@ ROUNDABOUT = 1.15
 # Problems that are searched, and whose chords are calculated, at once, which bounds the memory.
 CHUNK = 128
 CHORDS = 16384
+
+
+def check_search(search: str) -> None:
+    """Raise an InputError unless a setting is one of `SEARCHES`."""
+    # Compared as text, since an array is not compared as a whole.
+    if str(search) not in SEARCHES:
+        raise InputError(f"search is {search!r}; expected one of {', '.join(SEARCHES)}")
 
 
 def search_further(

@@ -8,7 +8,7 @@ from bodymeasure.geodesic.lengths.functionals import Expansion, Functional, expa
 from bodymeasure.geodesic.numerics.damped_newton import LAST_STEP, LONGEST_STEP
 from bodymeasure.geodesic.solving.newton import NewtonResult
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # Levenberg-Marquardt damping is relative to the metric's trace. It starts where a step that failed
 # is shortened to some half of itself, is multiplied and divided by these, and is zero below the

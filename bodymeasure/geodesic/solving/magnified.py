@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.solving.protocol import Method, MethodResult, Piece
-from bodymeasure.geodesic.surfaces.bezier import JET, JET_SIZE, Surface
+from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE, Surface
 
 # Points closer than this in u and v are near: enough to lose no more than two digits beyond it.
 NEAR = 0.03

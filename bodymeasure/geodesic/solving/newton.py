@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from bodymeasure.geodesic.lengths.equations import residual_and_jacobian
 from bodymeasure.geodesic.numerics.damped_newton import LAST_STEP, LONGEST_STEP, SMALLEST_STEP
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # A step is accepted if it lowers the norm of the residual by this part of what was foretold.
 SUFFICIENT_DECREASE = 1e-3

@@ -11,7 +11,7 @@ from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.solving.newton import MAX_ITERATIONS, NewtonResult, newton
 from bodymeasure.geodesic.solving.protocol import MethodResult, Piece
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # Relative error that is asked for. The correction about doubles the digits, so that
 # this takes far fewer functions than the paths themselves would.

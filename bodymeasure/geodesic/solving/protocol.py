@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from bodymeasure.geodesic.lengths.arc_length_times import times_at
 from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 
 @dataclass(frozen=True)

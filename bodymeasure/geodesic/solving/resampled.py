@@ -9,7 +9,7 @@ from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.solving.on_spaces import straight
 from bodymeasure.geodesic.solving.protocol import Piece
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # Degrees that are tried in turn.
 DEGREES = (8, 12, 16, 20, 28, 40)

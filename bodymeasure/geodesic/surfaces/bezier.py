@@ -1,7 +1,7 @@
-"""What the solver asks of a surface: its derivatives."""
+"""Bezier patches as surfaces that the solver can use."""
 
 from functools import cached_property, lru_cache
-from typing import Any, Protocol
+from typing import Any
 
 import array_api_compat
 import numpy as np
@@ -10,49 +10,7 @@ from numpy.typing import NDArray
 from bodymeasure._typing import Array
 from bodymeasure.bezier import bernstein_values, elevate, evaluate
 from bodymeasure.geodesic.numerics.array_libraries import constant, to_numpy
-
-# Order of the derivatives in a jet: (times by u, times by v).
-JET = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3))
-# Number of derivatives up to each order.
-JET_SIZE = (1, 3, 6, 10)
-
-
-class Surface(Protocol):
-    """A batch of surfaces, one for each geodesic problem."""
-
-    def jet(self, parameters: Array, order: int) -> Array:
-        """Derivatives up to an order of at most 3.
-
-        Parameters
-        ----------
-        parameters : ndarray, shape (problems, k, 2)
-        order : int
-
-        Returns
-        -------
-        ndarray, shape (derivatives, 3, problems, k)
-            In the order of `JET`. The origin of the positions is any.
-        """
-
-    def positions(self, parameters: Array) -> Array:
-        """Points, shape (problems, k, 3). The origin is any."""
-
-    def magnitude(self, parameters: Array) -> Array:
-        """The size of what S_u and S_v are calculated from: what rounding errors are relative to.
-
-        Parameters
-        ----------
-        parameters : ndarray, shape (problems, k, 2)
-
-        Returns
-        -------
-        ndarray, shape (2, problems, k)
-            Of the terms that are summed up, and of the change by a rounding of the parameters
-            as a part of that.
-        """
-
-    def take(self, problems: NDArray[np.int64]) -> "Surface":
-        """The surfaces of some of the problems."""
+from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE
 
 
 class BezierSurfaces:
@@ -78,7 +36,8 @@ class BezierSurfaces:
     def _nets(self) -> Array:
         """Control points of all derivatives, shape (problems, basis functions, c * derivatives).
 
-        Made when first needed, since they take thirty times the place of the patches.
+        They are made when they are first needed, since they take ten times the memory of the
+        patches.
         """
         points = to_numpy(self.control_points)
         problems, size = len(points), (self.degrees[0] + 1) * (self.degrees[1] + 1)

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
-from bodymeasure.geodesic.surfaces.bezier import JET, JET_SIZE
+from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE
 
 # Points a side at which a surface is looked at for its size.
 SAMPLES = 5

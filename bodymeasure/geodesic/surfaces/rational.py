@@ -1,13 +1,27 @@
-"""What the solver asks of rational Bezier patches."""
+"""Rational Bezier patches as surfaces, and the choice between them and polynomial ones."""
 
 from math import comb
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
-from bodymeasure.geodesic.surfaces.bezier import JET, JET_SIZE, BezierSurfaces
+from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
+from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE
+
+
+def surfaces_of(control_points: Any) -> "BezierSurfaces | RationalSurfaces":
+    """Return polynomial or rational patches, by the number of their coordinates.
+
+    Parameters
+    ----------
+    control_points : array, shape (problems, m + 1, n + 1, 3) or (problems, m + 1, n + 1, 4)
+    """
+    if control_points.shape[-1] == 4:
+        return RationalSurfaces(control_points)
+    return BezierSurfaces(control_points)
 
 
 class RationalSurfaces:

@@ -1,18 +1,15 @@
 """The natural waist, and other girths where a tape comes to rest by itself."""
 
-from typing import Literal
-
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.queries.locations import Location, position_of
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import ClosedPath, contract
+from bodymeasure.geodesic.status import OnFailure
 from bodymeasure.measure.body.girths import section_loop
 from bodymeasure.section import Plane
 
 
-def closed_geodesic(
-    atlas: Atlas, at: Location, *, on_failure: Literal["raise", "status"] = "raise"
-) -> ClosedPath:
+def closed_geodesic(atlas: Atlas, at: Location, *, on_failure: OnFailure = "raise") -> ClosedPath:
     """The closed geodesic that the horizontal loop at a place contracts to.
 
     From hip, waist or underbust, that is the natural waist. It follows the skin, and need not be
@@ -23,8 +20,8 @@ def closed_geodesic(
     atlas : Atlas
     at : str, AtlasPoint or ndarray of shape (3,)
     on_failure : {"raise", "status"}
-        What to do if there is no length that can be trusted: raise, or say so in the status, with
-        NaN for a length.
+        What to do if there is no length that can be trusted: raise, so that no failure is
+        overlooked, or say so in the status, with NaN for a length.
 
     Raises
     ------

@@ -1,12 +1,11 @@
 """The diagonals of an atlas's patches."""
 
-from typing import Literal
-
 import numpy as np
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import GeodesicSolution, Method, Search, solve_geodesic
+from bodymeasure.geodesic.status import OnFailure
 from bodymeasure.geodesic.surfaces.control_points import collapsed_patches
 
 # Ends (u, v) of a patch's two diagonals; shape (2, 2).
@@ -19,7 +18,7 @@ def diagonals(
     *,
     method: Method | None = None,
     search: Search | None = None,
-    on_failure: Literal["raise", "status"] = "status",
+    on_failure: OnFailure = "raise",
 ) -> GeodesicSolution:
     """Both diagonal geodesics of every patch, in one batch.
 
@@ -29,9 +28,9 @@ def diagonals(
     method : Method, optional
         `RBFCollocation()` by default.
     search : {"quick", "thorough", "straight"}, optional
-    on_failure : {"status", "raise"}
-        See `solve_geodesic`. Among the hundreds of diagonals of a body one may fail, so here the
-        statuses say so by default.
+    on_failure : {"raise", "status"}
+        What to do if there is no length that can be trusted: raise, so that no failure is
+        overlooked, or say so in the status, with NaN for a length.
 
     Returns
     -------
@@ -42,10 +41,21 @@ def diagonals(
     Raises
     ------
     InputError
-        If a patch is collapsed to a point. Whether patches are folded, and the like, is for
-        `check_atlas` to say.
+        If a patch is collapsed to a point. `check_atlas` finds folded patches and other faults.
+    ConvergenceError
+        If a diagonal has no length that can be trusted and `on_failure` is "raise".
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> solutions = bm.diagonals(body)
+    >>> solutions.shape
+    (376, 2)
+    >>> print(f"{solutions.length.max():.4f} {body.unit}")
+    0.1345 m
     """
-    # As the solver would say, but by name.
+    # The solver would refuse it too, but without its name.
     collapsed = collapsed_patches(atlas.control_points)
     if len(collapsed):
         raise InputError(

@@ -83,7 +83,7 @@ def measure_atlas(
     with _timed(seconds, "check of the atlas"):
         findings = check_atlas(atlas)
     with _timed(seconds, "diagonals"):
-        solution = diagonals(atlas, method=method, search=search)
+        solution = diagonals(atlas, method=method, search=search, on_failure="status")
     with _timed(seconds, "boundary curves"):
         boundary = boundary_lengths(atlas)
     checked = None

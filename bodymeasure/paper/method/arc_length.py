@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.spaces.quadrature import Quadrature
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # Gauss points: on the paper's patches, wild as they are, twice as many change the lengths of curves
 # inside by less than 1e-8.

@@ -57,7 +57,7 @@ def diagonal_curves(atlas: Atlas, method: Method | None = None) -> AtlasCurves:
     Where there is none, the straight line in (u, v) stands for it, without a length: a path that
     was not solved may run anywhere.
     """
-    solution = diagonals(atlas, method=method)
+    solution = diagonals(atlas, method=method, on_failure="status")
     t = np.linspace(0.0, 1.0, POINTS)
     straight = (
         solution.start[:, :, None] * (1.0 - t[:, None]) + solution.end[:, :, None] * t[:, None]

@@ -10,7 +10,8 @@ from bodymeasure.geodesic.lengths.equations import acceleration, residual_and_ja
 from bodymeasure.geodesic.lengths.path_geometry import path_geometry
 from bodymeasure.geodesic.methods.rbf_collocation import RBFCollocation
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.bezier import JET, JET_SIZE, BezierSurfaces
+from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
+from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE
 
 NETS = np.stack([ENNEPER, PLANE, TANGENT_DEVELOPABLE])
 SURFACES = BezierSurfaces(NETS)

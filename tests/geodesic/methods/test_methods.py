@@ -20,7 +20,8 @@ from bodymeasure.geodesic import Method, Relaxation, Shooting
 from bodymeasure.geodesic.lengths.functionals import Functional, expand
 from bodymeasure.geodesic.solving.protocol import Piece
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
-from bodymeasure.geodesic.surfaces.bezier import JET, BezierSurfaces
+from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
+from bodymeasure.geodesic.surfaces.protocol import JET
 
 METHODS: dict[str, Method] = {
     "RBF": bm.RBFCollocation(),

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 import bodymeasure as bm
 from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
-from bodymeasure.geodesic.surfaces.bezier import JET
+from bodymeasure.geodesic.surfaces.protocol import JET
 from bodymeasure.geodesic.surfaces.rational import RationalSurfaces
 from bodymeasure.section import plane_section
 

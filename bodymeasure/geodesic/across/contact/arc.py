@@ -13,7 +13,7 @@ from bodymeasure.geodesic.across.pieces.path import PathPiece
 from bodymeasure.geodesic.across.pieces.route_error import RouteLength
 from bodymeasure.geodesic.contact.edge_arc import EdgeArc, edge_arc
 from bodymeasure.geodesic.contact.legs import Contact
-from bodymeasure.geodesic.surfaces.surfaces_of import surfaces_of
+from bodymeasure.geodesic.surfaces.rational import surfaces_of
 
 
 def on_edge(neighbors: Neighbors, place: AtlasPoint, patch: int, contact: Contact) -> AtlasPoint:

@@ -22,7 +22,7 @@ from bodymeasure.geodesic.across.pieces.route_length import (
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.lengths.functionals import expand
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.surfaces_of import surfaces_of
+from bodymeasure.geodesic.surfaces.rational import surfaces_of
 
 
 class ClosedProblem:

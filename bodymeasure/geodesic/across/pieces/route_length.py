@@ -21,7 +21,7 @@ from bodymeasure.bezier import scaled
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.lengths.functionals import Functional, expand
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.surfaces_of import surfaces_of
+from bodymeasure.geodesic.surfaces.rational import surfaces_of
 
 # Pieces may be of no length, where the root has no derivative. In units of the whole path's length.
 EPSILON = 1e-14

@@ -14,7 +14,7 @@ from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.numerics.box_newton import BoxMinimum, minimize_in_box
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-from bodymeasure.geodesic.surfaces.bezier import Surface
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # Pieces this near to a corner, in (u, v), are tried in the corner itself.
 IN_CORNER = 1e-3
