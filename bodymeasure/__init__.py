@@ -46,9 +46,8 @@ __all__ = [
     "closed_geodesic",
     "contract",
     "diagonals",
-    "drop",
     "extreme_girth",
-    "fork",
+    "fork_point",
     "geodesic_alternatives",
     "geodesic_between",
     "geodesics_between",
@@ -67,6 +66,7 @@ __all__ = [
     "solve_geodesic",
     "taut_tape",
     "tessellate",
+    "vertical_drop",
     "write_atlas",
     "write_glb",
     "write_population",
@@ -139,12 +139,12 @@ if TYPE_CHECKING:
         boundary_lengths,
         closed_geodesic,
         diagonals,
-        drop,
         extreme_girth,
-        fork,
+        fork_point,
         limb_girth,
         measure_atlas,
         plane_girth,
+        vertical_drop,
     )
     from bodymeasure.mesh import MeshPath, measure_mesh, path_to_trimesh, write_glb
     from bodymeasure.samples import load_sample, sample_names

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.subdivision import QuadMesh
 from bodymeasure.subdivision import limit_positions as limits
 
@@ -16,9 +16,9 @@ from bodymeasure.subdivision import limit_positions as limits
 class ControlMesh:
     """A closed quad mesh: vertices (n, 3), quads (m, 4), and the quads of each named group."""
 
-    vertices: NDArray[np.float64]
-    quads: NDArray[np.int64]
-    groups: dict[str, NDArray[np.int64]]
+    vertices: Array
+    quads: Ints
+    groups: dict[str, Ints]
 
 
 def read_mesh(path: Path) -> ControlMesh:
@@ -44,7 +44,7 @@ def read_landmarks(path: Path) -> dict[str, int]:
     return landmarks
 
 
-def limit_positions(mesh: ControlMesh, numbers: Sequence[int]) -> NDArray[np.float64]:
+def limit_positions(mesh: ControlMesh, numbers: Sequence[int]) -> Array:
     """Where vertices of a mesh come to lie on its Catmull-Clark surface.
 
     Parameters

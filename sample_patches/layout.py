@@ -4,8 +4,8 @@ from collections.abc import Container
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, edge_table
 from bodymeasure.bezier import evaluate
 
@@ -59,7 +59,7 @@ class Layout:
             strip.append(following)
         return strip
 
-    def ends(self, step: Step) -> NDArray[np.float64]:
+    def ends(self, step: Step) -> Array:
         """Positions of a side's two ends, shape (2, 3)."""
         numbers = self._table.control_index[step][[0, 3]]
         return np.asarray(self.atlas.points[numbers])
@@ -73,7 +73,7 @@ class Layout:
             key=lambda candidate: float((self.ends(candidate) @ left).sum()),
         )
 
-    def landmark(self, name: str) -> NDArray[np.float64]:
+    def landmark(self, name: str) -> Array:
         """Position of a landmark, shape (3,)."""
         return self.atlas.position(self.atlas.landmarks[name])
 
@@ -154,7 +154,7 @@ def _is_ring(layout: Layout, steps: list[Step]) -> bool:
     return {patch for patch, _ in round_limb} == {patch for patch, _ in steps}
 
 
-def _places(layout: Layout, centers: NDArray[np.float64]) -> list[str]:
+def _places(layout: Layout, centers: Array) -> list[str]:
     """Places of strips round a limb, from their patches' centers (rings, strips, 3)."""
     middle = centers.mean(axis=1)
     axis = middle[0] - middle[-1]

@@ -9,8 +9,8 @@ wearer's left half is named by the rule; the right half mirrors it.
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Atlas
 
 from .layout import Layout, LayoutError, Limb, Step, limb, until
@@ -54,7 +54,7 @@ def name_patches(atlas: Atlas) -> tuple[tuple[str, ...], tuple[str, ...]]:
     return tuple(f"{region} {place}" for region, place in ordered), tuple(r for r, _ in ordered)
 
 
-def mirror_patches(layout: Layout) -> NDArray[np.int64]:
+def mirror_patches(layout: Layout) -> Ints:
     """Number of each patch's mirror image across the body's center plane.
 
     Raises
@@ -174,13 +174,13 @@ def _region(named: Names, patch: int) -> str:
     return named[patch][0] if patch in named else ""
 
 
-def _side_nearest(layout: Layout, column: list[Step], position: NDArray[np.float64]) -> int:
+def _side_nearest(layout: Layout, column: list[Step], position: Array) -> int:
     """Number of the step whose side has the end closest to a position."""
     apart = [np.linalg.norm(layout.ends(step) - position, axis=1).min() for step in column]
     return int(np.argmin(apart))
 
 
-def _row_above(layout: Layout, part: Limb, position: NDArray[np.float64]) -> int:
+def _row_above(layout: Layout, part: Limb, position: Array) -> int:
     """Row of a limb whose lower end is closest to a position."""
     apart = [
         min(

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Unit
 
 Terms = dict[tuple[int, int], float]
@@ -98,7 +98,7 @@ def known_surfaces() -> Iterator[tuple[str, Atlas]]:
         )
 
 
-def _control_values(terms: Terms) -> NDArray[np.float64]:
+def _control_values(terms: Terms) -> Array:
     """Bezier ordinates (4, 4) of one coordinate: u^k is the sum of C(i, k) / C(3, k) B_i(u)."""
     coefficients = np.zeros((4, 4))
     for powers, value in terms.items():

@@ -8,8 +8,9 @@ from functools import cached_property
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.axes import Axes
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, edge_table, sides_of, weights_differ
@@ -60,8 +61,8 @@ class Atlas:
         The geometry is judged by `bodymeasure.check_atlas`.
     """
 
-    points: NDArray[np.float64] = field(repr=False)
-    index: NDArray[np.int64] = field(repr=False)
+    points: Array = field(repr=False)
+    index: Ints = field(repr=False)
     unit: Unit
     patch_names: tuple[str, ...] = field(default=(), repr=False)
     regions: tuple[str, ...] = field(default=(), repr=False)
@@ -69,7 +70,7 @@ class Atlas:
     axes: Axes = field(default_factory=Axes)
     name: str = ""
     provenance: Mapping[str, str] = field(default_factory=dict)
-    weights: NDArray[np.float64] | None = field(default=None, repr=False)
+    weights: Array | None = field(default=None, repr=False)
 
     def __post_init__(self) -> None:
         index = _checked_index(self.index)
@@ -126,7 +127,7 @@ class Atlas:
         return len(self.index)
 
     @cached_property
-    def control_points(self) -> NDArray[np.float64]:
+    def control_points(self) -> Array:
         """Control points of every patch, shape (patches, degree + 1, degree + 1, 3); read-only.
 
         Of rational patches in homogeneous coordinates, of which there are four; the weights of
@@ -172,7 +173,7 @@ class Atlas:
         except ValueError:
             raise InputError(f"the atlas has no patch named {name!r}") from None
 
-    def position(self, point: AtlasPoint) -> NDArray[np.float64]:
+    def position(self, point: AtlasPoint) -> Array:
         """Position of a point of the atlas, shape (3,), in the atlas's unit."""
         return evaluate(self.control_points[point.patch], (point.u, point.v))
 
@@ -199,7 +200,7 @@ class Atlas:
         return replace(self, points=self.points * (self.unit.metres / target.metres), unit=target)
 
 
-def _checked_index(index: ArrayLike) -> NDArray[np.int64]:
+def _checked_index(index: ArrayLike) -> Ints:
     try:
         array = np.asarray(index)
     except ValueError:
@@ -222,9 +223,7 @@ def _checked_index(index: ArrayLike) -> NDArray[np.int64]:
     return array
 
 
-def _checked_points(
-    points: ArrayLike, index: NDArray[np.int64], names: tuple[str, ...]
-) -> NDArray[np.float64]:
+def _checked_points(points: ArrayLike, index: Ints, names: tuple[str, ...]) -> Array:
     try:
         array = np.array(points, dtype=np.float64)
     except (TypeError, ValueError):
@@ -250,7 +249,7 @@ def _checked_points(
     return array
 
 
-def _checked_weights(weights: ArrayLike, index: NDArray[np.int64]) -> NDArray[np.float64]:
+def _checked_weights(weights: ArrayLike, index: Ints) -> Array:
     try:
         array = np.array(weights, dtype=np.float64)
     except (TypeError, ValueError):
@@ -270,7 +269,7 @@ def _checked_weights(weights: ArrayLike, index: NDArray[np.int64]) -> NDArray[np
     return array
 
 
-def _check_weights_of_seams(index: NDArray[np.int64], weights: NDArray[np.float64]) -> None:
+def _check_weights_of_seams(index: Ints, weights: Array) -> None:
     table = edge_table(index)
     along = sides_of(weights)
     along = np.where(table.reversed[..., None], along[..., ::-1], along)

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 
 DIRECTIONS = ("+x", "-x", "+y", "-y", "+z", "-z")
@@ -43,22 +43,22 @@ class Axes:
             )
 
     @property
-    def up_vector(self) -> NDArray[np.float64]:
+    def up_vector(self) -> Array:
         """Unit vector upwards, shape (3,)."""
         return _unit_vector(self.up)
 
     @property
-    def front_vector(self) -> NDArray[np.float64]:
+    def front_vector(self) -> Array:
         """Unit vector to the front, shape (3,)."""
         return _unit_vector(self.front)
 
     @property
-    def left_vector(self) -> NDArray[np.float64]:
+    def left_vector(self) -> Array:
         """Unit vector to the wearer's left, shape (3,)."""
         return np.cross(self.up_vector, self.front_vector)
 
 
-def _unit_vector(direction: str) -> NDArray[np.float64]:
+def _unit_vector(direction: str) -> Array:
     vector = np.zeros(3)
     vector["xyz".index(direction[1])] = 1.0 if direction[0] == "+" else -1.0
     return vector

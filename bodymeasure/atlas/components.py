@@ -2,12 +2,11 @@
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
+
+from bodymeasure._typing import Ints
 
 
-def connected_components(
-    first: NDArray[np.int64], second: NDArray[np.int64], count: int
-) -> NDArray[np.int64]:
+def connected_components(first: Ints, second: Ints, count: int) -> Ints:
     """Number of the component of each node, shape (count,).
 
     Parameters

@@ -1,12 +1,12 @@
 """The normal field S_u x S_v of patches as a polynomial."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier import bernstein, derivatives, project
 
 
-def normal_coefficients(control_points: NDArray[np.float64]) -> NDArray[np.float64]:
+def normal_coefficients(control_points: Array) -> Array:
     """Bernstein coefficients of the normal field S_u x S_v.
 
     Parameters
@@ -49,7 +49,7 @@ def normal_coefficients(control_points: NDArray[np.float64]) -> NDArray[np.float
     return _apply(to_coefficients, to_coefficients, normals)
 
 
-def _moved_to_origin(control_points: NDArray[np.float64]) -> NDArray[np.float64]:
+def _moved_to_origin(control_points: Array) -> Array:
     """Patches (..., m + 1, n + 1, 3 or 4) moved so that their first corner is the origin."""
     corner = project(control_points[..., :1, :1, :])
     if control_points.shape[-1] == 3:
@@ -58,18 +58,14 @@ def _moved_to_origin(control_points: NDArray[np.float64]) -> NDArray[np.float64]
     return np.concatenate([control_points[..., :3] - weight * corner, weight], axis=-1)
 
 
-def _apply(
-    rows_u: NDArray[np.float64], rows_v: NDArray[np.float64], nets: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _apply(rows_u: Array, rows_v: Array, nets: Array) -> Array:
     """Linear maps along both axes of nets (patches, m, n, c)."""
     count, _, columns, coordinates = nets.shape
     first = rows_u @ nets.reshape(count, -1, columns * coordinates)
     return np.asarray(rows_v @ first.reshape(count, -1, columns, coordinates))
 
 
-def normal_vectors(
-    control_points: NDArray[np.float64], parameters: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def normal_vectors(control_points: Array, parameters: Array) -> Array:
     """Normals S_u x S_v, not normalised.
 
     Parameters
@@ -85,7 +81,7 @@ def normal_vectors(
     return np.cross(tangents[..., 1, 0, :], tangents[..., 0, 1, :])
 
 
-def patch_sizes(control_points: NDArray[np.float64]) -> NDArray[np.float64]:
+def patch_sizes(control_points: Array) -> Array:
     """Diagonal of the bounding box of each patch's points (..., 3), shape (patches,)."""
     nets = control_points.reshape(len(control_points), -1, 3)
     return np.asarray(np.linalg.norm(np.ptp(nets, axis=1), axis=-1))

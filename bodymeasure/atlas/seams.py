@@ -6,6 +6,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools, Ints
+
 
 class Edge(NamedTuple):
     """One side of a patch: its name, and the parameter that is fixed on it.
@@ -45,13 +47,13 @@ class EdgeTable:
         a manifold.
     """
 
-    control_index: NDArray[np.int64]
-    edge: NDArray[np.int64]
-    reversed: NDArray[np.bool_]
-    sides: NDArray[np.int64]
+    control_index: Ints
+    edge: Ints
+    reversed: Bools
+    sides: Ints
 
 
-def edge_table(index: NDArray[np.int64]) -> EdgeTable:
+def edge_table(index: Ints) -> EdgeTable:
     """Group the sides of patches by their control points, in either direction.
 
     Parameters
@@ -81,7 +83,7 @@ def sides_of(nets: NDArray[Any]) -> NDArray[Any]:
     return np.stack([nets[:, 0], nets[:, -1], nets[:, :, 0], nets[:, :, -1]], axis=1)
 
 
-def weights_differ(first: NDArray[np.float64], second: NDArray[np.float64]) -> NDArray[np.bool_]:
+def weights_differ(first: Array, second: Array) -> Bools:
     """Whether weights along edges, shape (..., k), are not proportional to others."""
     # Weights may be of many magnitudes; logarithms of their quotients are not.
     quotient = np.log(first) - np.log(second)

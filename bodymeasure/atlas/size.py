@@ -1,15 +1,15 @@
 """How large and how small an atlas may be."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 
 # Sizes and coordinates beyond this, and sizes below its inverse, are mistakes.
 LARGEST = 1e60
 
 
-def require_size(points: NDArray[np.float64], unit: str = "", what: str = "the atlas") -> None:
+def require_size(points: Array, unit: str = "", what: str = "the atlas") -> None:
     """Refuse points so far or so close that squares of their areas are no numbers.
 
     Parameters

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.seams import EDGES, edge_table
 from bodymeasure.bezier import evaluate
@@ -32,12 +32,12 @@ class Tessellation:
         (u, v) of each face's corners on the face's own patch.
     """
 
-    vertices: NDArray[np.float64]
-    faces: NDArray[np.int64]
-    patch: NDArray[np.int64]
-    parameters: NDArray[np.float64]
-    face_patch: NDArray[np.int64]
-    face_parameters: NDArray[np.float64]
+    vertices: Array
+    faces: Ints
+    patch: Ints
+    parameters: Array
+    face_patch: Ints
+    face_parameters: Array
 
     def to_trimesh(self) -> Any:
         """The mesh as a `trimesh.Trimesh`, with vertex attributes ``patch``, ``u`` and ``v``.
@@ -106,7 +106,7 @@ def tessellate(atlas: Atlas, segments: int) -> Tessellation:
     )
 
 
-def grid_faces(grid: NDArray[np.int64]) -> NDArray[np.int64]:
+def grid_faces(grid: Ints) -> Ints:
     """Two triangles for each cell of grids of vertex numbers, cut from (0, 0) to (1, 1).
 
     Parameters
@@ -125,19 +125,19 @@ def grid_faces(grid: NDArray[np.int64]) -> NDArray[np.int64]:
     return cells.reshape(-1, 3).astype(np.int64)
 
 
-def _corner_parameters(count: int, segments: int) -> NDArray[np.float64]:
+def _corner_parameters(count: int, segments: int) -> Array:
     """(u, v) of the corners of all faces of `count` patches, shape (faces, 3, 2)."""
     places = grid_faces(np.arange((segments + 1) ** 2).reshape(segments + 1, segments + 1))
     one = np.stack(np.divmod(places, segments + 1), axis=-1) / segments
     return np.tile(one, (count, 1, 1))
 
 
-def _has_three_corners(faces: NDArray[np.int64]) -> NDArray[np.bool_]:
+def _has_three_corners(faces: Ints) -> Bools:
     """Faces that still have three different corners; along a collapsed edge half have not."""
     return np.asarray((faces != np.roll(faces, 1, axis=1)).all(axis=1))
 
 
-def _welded_grids(index: NDArray[np.int64], segments: int) -> NDArray[np.int64]:
+def _welded_grids(index: Ints, segments: int) -> Ints:
     """Vertex numbers, with gaps, of every patch's grid: corners, then edges, then interiors."""
     count = len(index)
     inside = segments - 1

@@ -3,12 +3,10 @@
 from enum import StrEnum
 from typing import TypeVar
 
-import numpy as np
-from numpy.typing import NDArray
-
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 
-Length = TypeVar("Length", float, NDArray[np.float64])
+Length = TypeVar("Length", float, Array)
 
 
 class Unit(StrEnum):

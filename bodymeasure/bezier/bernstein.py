@@ -1,10 +1,12 @@
 """The Bernstein basis and its derivatives."""
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from bodymeasure._typing import Array
 
 
-def bernstein(degree: int, t: ArrayLike, order: int = 0) -> NDArray[np.float64]:
+def bernstein(degree: int, t: ArrayLike, order: int = 0) -> Array:
     """Bernstein polynomials and their derivatives.
 
     Parameters
@@ -36,7 +38,7 @@ def bernstein(degree: int, t: ArrayLike, order: int = 0) -> NDArray[np.float64]:
     return result
 
 
-def bernstein_values(degree: int, t: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+def bernstein_values(degree: int, t: Array) -> list[Array]:
     """The degree + 1 Bernstein polynomials at t, each of the shape of t.
 
     One array a polynomial: the layout that is fastest where many patches are evaluated at once.

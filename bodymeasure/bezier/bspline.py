@@ -4,9 +4,9 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
 
 
@@ -92,7 +92,7 @@ def _check_knots(knots: Array, count: int, degree: int) -> None:
 
 
 @lru_cache(maxsize=64)
-def _piece_matrices(degree: int, knot_bytes: bytes) -> tuple[NDArray[np.int64], Array]:
+def _piece_matrices(degree: int, knot_bytes: bytes) -> tuple[Ints, Array]:
     """The knot spans that are not empty, and what takes their control points to Bezier points.
 
     Rows have the shape (pieces, degree + 1, degree + 1), and act on the control points from

@@ -1,10 +1,12 @@
 """Degree elevation."""
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from bodymeasure._typing import Array
 
 
-def elevate(control_points: ArrayLike, degree_u: int, degree_v: int) -> NDArray[np.float64]:
+def elevate(control_points: ArrayLike, degree_u: int, degree_v: int) -> Array:
     """The same patches written with higher degrees.
 
     Parameters
@@ -38,7 +40,7 @@ def elevate(control_points: ArrayLike, degree_u: int, degree_v: int) -> NDArray[
     return net
 
 
-def _elevate_once(points: NDArray[np.float64]) -> NDArray[np.float64]:
+def _elevate_once(points: Array) -> Array:
     """One degree more along axis 0."""
     count = len(points)
     weight = (np.arange(1, count) / count).reshape(-1, *(1,) * (points.ndim - 1))

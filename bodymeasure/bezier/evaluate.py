@@ -1,13 +1,14 @@
 """Points and derivatives of Bezier patches."""
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier.bernstein import bernstein
 from bodymeasure.bezier.rational import divide
 
 
-def evaluate(control_points: ArrayLike, parameters: ArrayLike) -> NDArray[np.float64]:
+def evaluate(control_points: ArrayLike, parameters: ArrayLike) -> Array:
     """Points S(u, v) of Bezier patches.
 
     Parameters
@@ -24,9 +25,7 @@ def evaluate(control_points: ArrayLike, parameters: ArrayLike) -> NDArray[np.flo
     return derivatives(control_points, parameters, order=0)[..., 0, 0, :]
 
 
-def derivatives(
-    control_points: ArrayLike, parameters: ArrayLike, order: int
-) -> NDArray[np.float64]:
+def derivatives(control_points: ArrayLike, parameters: ArrayLike, order: int) -> Array:
     """Partial derivatives of Bezier patches.
 
     Parameters

@@ -4,10 +4,12 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from bodymeasure._typing import Array
 
 
-def _blossom_rows(degree: int, start: Any, end: Any) -> NDArray[np.float64]:
+def _blossom_rows(degree: int, start: Any, end: Any) -> Array:
     """Matrices that take control points on [0, 1] to those on [start, end].
 
     Row i holds the blossom's weights at (start, ..., start, end, ..., end) with i ends:
@@ -29,7 +31,7 @@ def _blossom_rows(degree: int, start: Any, end: Any) -> NDArray[np.float64]:
     return np.stack(rows, axis=-2)
 
 
-def restrict(control_points: ArrayLike, lower: ArrayLike, upper: ArrayLike) -> NDArray[np.float64]:
+def restrict(control_points: ArrayLike, lower: ArrayLike, upper: ArrayLike) -> Array:
     """Control points of each patch restricted to a parameter rectangle.
 
     Parameters
@@ -52,7 +54,7 @@ def restrict(control_points: ArrayLike, lower: ArrayLike, upper: ArrayLike) -> N
     return np.asarray(rows_v[..., None, :, :] @ along_u)
 
 
-def split(control_points: ArrayLike, u: float = 0.5, v: float = 0.5) -> NDArray[np.float64]:
+def split(control_points: ArrayLike, u: float = 0.5, v: float = 0.5) -> Array:
     """Each patch cut into four at (u, v).
 
     Parameters
@@ -77,5 +79,5 @@ def split(control_points: ArrayLike, u: float = 0.5, v: float = 0.5) -> NDArray[
 
 
 @lru_cache(maxsize=32)
-def _halves(degree: int, t: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _halves(degree: int, t: float) -> tuple[Array, Array]:
     return _blossom_rows(degree, 0.0, t), _blossom_rows(degree, t, 1.0)

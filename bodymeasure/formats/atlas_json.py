@@ -7,8 +7,8 @@ from typing import Annotated, Any
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import LARGEST_DEGREE, LEAST_DEGREE, Atlas, AtlasPoint, Axes, Unit
 from bodymeasure.errors import InputError
 from bodymeasure.formats.json_faults import place_of_fault
@@ -156,12 +156,12 @@ def _atlas(record: _AtlasRecord) -> Atlas:
     )
 
 
-def _index(record: _AtlasRecord) -> NDArray[np.int64]:
+def _index(record: _AtlasRecord) -> Ints:
     """Numbers of the control points, shape (patches, degree + 1, degree + 1)."""
     return np.array(_squares(record, "numbers", [p.points for p in record.patches]), dtype=np.int64)
 
 
-def _weights(record: _AtlasRecord) -> NDArray[np.float64] | None:
+def _weights(record: _AtlasRecord) -> Array | None:
     """Weights of the same shape; 1 for patches without."""
     if all(patch.weights is None for patch in record.patches):
         return None

@@ -4,8 +4,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.files import read_bytes
 
@@ -13,7 +13,7 @@ from bodymeasure.files import read_bytes
 NUMBERED = (".obj", ".off", ".ply")
 
 
-def mesh_vertices(path: Path) -> NDArray[np.float64]:
+def mesh_vertices(path: Path) -> Array:
     """Positions of a mesh file's vertices, shape (k, 3), in the file's unit.
 
     Parameters
@@ -41,7 +41,7 @@ def mesh_vertices(path: Path) -> NDArray[np.float64]:
     return vertices
 
 
-def _obj_vertices(content: bytes, path: Path) -> NDArray[np.float64]:
+def _obj_vertices(content: bytes, path: Path) -> Array:
     """The `v` lines: readers of whole meshes number vertices anew where texture has seams."""
     vertices = []
     for number, line in enumerate(content.splitlines(), start=1):
@@ -59,7 +59,7 @@ def _obj_vertices(content: bytes, path: Path) -> NDArray[np.float64]:
     return np.array(vertices, dtype=np.float64).reshape(-1, 3)
 
 
-def _by_trimesh(path: Path) -> NDArray[np.float64]:
+def _by_trimesh(path: Path) -> Array:
     try:
         import trimesh
     except ImportError:

@@ -17,6 +17,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Axes, Unit
 from bodymeasure.errors import InputError
 
@@ -148,7 +149,7 @@ def write_bodies(atlases: Sequence[Atlas]) -> bytes:
     return buffer.getvalue()
 
 
-def _same(first: NDArray[np.float64] | None, second: NDArray[np.float64] | None) -> bool:
+def _same(first: Array | None, second: Array | None) -> bool:
     if first is None or second is None:
         return first is second
     return np.array_equal(first, second)

@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 from typing import Self
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 
 # Of an offending word, how much an error quotes.
@@ -102,7 +102,7 @@ class Words:
         """The line on which a word stands."""
         return self.lines[bisect.bisect_right(self.ends, word)]
 
-    def numbers(self, source: str) -> NDArray[np.float64]:
+    def numbers(self, source: str) -> Array:
         """All numbers.
 
         Raises
@@ -166,7 +166,7 @@ def quoted(word: bytes) -> str:
     return repr(text if len(text) <= _QUOTED else text[:_QUOTED] + "...")
 
 
-def written(points: NDArray[np.float64]) -> list[str]:
+def written(points: Array) -> list[str]:
     """Points (n, k) as text, a line each: the shortest that is read back to the last bit."""
     return [" ".join(map(repr, row)) for row in points.tolist()]
 

@@ -1,9 +1,9 @@
 """Measurements of an atlas: diagonals and boundary curves of patches, girths, straight measures."""
 
 from bodymeasure.measure.body.closed_girth import closed_geodesic
-from bodymeasure.measure.body.drops import Drop, drop
+from bodymeasure.measure.body.drops import Drop, vertical_drop
 from bodymeasure.measure.body.extreme_girth import ExtremeGirth, Extremum, extreme_girth
-from bodymeasure.measure.body.forks import fork
+from bodymeasure.measure.body.forks import fork_point
 from bodymeasure.measure.body.girth_arcs import GirthArc, girth_arc
 from bodymeasure.measure.body.girths import Girth, body_girth, limb_girth, plane_girth
 from bodymeasure.measure.body.straight import breadth, chord, depth, height
@@ -26,13 +26,13 @@ __all__ = [
     "closed_geodesic",
     "depth",
     "diagonals",
-    "drop",
     "extreme_girth",
-    "fork",
+    "fork_point",
     "girth_arc",
     "height",
     "limb_girth",
     "measure_atlas",
     "package_versions",
     "plane_girth",
+    "vertical_drop",
 ]

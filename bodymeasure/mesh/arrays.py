@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
 
 
@@ -17,8 +18,8 @@ class TriangleMesh(NamedTuple):
     faces : ndarray of int, shape (f, 3)
     """
 
-    vertices: NDArray[np.float64]
-    faces: NDArray[np.int64]
+    vertices: Array
+    faces: Ints
 
 
 def triangle_mesh(mesh: Any) -> TriangleMesh:
@@ -76,7 +77,7 @@ def triangle_mesh(mesh: Any) -> TriangleMesh:
     return result
 
 
-def part_of(mesh: TriangleMesh, keep: NDArray[Any]) -> tuple[TriangleMesh, NDArray[np.int64]]:
+def part_of(mesh: TriangleMesh, keep: NDArray[Any]) -> tuple[TriangleMesh, Ints]:
     """Some of the faces, and the old numbers of their vertices."""
     used, faces = np.unique(mesh.faces[keep], return_inverse=True)
     return TriangleMesh(mesh.vertices[used], faces.reshape(-1, 3).astype(np.int64)), used

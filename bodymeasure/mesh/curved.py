@@ -1,12 +1,12 @@
 """The smooth surface that a mesh stands for, as far as its vertices tell."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.mesh.arrays import TriangleMesh
 
 
-def vertex_normals(mesh: TriangleMesh) -> NDArray[np.float64]:
+def vertex_normals(mesh: TriangleMesh) -> Array:
     """Unit normals (n, 3): means of the faces', weighted by the angle; 0 where they cancel out.
 
     G. Thuermer and C. Wuethrich, J. Graphics Tools 3 (1998) 43-46.
@@ -25,9 +25,7 @@ def vertex_normals(mesh: TriangleMesh) -> NDArray[np.float64]:
     return np.asarray(np.divide(total, length, out=np.zeros_like(total), where=length > 0.0))
 
 
-def curved(
-    mesh: TriangleMesh, normals: NDArray[np.float64]
-) -> tuple[TriangleMesh, NDArray[np.float64]]:
+def curved(mesh: TriangleMesh, normals: Array) -> tuple[TriangleMesh, Array]:
     """Each triangle cut into four, the new vertices on curves that meet the vertices' normals.
 
     Parameters

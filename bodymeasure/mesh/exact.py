@@ -2,8 +2,8 @@
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas.components import connected_components
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.mesh.arrays import TriangleMesh, part_of
@@ -12,7 +12,7 @@ from bodymeasure.mesh.arrays import TriangleMesh, part_of
 ROOM = 1e-9
 
 
-def exact_path(mesh: TriangleMesh, source: int, target: int) -> NDArray[np.float64]:
+def exact_path(mesh: TriangleMesh, source: int, target: int) -> Array:
     """The shortest path from one vertex to another, shape (k, 3).
 
     Parameters
@@ -74,7 +74,7 @@ def _along_edges(mesh: TriangleMesh, source: int, target: int) -> float:
     return float(distance[target])
 
 
-def joined_to(mesh: TriangleMesh, vertex: int) -> NDArray[np.bool_]:
+def joined_to(mesh: TriangleMesh, vertex: int) -> Bools:
     """Which vertices edges join to one, shape (n,)."""
     label = connected_components(
         mesh.faces.ravel(), np.roll(mesh.faces, -1, axis=1).ravel(), len(mesh.vertices)
@@ -82,6 +82,6 @@ def joined_to(mesh: TriangleMesh, vertex: int) -> NDArray[np.bool_]:
     return np.asarray(label == label[vertex])
 
 
-def length_of(points: NDArray[np.float64]) -> float:
+def length_of(points: Array) -> float:
     """Length of a chain of points (k, 3)."""
     return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())

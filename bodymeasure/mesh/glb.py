@@ -6,8 +6,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, tessellate
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.files import write_bytes
@@ -92,7 +93,7 @@ def write_glb(
     write_bytes(path, scene.export(file_type="glb"))
 
 
-def _to_gltf(atlas: Atlas) -> NDArray[np.float64]:
+def _to_gltf(atlas: Atlas) -> Array:
     """From the atlas's coordinates to left, up and front in meters, shape (3, 3)."""
     axes = atlas.axes
     rows = np.stack([axes.left_vector, axes.up_vector, axes.front_vector])

@@ -1,8 +1,8 @@
 """Points of a mesh made vertices of it."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.mesh.arrays import TriangleMesh
 
 # A new vertex keeps this part of a triangle away from its sides, or is on them: the exact
@@ -10,9 +10,7 @@ from bodymeasure.mesh.arrays import TriangleMesh
 CLEARANCE = 1e-6
 
 
-def inserted(
-    mesh: TriangleMesh, face: int, position: NDArray[np.float64]
-) -> tuple[TriangleMesh, int]:
+def inserted(mesh: TriangleMesh, face: int, position: Array) -> tuple[TriangleMesh, int]:
     """The mesh with a point of a face as a vertex, and the number of that vertex.
 
     The face is cut into three; or two, and the one beyond too, if the point is on a side.
@@ -36,7 +34,7 @@ def inserted(
     )
 
 
-def barycentric(corners: NDArray[np.float64], position: NDArray[np.float64]) -> NDArray[np.float64]:
+def barycentric(corners: Array, position: Array) -> Array:
     """Barycentric coordinates (3,) of a point's foot in a triangle (3, 3)."""
     sides = np.stack([corners[1] - corners[0], corners[2] - corners[0]], axis=1)
     second, third = np.linalg.lstsq(sides, position - corners[0], rcond=None)[0]

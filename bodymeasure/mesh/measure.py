@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas import Unit
 from bodymeasure.atlas.queries.locations import FARTHEST, far_words
 from bodymeasure.atlas.size import require_size
@@ -20,7 +20,7 @@ from bodymeasure.mesh.path import MeshPath
 from bodymeasure.oracle import validate_mesh
 from bodymeasure.oracle.libigl import closest_on_mesh
 
-MeshPlace = int | NDArray[np.float64]
+MeshPlace = int | Array
 """A vertex by its number, or a position of shape (3,) on or near the mesh."""
 
 # Lengths over meshes approach the surface's by the square of the triangles' size: what halving
@@ -142,7 +142,7 @@ def _component(mesh: TriangleMesh, numbers: list[int]) -> tuple[TriangleMesh, li
     return part, [int(np.searchsorted(used, number)) for number in numbers]
 
 
-def _error(mesh: TriangleMesh, ends: tuple[int, int], path: NDArray[np.float64]) -> float:
+def _error(mesh: TriangleMesh, ends: tuple[int, int], path: Array) -> float:
     """Estimate of how far a path's length is from that over the surface the mesh stands for."""
     length = length_of(path)
     if length == 0.0:
@@ -161,7 +161,7 @@ def _error(mesh: TriangleMesh, ends: tuple[int, int], path: NDArray[np.float64])
     return SAFETY * MISSING * abs(changed - length) + length * float(np.mean(ARC * sag**2))
 
 
-def _near(mesh: TriangleMesh, path: NDArray[np.float64], length: float) -> NDArray[np.bool_]:
+def _near(mesh: TriangleMesh, path: Array, length: float) -> Bools:
     """Faces beside a path, in one piece."""
     corners = mesh.vertices[mesh.faces]
     edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)

@@ -2,9 +2,7 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Unit
 
 
@@ -27,7 +25,7 @@ class MeshPath:
 
     length: float
     error_estimate: float
-    points: NDArray[np.float64]
+    points: Array
     unit: Unit | None
 
     @property

@@ -3,8 +3,9 @@
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Unit
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import AtlasPath
@@ -16,7 +17,7 @@ PATH_POINTS = 400
 
 def points_of(
     name: str, given: AtlasPath | MeshPath | ArrayLike, unit: Unit | None = None
-) -> tuple[NDArray[np.float64], dict[str, Any]]:
+) -> tuple[Array, dict[str, Any]]:
     """A path's points (k, 3), and what is known of its length.
 
     Parameters

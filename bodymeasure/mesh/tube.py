@@ -1,15 +1,15 @@
 """A chain of points as a tube of triangles."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.mesh.arrays import TriangleMesh
 
 # Sides of a tube: round enough at any size it is looked at.
 SIDES = 12
 
 
-def tube(points: NDArray[np.float64], radius: float) -> TriangleMesh:
+def tube(points: Array, radius: float) -> TriangleMesh:
     """A tube about a chain of points (k, 3), without lids.
 
     Notes

@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+
+from bodymeasure._typing import Array, Ints
 
 SIDES = 8
 # Rings of a ball from pole to pole.
@@ -27,11 +28,11 @@ class Mesh:
         What each triangle is part of.
     """
 
-    points: NDArray[np.float64]
-    normals: NDArray[np.float64]
-    triangles: NDArray[np.int64]
-    colors: NDArray[np.float64]
-    owner: NDArray[np.int64]
+    points: Array
+    normals: Array
+    triangles: Ints
+    colors: Array
+    owner: Ints
 
 
 def joined(meshes: Sequence[Mesh]) -> Mesh:
@@ -50,9 +51,7 @@ def joined(meshes: Sequence[Mesh]) -> Mesh:
     )
 
 
-def tube(
-    points: NDArray[np.float64], radius: float, colors: NDArray[np.float64], owner: int = 0
-) -> Mesh:
+def tube(points: Array, radius: float, colors: Array, owner: int = 0) -> Mesh:
     """A tube of `SIDES` sides around a curve, open at its ends.
 
     Parameters
@@ -83,9 +82,7 @@ def tube(
     )
 
 
-def ball(
-    center: NDArray[np.float64], radius: float, color: NDArray[np.float64], owner: int
-) -> Mesh:
+def ball(center: Array, radius: float, color: Array, owner: int) -> Mesh:
     """A ball, as a tube from pole to pole that swells and shrinks."""
     latitude = np.pi * (np.arange(RINGS + 1) / RINGS - 0.5)
     longitude = 2.0 * np.pi * np.arange(SIDES) / SIDES
@@ -102,7 +99,7 @@ def ball(
     return Mesh(center + radius * normals, normals, shell.triangles, shell.colors, shell.owner)
 
 
-def frames(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def frames(points: Array) -> tuple[Array, Array]:
     """Two unit vectors across a curve at each of its points, that do not turn about it.
 
     Parameters
@@ -130,7 +127,7 @@ def frames(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np
     return straight, np.cross(tangent, straight)
 
 
-def tangents(points: NDArray[np.float64]) -> NDArray[np.float64]:
+def tangents(points: Array) -> Array:
     """Unit tangents of a polygon at its points, shape (k, 3); round its joint if it is closed."""
     step = np.diff(points, axis=0)
     length = np.linalg.norm(step, axis=1)
@@ -148,9 +145,7 @@ def tangents(points: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.where(size > OPPOSITE, middle / np.maximum(size, OPPOSITE), after)
 
 
-def _least_rotation(
-    start: NDArray[np.float64], end: NDArray[np.float64], vector: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _least_rotation(start: Array, end: Array, vector: Array) -> Array:
     """Vectors turned by the least rotation that takes unit vectors to others, all (k, 3)."""
     axis = np.cross(start, end)
     cosine = np.einsum("ki,ki->k", start, end)[:, None]

@@ -7,8 +7,9 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError
 from bodymeasure.oracle.extrapolate import richardson
@@ -45,24 +46,24 @@ class MeshDistances:
         Patches that have no valid mesh, and why; all their distances are NaN.
     """
 
-    exact: NDArray[np.float64]
-    exact_uncertainty: NDArray[np.float64]
-    heat: NDArray[np.float64]
-    by_level: NDArray[np.float64]
+    exact: Array
+    exact_uncertainty: Array
+    heat: Array
+    by_level: Array
     levels: tuple[int, ...]
     failures: Mapping[int, str]
 
 
 class _Task(NamedTuple):
-    control_points: NDArray[np.float64]
-    start: NDArray[np.float64]
-    end: NDArray[np.float64]
+    control_points: Array
+    start: Array
+    end: Array
 
 
 class _Outcome(NamedTuple):
     """For each pair a row: distances by level, by heat, how far the ends were moved."""
 
-    rows: NDArray[np.float64]
+    rows: Array
     failure: str | None
 
 
@@ -167,7 +168,7 @@ def _measure(task: _Task, levels: tuple[int, ...]) -> _Outcome:
     return _Outcome(rows, None)
 
 
-def _measure_group(task: _Task, levels: tuple[int, ...]) -> NDArray[np.float64]:
+def _measure_group(task: _Task, levels: tuple[int, ...]) -> Array:
     by_level = np.zeros((len(task.start), len(levels)))
     lines = grid_lines(np.array([task.start[0], task.end[0]]))
     for level, segments in enumerate(levels):
@@ -191,7 +192,7 @@ def _measure_group(task: _Task, levels: tuple[int, ...]) -> NDArray[np.float64]:
 
 def _checked(
     control_points: ArrayLike, start: ArrayLike, end: ArrayLike
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+) -> tuple[Array, Array, Array]:
     nets = np.asarray(control_points, dtype=np.float64)
     if (
         nets.ndim != 4

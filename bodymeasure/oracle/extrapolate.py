@@ -1,7 +1,9 @@
 """From lengths on meshes of several levels to the length on the smooth surface."""
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from bodymeasure._typing import Array
 
 # Calibrated on the 1490 diagonals of two bodies that stay in their patches
 # (tests/benchmarks/patches/oracle_levels.py), and on 480 pairs of random points of three others:
@@ -12,9 +14,7 @@ SPREAD_FACTOR = 2.0
 CORRECTION_SHARE = 0.02
 
 
-def richardson(
-    by_level: ArrayLike, levels: tuple[int, ...]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def richardson(by_level: ArrayLike, levels: tuple[int, ...]) -> tuple[Array, Array]:
     """Extrapolate lengths whose error falls with the square of the step.
 
     Parameters

@@ -7,6 +7,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.tessellation import grid_faces
 from bodymeasure.bezier import evaluate
 
@@ -32,18 +33,16 @@ class PatchGrid:
         Where the lines lie, ascending from 0 to 1.
     """
 
-    u: NDArray[np.float64]
-    v: NDArray[np.float64]
+    u: Array
+    v: Array
 
-    def vertex(self, point: NDArray[np.float64]) -> int:
+    def vertex(self, point: Array) -> int:
         """Number of the vertex at (u, v), before collapsed edges are joined."""
         i = int(np.argmin(np.abs(self.u - point[0])))
         j = int(np.argmin(np.abs(self.v - point[1])))
         return i * len(self.v) + j
 
-    def mesh(
-        self, control_points: NDArray[np.float64]
-    ) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.int64]]:
+    def mesh(self, control_points: Array) -> tuple[Array, Ints, Ints]:
         """Triangles on a patch.
 
         Parameters
@@ -70,7 +69,7 @@ class PatchGrid:
         return evaluate(control_points, parameters.reshape(-1, 2)[used]), faces, number
 
 
-def grid_lines(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def grid_lines(points: Array) -> tuple[Array, Array]:
     """The u and the v through which lines must run so that all the points are vertices.
 
     Parameters
@@ -86,9 +85,7 @@ def grid_lines(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArra
     return _distinct(points[:, 0]), _distinct(points[:, 1])
 
 
-def refined_grid(
-    lines_u: NDArray[np.float64], lines_v: NDArray[np.float64], coarsest: int, refinement: int
-) -> PatchGrid:
+def refined_grid(lines_u: Array, lines_v: Array, coarsest: int, refinement: int) -> PatchGrid:
     """A grid through the given lines, a whole refinement of the coarsest such grid.
 
     Between neighbouring lines the steps are even, and each refinement divides those of the
@@ -110,14 +107,14 @@ def refined_grid(
     )
 
 
-def _distinct(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def _distinct(values: Array) -> Array:
     """0, the values and 1 in order, those within `SAME_LINE` of the one before left out."""
     inner = np.unique(values[(values > SAME_LINE) & (values < 1.0 - SAME_LINE)])
     apart = inner[np.diff(inner, prepend=0.0) > SAME_LINE]
     return np.concatenate([[0.0], apart, [1.0]])
 
 
-def _subdivided(lines: NDArray[np.float64], density: float, refinement: int) -> NDArray[np.float64]:
+def _subdivided(lines: Array, density: float, refinement: int) -> Array:
     pieces = [
         np.linspace(low, high, refinement * max(1, round((high - low) * density)), endpoint=False)
         for low, high in pairwise(lines.tolist())

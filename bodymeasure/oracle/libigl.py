@@ -4,17 +4,15 @@ from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError, MissingExtraError
 
 # libigl adds some hundred lengths in double precision.
 ROUND_OFF = 1e-9
 
 
-def exact_distance(
-    vertices: NDArray[np.float64], faces: NDArray[np.int64], source: int, target: int
-) -> float:
+def exact_distance(vertices: Array, faces: Ints, source: int, target: int) -> float:
     """Length of the shortest path over a polyhedron between two of its vertices.
 
     Parameters
@@ -58,9 +56,7 @@ def exact_distance(
     return distance
 
 
-def heat_distances(
-    vertices: NDArray[np.float64], faces: NDArray[np.int64], sources: NDArray[np.int64]
-) -> NDArray[np.float64]:
+def heat_distances(vertices: Array, faces: Ints, sources: Ints) -> Array:
     """Distances by the heat method from each of several vertices to all vertices.
 
     Parameters
@@ -97,9 +93,7 @@ def heat_distances(
     return np.array([igl.heat_geodesics_solve(data, np.array([source])) for source in sources])
 
 
-def closest_on_mesh(
-    vertices: NDArray[np.float64], faces: NDArray[np.int64], positions: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+def closest_on_mesh(vertices: Array, faces: Ints, positions: Array) -> tuple[Array, Ints]:
     """Points of a triangle mesh that are closest to given positions.
 
     Parameters

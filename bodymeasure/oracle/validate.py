@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
 
 # Twice a face's area relative to its longest edge squared. Coordinates are rounded to 1e-16 of the
@@ -35,7 +36,7 @@ def validate_mesh(vertices: ArrayLike, faces: ArrayLike) -> None:
 
 def _checked_arrays(
     vertices: NDArray[np.generic], faces: NDArray[np.generic]
-) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+) -> tuple[Array, Ints]:
     if vertices.ndim != 2 or vertices.shape[1] != 3 or vertices.dtype.kind not in "fiu":
         raise InputError(
             f"mesh vertices have shape {vertices.shape} and type {vertices.dtype}; "
@@ -55,7 +56,7 @@ def _checked_arrays(
     return points, faces.astype(np.int64)
 
 
-def _check_faces(vertices: NDArray[np.float64], faces: NDArray[np.int64]) -> None:
+def _check_faces(vertices: Array, faces: Ints) -> None:
     outside = np.flatnonzero(((faces < 0) | (faces >= len(vertices))).any(axis=1))
     if len(outside):
         raise InputError(
@@ -84,7 +85,7 @@ def _check_topology(faces: bytes) -> None:
     _check_connection(corners, _check_edges(corners))
 
 
-def _check_edges(faces: NDArray[np.int64]) -> NDArray[np.int64]:
+def _check_edges(faces: Ints) -> Ints:
     """Pairs of half-edges that lie on one edge, shape (interior edges, 2).
 
     Half-edge 3 f + k runs from corner k of face f to the next.
@@ -116,7 +117,7 @@ def _check_edges(faces: NDArray[np.int64]) -> NDArray[np.int64]:
     return pairs
 
 
-def _check_connection(faces: NDArray[np.int64], pairs: NDArray[np.int64]) -> None:
+def _check_connection(faces: Ints, pairs: Ints) -> None:
     count = len(faces)
     one, other = (pairs // 3).T
     pieces, piece = _components(count, one, other)
@@ -146,13 +147,11 @@ def _check_connection(faces: NDArray[np.int64], pairs: NDArray[np.int64]) -> Non
         )
 
 
-def _next_corner(half_edge: NDArray[np.int64]) -> NDArray[np.int64]:
+def _next_corner(half_edge: Ints) -> Ints:
     return half_edge - half_edge % 3 + (half_edge + 1) % 3
 
 
-def _components(
-    count: int, one: NDArray[np.int64], other: NDArray[np.int64]
-) -> tuple[int, NDArray[np.int32]]:
+def _components(count: int, one: Ints, other: Ints) -> tuple[int, NDArray[np.int32]]:
     graph = coo_array((np.ones(len(one), dtype=np.int8), (one, other)), shape=(count, count))
     number, label = connected_components(graph, directed=False)
     return int(number), label

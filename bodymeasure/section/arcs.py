@@ -3,8 +3,8 @@
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Bools, Ints
 from bodymeasure.section.cells import Cells
 from bodymeasure.section.crossings import Crossings
 from bodymeasure.section.pieces import Pieces
@@ -22,7 +22,7 @@ class Arcs(NamedTuple):
     """
 
     pieces: Pieces
-    ends: NDArray[np.int64]
+    ends: Ints
 
 
 class Chain(NamedTuple):
@@ -36,8 +36,8 @@ class Chain(NamedTuple):
     closed : bool
     """
 
-    arc: NDArray[np.int64]
-    backwards: NDArray[np.bool_]
+    arc: Ints
+    backwards: Bools
     closed: bool
 
 
@@ -76,7 +76,7 @@ def pair_crossings(cells: Cells, crossings: Crossings) -> Arcs | None:
     return Arcs(pieces, numbers[cell, pair])
 
 
-def chain_arcs(arcs: Arcs, sides: NDArray[np.int64]) -> list[Chain] | None:
+def chain_arcs(arcs: Arcs, sides: Ints) -> list[Chain] | None:
     """Follow arcs from crossing to crossing; None if some crossing joins too many or too few.
 
     Parameters

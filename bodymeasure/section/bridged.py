@@ -4,9 +4,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.section.loop import SectionLoop
 from bodymeasure.section.part import joined
 from bodymeasure.section.pieces import MORE_NODES
@@ -68,7 +67,7 @@ class BridgedLoop:
         return joined(self.arcs)
 
     @cached_property
-    def _piece(self) -> NDArray[np.int64]:
+    def _piece(self) -> Ints:
         """Number of each row's piece among those of all arcs; of a line, -1 less its number."""
         rows, before = [], 0
         for number, arc in enumerate(self.arcs):
@@ -104,7 +103,7 @@ class BridgedLoop:
         way[on_arc] = self._pieces.surface.lengths(some, MORE_NODES)
         return np.asarray(before + way)
 
-    def velocities(self, row: NDArray[np.int64], fraction: Array) -> Array:
+    def velocities(self, row: Ints, fraction: Array) -> Array:
         """Derivatives (n, k, 3) by the fraction, at fractions (n, k) of pieces (n,)."""
         piece = self._piece[row]
         on_arc = piece >= 0
@@ -114,7 +113,7 @@ class BridgedLoop:
         result[~on_arc] = (stop - start)[:, None]
         return result
 
-    def surface_points_at(self, place: Array) -> tuple[NDArray[np.int64], Array]:
+    def surface_points_at(self, place: Array) -> tuple[Ints, Array]:
         """Patches (n,) and (u, v) on them (n, 2) at places (n,); -1 and NaN on the lines."""
         piece, fraction, on_arc = self._split(place)
         patch, parameters = np.full(len(place), -1), np.full((len(place), 2), np.nan)
@@ -123,7 +122,7 @@ class BridgedLoop:
         )
         return patch, parameters
 
-    def _split(self, place: Array) -> tuple[NDArray[np.int64], Array, NDArray[np.bool_]]:
+    def _split(self, place: Array) -> tuple[Ints, Array, Bools]:
         row = np.minimum(place.astype(np.int64), self.count - 1)
         piece = self._piece[row]
         return piece, place - row, piece >= 0

@@ -3,8 +3,8 @@
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.bezier import elevate, split
 
 # Where rectangles are cut. Not the middle: symmetric patches and round heights would put corners
@@ -36,14 +36,14 @@ class Cells(NamedTuple):
         0 if the section is a graph v(u), 1 if it is a graph u(v).
     """
 
-    patch: NDArray[np.int64]
-    lower: NDArray[np.float64]
-    upper: NDArray[np.float64]
-    corners: NDArray[np.float64]
-    axis: NDArray[np.int64]
+    patch: Ints
+    lower: Array
+    upper: Array
+    corners: Array
+    axis: Ints
 
 
-def graph_cells(distance: NDArray[np.float64], size: float) -> tuple[Cells, Cells]:
+def graph_cells(distance: Array, size: float) -> tuple[Cells, Cells]:
     """Cut patches until the section is a graph over one parameter in each rectangle.
 
     Parameters
@@ -97,7 +97,7 @@ def _joined(found: list[Cells]) -> Cells:
     )
 
 
-def _taken(cells: Cells, mask: NDArray[np.bool_]) -> Cells:
+def _taken(cells: Cells, mask: Bools) -> Cells:
     return Cells(
         cells.patch[mask],
         cells.lower[mask],
@@ -107,7 +107,7 @@ def _taken(cells: Cells, mask: NDArray[np.bool_]) -> Cells:
     )
 
 
-def _graph_axis(distance: NDArray[np.float64], least: float) -> NDArray[np.int64]:
+def _graph_axis(distance: Array, least: float) -> Ints:
     """0 or 1 where the section is surely a graph over u or v, else -1, shape (k,)."""
     degree = distance.shape[1] - 1
     along_u, along_v = (
@@ -122,9 +122,7 @@ def _graph_axis(distance: NDArray[np.float64], least: float) -> NDArray[np.int64
     return np.where(over_u | over_v, axis, -1)
 
 
-def _dominates(
-    large: NDArray[np.float64], small: NDArray[np.float64], least: float
-) -> NDArray[np.bool_]:
+def _dominates(large: Array, small: Array, least: float) -> Bools:
     """Whether |large| > |small| with one sign of large all over, by Bernstein coefficients."""
     both = np.stack([large - small, large + small], axis=1)
     low, high = both.min(axis=(1, 2, 3)), both.max(axis=(1, 2, 3))
@@ -132,11 +130,11 @@ def _dominates(
 
 
 def _quarters(
-    distance: NDArray[np.float64],
-    patch: NDArray[np.int64],
-    lower: NDArray[np.float64],
-    upper: NDArray[np.float64],
-) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
+    distance: Array,
+    patch: Ints,
+    lower: Array,
+    upper: Array,
+) -> tuple[Array, Ints, Array, Array]:
     parts = split(distance[..., None], CUT, CUT)[..., 0]
     middle = lower + CUT * (upper - lower)
     bounds = np.stack([lower, middle, upper], axis=1)

@@ -3,8 +3,8 @@
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas import EdgeTable, sides_of
 from bodymeasure.bezier import bernstein
 from bodymeasure.section.cells import Cells
@@ -25,12 +25,12 @@ class Crossings(NamedTuple):
         How many patches meet in each: 0 inside a patch, else as in `EdgeTable.sides`.
     """
 
-    number: NDArray[np.int64]
-    along: NDArray[np.float64]
-    sides: NDArray[np.int64]
+    number: Ints
+    along: Array
+    sides: Ints
 
 
-def find_crossings(distance: NDArray[np.float64], cells: Cells, table: EdgeTable) -> Crossings:
+def find_crossings(distance: Array, cells: Cells, table: EdgeTable) -> Crossings:
     """Roots of the distance on all sides of rectangles.
 
     Parameters
@@ -61,12 +61,12 @@ def find_crossings(distance: NDArray[np.float64], cells: Cells, table: EdgeTable
     )
 
 
-_Lines = tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.int64]]
+_Lines = tuple[Array, Ints, Ints]
 
 
 def _lines_of_sides(
-    distance: NDArray[np.float64], cells: Cells, table: EdgeTable
-) -> tuple[_Lines, NDArray[np.bool_], NDArray[np.float64], NDArray[np.float64]]:
+    distance: Array, cells: Cells, table: EdgeTable
+) -> tuple[_Lines, Bools, Array, Array]:
     """Polynomials of all lines with each side's row of them and their sides; turned; interval."""
     bounds = np.stack([cells.lower, cells.upper], axis=-1)
     value = bounds.reshape(-1, 4)
@@ -92,7 +92,7 @@ def _lines_of_sides(
     return (coefficients, row, sides), flipped, low, high
 
 
-def _along_edges(distance: NDArray[np.float64], table: EdgeTable) -> NDArray[np.float64]:
+def _along_edges(distance: Array, table: EdgeTable) -> Array:
     """Coefficients along each edge of the atlas, in the edge's own direction."""
     sides = sides_of(distance)
     sides = np.where(table.reversed[..., None], sides[..., ::-1], sides)
@@ -101,7 +101,7 @@ def _along_edges(distance: NDArray[np.float64], table: EdgeTable) -> NDArray[np.
     return result
 
 
-def _along_lines(distance: NDArray[np.float64], lines: NDArray[np.float64]) -> NDArray[np.float64]:
+def _along_lines(distance: Array, lines: Array) -> Array:
     """Coefficients along the lines (patch, axis, value)."""
     patch, axis = lines[:, 0].astype(np.int64), lines[:, 1]
     weights = bernstein(distance.shape[1] - 1, lines[:, 2])[:, 0]

@@ -3,9 +3,8 @@
 from typing import NamedTuple, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.section.plane import Plane
 
 # Fractions of a piece at which a curve is drawn.
@@ -44,10 +43,10 @@ class Curve(Protocol):
     def arc_length_at(self, place: Array) -> Array:
         """Lengths (n,) from the start to places (n,)."""
 
-    def velocities(self, row: NDArray[np.int64], fraction: Array) -> Array:
+    def velocities(self, row: Ints, fraction: Array) -> Array:
         """Derivatives (n, k, 3) by the fraction, at fractions (n, k) of pieces (n,)."""
 
-    def surface_points_at(self, place: Array) -> tuple[NDArray[np.int64], Array]:
+    def surface_points_at(self, place: Array) -> tuple[Ints, Array]:
         """Patches (n,) and (u, v) on them (n, 2) at places (n,); -1 and NaN off the surface."""
 
 
@@ -65,7 +64,7 @@ class DrawnTape(NamedTuple):
     """
 
     positions: Array
-    patch: NDArray[np.int64]
+    patch: Ints
     parameters: Array
 
 

@@ -1,8 +1,9 @@
 """How far a loop reaches in a direction."""
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bodymeasure._typing import Array
 from bodymeasure.section.curve import Curve
 
 SAMPLES = 12
@@ -30,7 +31,7 @@ def extent(loop: Curve, direction: ArrayLike) -> float:
     return _farthest(loop, direction) + _farthest(loop, -direction)
 
 
-def _farthest(loop: Curve, direction: NDArray[np.float64]) -> float:
+def _farthest(loop: Curve, direction: Array) -> float:
     """Largest coordinate along a direction: each sampled maximum is looked at ever closer."""
     end = float(loop.count)
     place = np.linspace(0.0, end, SAMPLES * loop.count + 1)

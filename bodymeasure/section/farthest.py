@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import AtlasPoint
 from bodymeasure.section.loop import SectionLoop
 from bodymeasure.section.pieces import Pieces
@@ -30,13 +30,13 @@ class LoopPlaces(NamedTuple):
         (u, v) on the piece's patch.
     """
 
-    piece: NDArray[np.int64]
-    fraction: NDArray[np.float64]
-    position: NDArray[np.float64]
-    parameters: NDArray[np.float64]
+    piece: Ints
+    fraction: Array
+    position: Array
+    parameters: Array
 
 
-def local_maxima(loop: SectionLoop, direction: NDArray[np.float64]) -> LoopPlaces:
+def local_maxima(loop: SectionLoop, direction: Array) -> LoopPlaces:
     """Places at which a loop reaches farther in a direction than beside them.
 
     Parameters
@@ -74,9 +74,7 @@ def local_maxima(loop: SectionLoop, direction: NDArray[np.float64]) -> LoopPlace
     return places_on(loop, pieces.astype(np.int64), fractions)
 
 
-def places_on(
-    loop: SectionLoop, piece: NDArray[np.int64], fraction: NDArray[np.float64]
-) -> LoopPlaces:
+def places_on(loop: SectionLoop, piece: Ints, fraction: Array) -> LoopPlaces:
     """Places of a loop by the numbers of pieces (k,) and fractions (k,) run of them."""
     parameters, position, _ = loop.surface.points(loop.pieces.take(piece), fraction[:, None])
     return LoopPlaces(piece, fraction, position[:, 0], parameters[:, 0])
@@ -88,9 +86,7 @@ def atlas_point(loop: SectionLoop, places: LoopPlaces, number: int) -> AtlasPoin
     return AtlasPoint(int(loop.pieces.patch[places.piece[number]]), u, v)
 
 
-def _slope_root(
-    loop: SectionLoop, direction: NDArray[np.float64], piece: int, low: float, high: float
-) -> float:
+def _slope_root(loop: SectionLoop, direction: Array, piece: int, low: float, high: float) -> float:
     row: Pieces = loop.pieces.take(np.array([piece]))
 
     def slope(fraction: float) -> float:

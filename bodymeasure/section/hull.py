@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
 from bodymeasure.section.bridged import BridgedLoop
 from bodymeasure.section.curve import Curve
@@ -45,8 +45,8 @@ class Hull(NamedTuple):
 
     length: float
     error_estimate: float
-    bridges: NDArray[np.float64]
-    spans: NDArray[np.float64]
+    bridges: Array
+    spans: Array
 
 
 def convex_hull(loop: Curve) -> Hull:
@@ -77,7 +77,7 @@ def convex_hull(loop: Curve) -> Hull:
             "length; choose a plane that cuts the body all round, or join the patches' edges"
         )
 
-    def corners(_: NDArray[np.float64], flat: NDArray[np.float64]) -> NDArray[np.int64]:
+    def corners(_: Array, flat: Array) -> Ints:
         return _hull_corners(flat, np.arange(len(flat)))
 
     frame = loop.plane.frame()
@@ -106,7 +106,7 @@ def outer_hull(arc: SectionLoop, turn: float) -> Hull:
     """
     loop = BridgedLoop((arc,))
 
-    def corners(place: NDArray[np.float64], flat: NDArray[np.float64]) -> NDArray[np.int64]:
+    def corners(place: Array, flat: Array) -> Ints:
         # The line back from the end to the start comes last.
         end = int(np.searchsorted(place, float(arc.count)))
         return _outer_corners(flat, end, turn)
@@ -117,12 +117,12 @@ def outer_hull(arc: SectionLoop, turn: float) -> Hull:
     return hull._replace(length=max(min(hull.length - chord, arc.length), chord))
 
 
-def signed_area(flat: NDArray[np.float64]) -> float:
+def signed_area(flat: Array) -> float:
     """Twice the area that a closed polygon (n, 2) goes round, negative if clockwise."""
     return float(_cross(flat, np.roll(flat, -1, axis=0)).sum())
 
 
-_Corners = Callable[[NDArray[np.float64], NDArray[np.float64]], NDArray[np.int64]]
+_Corners = Callable[[Array, Array], Ints]
 
 
 def _refined(loop: Curve, corners_of: _Corners, turn: float) -> Hull:
@@ -163,7 +163,7 @@ def _refined(loop: Curve, corners_of: _Corners, turn: float) -> Hull:
     return Hull(total, loop.error_estimate + change, bridges, spans)
 
 
-def _outer_corners(flat: NDArray[np.float64], end: int, turn: float) -> NDArray[np.int64]:
+def _outer_corners(flat: Array, end: int, turn: float) -> Ints:
     """Samples on the hull of what lies outwards of the chord from the first to the one at `end`."""
     chord = flat[end] - flat[0]
     length = np.linalg.norm(chord)
@@ -185,7 +185,7 @@ def _outer_corners(flat: NDArray[np.float64], end: int, turn: float) -> NDArray[
     return np.union1d(corners[:-1], [0, end])
 
 
-def _hull_corners(flat: NDArray[np.float64], rows: NDArray[np.int64]) -> NDArray[np.int64]:
+def _hull_corners(flat: Array, rows: Ints) -> Ints:
     """Which of some rows of samples are on their convex hull, in the curve's order."""
     try:
         corners = rows[scipy.spatial.ConvexHull(flat[rows]).vertices]
@@ -203,17 +203,17 @@ def _hull_corners(flat: NDArray[np.float64], rows: NDArray[np.int64]) -> NDArray
     return ordered
 
 
-def _perimeter(corners: NDArray[np.float64]) -> float:
+def _perimeter(corners: Array) -> float:
     return float(np.linalg.norm(corners - np.roll(corners, 1, axis=0), axis=1).sum())
 
 
 def _saved(
     loop: Curve,
-    place: NDArray[np.float64],
-    flat: NDArray[np.float64],
-    first: NDArray[np.int64],
-    last: NDArray[np.int64],
-) -> NDArray[np.float64]:
+    place: Array,
+    flat: Array,
+    first: Ints,
+    last: Ints,
+) -> Array:
     """Arc less chord from each corner to the next, shape (corners,); 0 from sample to sample."""
     span = (last - first) % len(place)
     rows = np.flatnonzero(span > 1)
@@ -229,11 +229,11 @@ def _saved(
 
 def _concave_steps(
     loop: Curve,
-    place: NDArray[np.float64],
-    flat: NDArray[np.float64],
-    corners: NDArray[np.int64],
+    place: Array,
+    flat: Array,
+    corners: Ints,
     turn: float,
-) -> NDArray[np.int64]:
+) -> Ints:
     """Steps from corner to next sample that may hide a hollow: the loop turns inwards in them.
 
     Either at an end, against the chord, or at a kink between two pieces.
@@ -260,19 +260,17 @@ def _concave_steps(
     return np.concatenate([steps[concave], steps[concave] + 1])
 
 
-def _cross(first: NDArray[np.float64], second: NDArray[np.float64]) -> NDArray[np.float64]:
+def _cross(first: Array, second: Array) -> Array:
     return np.asarray(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
 
 
-def _sine(first: NDArray[np.float64], second: NDArray[np.float64]) -> NDArray[np.float64]:
+def _sine(first: Array, second: Array) -> Array:
     size = np.linalg.norm(first, axis=1) * np.linalg.norm(second, axis=1)
     sine = np.divide(_cross(first, second), size, out=np.zeros_like(size), where=size > 0.0)
     return np.asarray(sine)
 
 
-def _between(
-    place: NDArray[np.float64], steps: NDArray[np.int64], period: float
-) -> NDArray[np.float64]:
+def _between(place: Array, steps: Ints, period: float) -> Array:
     """New places in some steps from sample to sample, but in those that are fine."""
     start = place[steps]
     width = (place[(steps + 1) % len(place)] - start) % period

@@ -4,8 +4,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Unit
 from bodymeasure.section.pieces import MORE_NODES, CutSurface, Pieces
 from bodymeasure.section.plane import Plane
@@ -36,7 +36,7 @@ class SectionLoop:
 
     surface: CutSurface = field(repr=False)
     pieces: Pieces = field(repr=False)
-    piece_length: NDArray[np.float64] = field(repr=False)
+    piece_length: Array = field(repr=False)
     error_estimate: float
     closed: bool
     unit: Unit
@@ -58,7 +58,7 @@ class SectionLoop:
         return len(self.pieces)
 
     @cached_property
-    def _samples(self) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
+    def _samples(self) -> tuple[Ints, Array, Array]:
         fraction = np.broadcast_to(np.arange(STEPS + 1) / STEPS, (len(self.pieces), STEPS + 1))
         parameters, positions, _ = self.surface.points(self.pieces, fraction)
         count = STEPS * len(self.pieces)
@@ -74,52 +74,48 @@ class SectionLoop:
         )
 
     @property
-    def patch(self) -> NDArray[np.int64]:
+    def patch(self) -> Ints:
         """Patch of each sample point, shape (n,)."""
         return self._samples[0]
 
     @property
-    def parameters(self) -> NDArray[np.float64]:
+    def parameters(self) -> Array:
         """(u, v) of each sample point on its patch, shape (n, 2)."""
         return self._samples[1]
 
     @property
-    def positions(self) -> NDArray[np.float64]:
+    def positions(self) -> Array:
         """Sample points in order along the curve, shape (n, 3); a closed one's start once."""
         return self._samples[2]
 
-    def positions_at(self, place: NDArray[np.float64]) -> NDArray[np.float64]:
+    def positions_at(self, place: Array) -> Array:
         """Positions (n, 3) at places (n,): the number of a piece plus the fraction run of it."""
         row, fraction = self._split(place)
         return self.surface.points(self.pieces.take(row), fraction[:, None])[1][:, 0]
 
-    def arc_length_at(self, place: NDArray[np.float64]) -> NDArray[np.float64]:
+    def arc_length_at(self, place: Array) -> Array:
         """Lengths (n,) from the start to places (n,), as in `positions_at`."""
         row, fraction = self._split(place)
         pieces = self.pieces.take(row).between(np.zeros(len(row)), fraction)
         before = np.concatenate([[0.0], np.cumsum(self.piece_length)])
         return np.asarray(before[row] + self.surface.lengths(pieces, MORE_NODES))
 
-    def velocities(
-        self, row: NDArray[np.int64], fraction: NDArray[np.float64]
-    ) -> NDArray[np.float64]:
+    def velocities(self, row: Ints, fraction: Array) -> Array:
         """Derivatives (n, k, 3) by the fraction, at fractions (n, k) of pieces (n,)."""
         return self.surface.points(self.pieces.take(row), fraction)[2]
 
-    def surface_points_at(
-        self, place: NDArray[np.float64]
-    ) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    def surface_points_at(self, place: Array) -> tuple[Ints, Array]:
         """Patches (n,) and (u, v) on them (n, 2) at places (n,)."""
         row, fraction = self._split(place)
         pieces = self.pieces.take(row)
         return pieces.patch, self.surface.parameters(pieces, fraction[:, None])[:, 0]
 
-    def _split(self, place: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    def _split(self, place: Array) -> tuple[Ints, Array]:
         row = np.minimum(place.astype(np.int64), len(self.pieces) - 1)
         return row, place - row
 
     @cached_property
-    def centroid(self) -> NDArray[np.float64]:
+    def centroid(self) -> Array:
         """Center of mass of the curve, as of a thin wire, to sampling accuracy, shape (3,)."""
         points = self.positions
         points = np.concatenate([points, points[:1]]) if self.closed else points

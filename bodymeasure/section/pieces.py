@@ -4,8 +4,8 @@ from dataclasses import dataclass, fields, replace
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.bezier import bernstein, derivatives
 from bodymeasure.section.plane import Plane
 from bodymeasure.section.roots import bracketed_roots
@@ -33,21 +33,21 @@ class Pieces:
         Bounds of the other parameter.
     """
 
-    patch: NDArray[np.int64]
-    axis: NDArray[np.int64]
-    start: NDArray[np.float64]
-    stop: NDArray[np.float64]
-    low: NDArray[np.float64]
-    high: NDArray[np.float64]
+    patch: Ints
+    axis: Ints
+    start: Array
+    stop: Array
+    low: Array
+    high: Array
 
     def __len__(self) -> int:
         return len(self.patch)
 
-    def take(self, rows: NDArray[np.int64] | NDArray[np.bool_]) -> "Pieces":
+    def take(self, rows: Ints | Bools) -> "Pieces":
         """Some of the pieces."""
         return Pieces(*(getattr(self, field.name)[rows] for field in fields(self)))
 
-    def between(self, first: NDArray[np.float64], last: NDArray[np.float64]) -> "Pieces":
+    def between(self, first: Array, last: Array) -> "Pieces":
         """The part of each from one fraction of its parameter's range to another."""
         span = self.stop - self.start
         # Their own ends to the last bit.
@@ -65,10 +65,10 @@ class CutSurface:
     plane : Plane
     """
 
-    control_points: NDArray[np.float64]
+    control_points: Array
     plane: Plane
 
-    def parameters(self, pieces: Pieces, fraction: NDArray[np.float64]) -> NDArray[np.float64]:
+    def parameters(self, pieces: Pieces, fraction: Array) -> Array:
         """(u, v) at fractions (k, n) of each piece's range, shape (k, n, 2)."""
         along = pieces.start[:, None] + fraction * (pieces.stop - pieces.start)[:, None]
         distance = self.plane.distances(self.control_points[pieces.patch])
@@ -84,9 +84,7 @@ class CutSurface:
         second = np.where(over_v[..., 0], along, other)
         return np.stack([first, second], axis=-1)
 
-    def points(
-        self, pieces: Pieces, fraction: NDArray[np.float64]
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    def points(self, pieces: Pieces, fraction: Array) -> tuple[Array, Array, Array]:
         """Parameters (k, n, 2), positions (k, n, 3) and velocities by the fraction (k, n, 3)."""
         parameters = self.parameters(pieces, fraction)
         jet = derivatives(self.control_points[pieces.patch], parameters, order=1)
@@ -100,7 +98,7 @@ class CutSurface:
         velocity = (along + slope[..., None] * other) * (pieces.stop - pieces.start)[:, None, None]
         return parameters, jet[..., 0, 0, :], velocity
 
-    def lengths(self, pieces: Pieces, nodes: int) -> NDArray[np.float64]:
+    def lengths(self, pieces: Pieces, nodes: int) -> Array:
         """Lengths of pieces by Gauss quadrature, shape (k,)."""
         at, weights = _gauss(nodes)
         _, _, velocity = self.points(pieces, np.broadcast_to(at, (len(pieces), nodes)))
@@ -108,14 +106,14 @@ class CutSurface:
 
 
 @lru_cache
-def _gauss(nodes: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _gauss(nodes: int) -> tuple[Array, Array]:
     x, weights = np.polynomial.legendre.leggauss(nodes)
     return 0.5 * (1.0 + x), 0.5 * weights
 
 
 def measured_pieces(
     surface: CutSurface, pieces: Pieces, size: float
-) -> tuple[Pieces, NDArray[np.float64], NDArray[np.float64]]:
+) -> tuple[Pieces, Array, Array]:
     """Halve pieces until two quadrature rules agree on each one's length.
 
     Parameters
@@ -134,7 +132,7 @@ def measured_pieces(
         By the larger rule, and its difference from the smaller one.
     """
     order = np.arange(len(pieces), dtype=np.float64)
-    done: list[tuple[NDArray[np.float64], Pieces, NDArray[np.float64], NDArray[np.float64]]] = []
+    done: list[tuple[Array, Pieces, Array, Array]] = []
     for halving in range(MAX_HALVINGS + 1):
         length = surface.lengths(pieces, MORE_NODES)
         error = np.abs(length - surface.lengths(pieces, NODES))

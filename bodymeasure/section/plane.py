@@ -4,8 +4,9 @@ from dataclasses import dataclass, replace
 from typing import Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError
 
@@ -26,8 +27,8 @@ class Plane:
         If either is not three finite numbers, or the normal is zero.
     """
 
-    point: NDArray[np.float64]
-    normal: NDArray[np.float64]
+    point: Array
+    normal: Array
 
     def __post_init__(self) -> None:
         point = _vector("point", self.point)
@@ -50,7 +51,7 @@ class Plane:
         """The parallel plane so far along the normal."""
         return replace(self, point=self.point + distance * self.normal)
 
-    def distances(self, positions: ArrayLike) -> NDArray[np.float64]:
+    def distances(self, positions: ArrayLike) -> Array:
         """Signed distances of positions (..., 3) from the plane, shape (...).
 
         Of homogeneous coordinates (..., 4), times their weights.
@@ -60,7 +61,7 @@ class Plane:
             return np.asarray((given[..., :3] - given[..., 3:] * self.point) @ self.normal)
         return np.asarray((given - self.point) @ self.normal)
 
-    def frame(self) -> NDArray[np.float64]:
+    def frame(self) -> Array:
         """Two unit vectors in the plane, perpendicular to each other, shape (2, 3)."""
         least = np.eye(3)[np.argmin(np.abs(self.normal))]
         first = np.cross(self.normal, least)
@@ -72,7 +73,7 @@ class Plane:
         return f"the plane through ({point}) with normal ({normal})"
 
 
-def _vector(what: str, value: ArrayLike) -> NDArray[np.float64]:
+def _vector(what: str, value: ArrayLike) -> Array:
     try:
         vector = np.array(value, dtype=np.float64)
     except (TypeError, ValueError):

@@ -1,7 +1,8 @@
 """Roots of polynomials in Bernstein form, and of functions that change sign once in a bracket."""
 
 import numpy as np
-from numpy.typing import NDArray
+
+from bodymeasure._typing import Array
 
 # Halving alone needs some 55 steps for all digits; Newton's steps make it about six.
 MAX_STEPS = 120
@@ -9,9 +10,7 @@ MAX_STEPS = 120
 FINEST = 4e-16
 
 
-def polynomial_values(
-    coefficients: NDArray[np.float64], t: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def polynomial_values(coefficients: Array, t: Array) -> tuple[Array, Array]:
     """Values and slopes at t, both shape (...), for Bernstein coefficients (..., degree + 1)."""
     # De Casteljau's way: few and large operations, which count where there are many calls.
     b = np.moveaxis(coefficients, -1, 0)
@@ -22,9 +21,7 @@ def polynomial_values(
     return s * b[0] + t * b[1], degree * (b[1] - b[0])
 
 
-def bracketed_roots(
-    coefficients: NDArray[np.float64], lower: NDArray[np.float64], upper: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def bracketed_roots(coefficients: Array, lower: Array, upper: Array) -> Array:
     """The root of each polynomial in a bracket in which it is monotone, shape (k,).
 
     Where it has no change of sign in its bracket, the end with the smaller value.
@@ -65,7 +62,7 @@ def bracketed_roots(
     return t
 
 
-def roots_of_polynomials(coefficients: NDArray[np.float64]) -> NDArray[np.float64]:
+def roots_of_polynomials(coefficients: Array) -> Array:
     """Roots on [0, 1] at which the sign changes, shape (k, degree), upwards, NaN where none.
 
     Their number agrees with the signs at both ends, whatever the rounding: zero counts as positive.
@@ -97,7 +94,7 @@ def roots_of_polynomials(coefficients: NDArray[np.float64]) -> NDArray[np.float6
     return np.sort(roots, axis=1)
 
 
-def _stationary_points(coefficients: NDArray[np.float64]) -> NDArray[np.float64]:
+def _stationary_points(coefficients: Array) -> Array:
     """Where the slope changes its sign, in [0, 1], upwards, shape (k, degree - 1); else 0."""
     if coefficients.shape[1] == 4:
         return _stationary_points_of_cubics(coefficients)
@@ -110,7 +107,7 @@ def _stationary_points(coefficients: NDArray[np.float64]) -> NDArray[np.float64]
     return np.sort(np.nan_to_num(roots_of_polynomials(slopes)), axis=1)
 
 
-def _stationary_points_of_cubics(coefficients: NDArray[np.float64]) -> NDArray[np.float64]:
+def _stationary_points_of_cubics(coefficients: Array) -> Array:
     """The cancellation-free form of the quadratic formula; clipped to [0, 1]."""
     d0, d1, d2 = np.diff(coefficients, axis=1).T
     # The slope is a t^2 + 2 b t + c.

@@ -3,8 +3,9 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Atlas, EdgeTable, edge_table
 from bodymeasure.bezier import project
 from bodymeasure.errors import InputError
@@ -124,7 +125,7 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
     )
 
 
-def _of_weight_one(nets: NDArray[np.float64]) -> NDArray[np.float64]:
+def _of_weight_one(nets: Array) -> Array:
     """The patches, the weights of rational ones scaled to at most 1."""
     if nets.shape[-1] == 3:
         return nets
@@ -133,8 +134,8 @@ def _of_weight_one(nets: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _joined(
     atlas: Atlas,
-    distance: NDArray[np.float64],
-    patches: NDArray[np.int64],
+    distance: Array,
+    patches: Ints,
     table: EdgeTable,
     size: float,
 ) -> tuple[Arcs, list[Chain]] | None:
@@ -156,7 +157,7 @@ def _joined(
     return arcs._replace(pieces=own_pieces), chains
 
 
-def _refuse_touching(atlas: Atlas, undecided: Cells, patches: NDArray[np.int64]) -> None:
+def _refuse_touching(atlas: Atlas, undecided: Cells, patches: Ints) -> None:
     patch = int(patches[undecided.patch[0]])
     u, v = 0.5 * (undecided.lower[0] + undecided.upper[0])
     raise InputError(

@@ -8,9 +8,8 @@ control", SIGGRAPH 2000; corners are rounded like the rest of it.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
 from bodymeasure.subdivision.quad_mesh import QuadMesh
 from bodymeasure.subdivision.sums import sum_at
@@ -79,7 +78,7 @@ def limit_positions(mesh: QuadMesh) -> Array:
     return np.asarray(limit)
 
 
-def _boundary_neighbors(mesh: QuadMesh) -> tuple[NDArray[np.int64], Array]:
+def _boundary_neighbors(mesh: QuadMesh) -> tuple[Ints, Array]:
     """Vertices on the boundary, and for each the sum of its two neighbors along it."""
     ends = mesh.edges.ends[mesh.edges.boundary]
     count = np.bincount(ends.ravel(), minlength=len(mesh.vertices))

@@ -1,14 +1,12 @@
 """Parts of a quad mesh, as masks of its quads."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Bools, Ints
 from bodymeasure.subdivision.quad_mesh import QuadMesh
 
 
-def quads_within(
-    mesh: QuadMesh, vertices: NDArray[np.int64] | NDArray[np.bool_], rings: int
-) -> NDArray[np.bool_]:
+def quads_within(mesh: QuadMesh, vertices: Ints | Bools, rings: int) -> Bools:
     """The quads of so many rings round given vertices.
 
     Parameters
@@ -31,7 +29,7 @@ def quads_within(
     return chosen
 
 
-def part(mesh: QuadMesh, chosen: NDArray[np.bool_]) -> tuple[QuadMesh, NDArray[np.int64]]:
+def part(mesh: QuadMesh, chosen: Bools) -> tuple[QuadMesh, Ints]:
     """The mesh of some of the quads.
 
     Returns
@@ -45,12 +43,12 @@ def part(mesh: QuadMesh, chosen: NDArray[np.bool_]) -> tuple[QuadMesh, NDArray[n
     return QuadMesh(mesh.vertices[numbers], quads.reshape(-1, 4)), numbers
 
 
-def children(chosen: NDArray[np.bool_], steps: int) -> NDArray[np.bool_]:
+def children(chosen: Bools, steps: int) -> Bools:
     """The quads that those chosen become by so many steps of `subdivide`."""
     return np.repeat(chosen, 4**steps)
 
 
-def fill_pinches(mesh: QuadMesh, chosen: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def fill_pinches(mesh: QuadMesh, chosen: Bools) -> Bools:
     """Some quads, and as many more as it takes for those round each vertex to form one fan.
 
     Where a part of a mesh touches itself at a single vertex, it is not a manifold; there all quads

@@ -6,9 +6,8 @@ from functools import cached_property
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Ints
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.errors import InputError
 
 # Faces named in a message; the rest is counted.
@@ -41,7 +40,7 @@ class PolygonMesh:
         message names the faces.
     """
 
-    vertices: NDArray[np.float64]
+    vertices: Array
     corners: Ints
     sizes: Ints
     creases: Ints
@@ -94,7 +93,7 @@ class PolygonMesh:
         return np.bincount(self.edge)
 
     @cached_property
-    def sharp(self) -> NDArray[np.bool_]:
+    def sharp(self) -> Bools:
         """Which edges are creases or on the boundary."""
         result = np.asarray(self.sides == 1)
         if len(self.creases):
@@ -110,7 +109,7 @@ class PolygonMesh:
         return _joined_corners(self, ~self.sharp)
 
     @cached_property
-    def corner_vertices(self) -> NDArray[np.bool_]:
+    def corner_vertices(self) -> Bools:
         """Vertices at which sharp edges have a corner, shape (n,).
 
         Where three or more meet, and where two leave a single face between them: a smooth curve
@@ -123,7 +122,7 @@ class PolygonMesh:
         return result
 
     @cached_property
-    def crease_vertices(self) -> NDArray[np.bool_]:
+    def crease_vertices(self) -> Bools:
         """Other vertices through which a crease or the boundary runs, shape (n,)."""
         count = np.bincount(self.ends[self.sharp].ravel(), minlength=len(self.vertices))
         return np.asarray((count == 2) & ~self.corner_vertices)
@@ -145,7 +144,7 @@ def _key(mesh: PolygonMesh, tail: Ints, head: Ints) -> Ints:
     return np.asarray(np.minimum(tail, head) * len(mesh.vertices) + np.maximum(tail, head))
 
 
-def _joined_corners(mesh: PolygonMesh, passed: NDArray[np.bool_]) -> Ints:
+def _joined_corners(mesh: PolygonMesh, passed: Bools) -> Ints:
     """A number for each corner, the same for those joined over `passed` edges at their vertex."""
     order = np.argsort(mesh.edge, kind="stable")
     inner = (mesh.sides == 2) & passed

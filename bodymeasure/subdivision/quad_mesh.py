@@ -5,8 +5,8 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.errors import InputError
 
 
@@ -23,12 +23,12 @@ class Edges(NamedTuple):
         How many quads have it: 2, or 1 on the boundary.
     """
 
-    ends: NDArray[np.int64]
-    of_side: NDArray[np.int64]
-    quads: NDArray[np.int64]
+    ends: Ints
+    of_side: Ints
+    quads: Ints
 
     @property
-    def boundary(self) -> NDArray[np.bool_]:
+    def boundary(self) -> Bools:
         """Which edges lie on the boundary, shape (edges,)."""
         return np.asarray(self.quads == 1)
 
@@ -50,8 +50,8 @@ class QuadMesh:
         its edges are asked for.
     """
 
-    vertices: NDArray[np.float64]
-    quads: NDArray[np.int64]
+    vertices: Array
+    quads: Ints
 
     def __post_init__(self) -> None:
         vertices, quads = self.vertices, self.quads
@@ -90,6 +90,6 @@ class QuadMesh:
         return Edges(ends, of_side.reshape(self.quads.shape), quads)
 
 
-def triangles(quads: NDArray[np.int64]) -> NDArray[np.int64]:
+def triangles(quads: Ints) -> Ints:
     """Two triangles for each quad, cut from its first corner to its third; shape (2 m, 3)."""
     return quads[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3)

@@ -1,12 +1,11 @@
 """Sums over what belongs to each vertex or edge."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 
 
-def sum_at(index: NDArray[np.int64], values: Array, count: int) -> Array:
+def sum_at(index: Ints, values: Array, count: int) -> Array:
     """Sums of values (..., 3) over each number that occurs in `index`, shape (count, 3).
 
     `values` has the shape of `index`, or one row for each row of it.

@@ -1,13 +1,13 @@
 """Where the legs of a path through several points meet."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic import AtlasPath
 
 
-def leg_ends(path: AtlasPath) -> NDArray[np.float64]:
+def leg_ends(path: AtlasPath) -> Array:
     """Parameters at which a path passes through its points, shape (points,); from 0 to 1.
 
     Each leg of a path ends where one of its pieces does. Of those, the ones that come closest to

@@ -3,9 +3,8 @@
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.seams import EdgeTable
@@ -73,7 +72,7 @@ def outward_signs(atlas: Atlas, samples: Array, table: EdgeTable, outside: Outsi
     return np.asarray(signs * np.sign(total_volume)[part])
 
 
-def _unknown(atlas: Atlas, patches: NDArray[np.int64]) -> str:
+def _unknown(atlas: Atlas, patches: Ints) -> str:
     others = f" and {len(patches) - 1} more" if len(patches) > 1 else ""
     return (
         f"the outside of patch {atlas.patch_names[patches[0]]!r}{others} cannot be told: the part "
@@ -82,7 +81,7 @@ def _unknown(atlas: Atlas, patches: NDArray[np.int64]) -> str:
     )
 
 
-def _collapsed(table: EdgeTable) -> NDArray[np.bool_]:
+def _collapsed(table: EdgeTable) -> Bools:
     control = table.control_index
     return np.asarray((control == control[:, :, :1]).all(axis=2))
 
@@ -101,9 +100,7 @@ def _triangle_sums(samples: Array) -> tuple[Array, Array]:
     return area, volume
 
 
-def _caps(
-    samples: Array, table: EdgeTable, signs: Array, part: NDArray[np.int64]
-) -> tuple[Array, Array]:
+def _caps(samples: Array, table: EdgeTable, signs: Array, part: Ints) -> tuple[Array, Array]:
     """Area and signed volume of the cones that close each part's openings, shapes (parts,)."""
     count = int(part.max()) + 1
     area, volume = np.zeros(count), np.zeros(count)

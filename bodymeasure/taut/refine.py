@@ -3,9 +3,8 @@
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.taut.skin import Skin
 from bodymeasure.taut.string import String, relax
 
@@ -57,7 +56,7 @@ def measured(skin: Skin, nodes: Array) -> Measured:
     return Measured(two + (two - one) / 15.0, np.abs(two - one), middle)
 
 
-def divided(skin: Skin, string: String, now: Measured, parts: NDArray[np.int64]) -> String:
+def divided(skin: Skin, string: String, now: Measured, parts: Ints) -> String:
     """The string with each segment divided into a number of parts, settled again."""
     segment = np.repeat(np.arange(len(parts)), parts)
     fraction = np.concatenate([np.arange(count) / count for count in parts])
@@ -76,7 +75,7 @@ def divided(skin: Skin, string: String, now: Measured, parts: NDArray[np.int64])
     return relax(skin, nodes, weights, pressure[1:])
 
 
-def doubtful_parts(string: String, now: Measured, least: int) -> NDArray[np.int64]:
+def doubtful_parts(string: String, now: Measured, least: int) -> Ints:
     """Into how many parts to divide each segment: `least`, or more where its length is in doubt.
 
     Those are the segments over kinks, whose doubt falls with the square of the parts; and those in

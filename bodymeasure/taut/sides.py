@@ -1,9 +1,8 @@
 """The sides of patches, numbered as in `bodymeasure.atlas.EDGES`, and what is beyond them."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array, Ints
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.seams import EDGES, EdgeTable
 
 # Of each side: the parameter that is fixed on it, and at what.
@@ -11,7 +10,7 @@ AXIS = np.array([edge.fixed_axis for edge in EDGES])
 VALUE = np.array([edge.fixed_value for edge in EDGES])
 
 
-def over_sides(table: EdgeTable) -> tuple[Ints, Ints, NDArray[np.bool_]]:
+def over_sides(table: EdgeTable) -> tuple[Ints, Ints, Bools]:
     """Patch and side over each side (patches, 4), -1 on a boundary, and whether it runs against."""
     to_patch = np.full(table.edge.shape, -1, dtype=np.int64)
     to_side = np.full(table.edge.shape, -1, dtype=np.int64)
@@ -33,7 +32,7 @@ def on_sides(x: Array) -> tuple[Ints, Ints]:
     return row, side
 
 
-def entered(x: Array, side: Ints, to_side: Ints, flipped: NDArray[np.bool_]) -> Array:
+def entered(x: Array, side: Ints, to_side: Ints, flipped: Bools) -> Array:
     """Parameters of the same points on the patches over their sides."""
     rows = np.arange(len(x))
     along = x[rows, 1 - AXIS[side]]

@@ -1,9 +1,8 @@
 """Normals and bends of patches."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 from bodymeasure.bezier.power_form import jets
 
 # Sine: tangents closer than this span no plane, and the normal is taken a little aside.
@@ -46,7 +45,7 @@ def _unit_normal(su: Array, sv: Array) -> tuple[Array, Array]:
     return cross / np.maximum(length, tiny)[:, None], length / np.maximum(product, tiny)
 
 
-def _bend(s: Array, normal: Array, regular: NDArray[np.bool_]) -> Array:
+def _bend(s: Array, normal: Array, regular: Bools) -> Array:
     """Second derivatives of the distance to the surface, 0 where it has no tangents."""
     tangents = np.stack([s[:, 1, 0], s[:, 0, 1]], axis=2)
     metric = tangents.swapaxes(1, 2) @ tangents

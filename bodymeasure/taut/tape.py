@@ -5,9 +5,8 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.units import Unit
@@ -65,7 +64,7 @@ class TautTape:
         return self.contact.length - self.length
 
     @property
-    def touching(self) -> NDArray[np.bool_]:
+    def touching(self) -> Bools:
         """Which of the points lie on the skin, shape (n,)."""
         return np.asarray((self.normals != 0.0).any(axis=1))
 

@@ -1,9 +1,8 @@
 """Second feet of positions, beyond the seams of valleys nearby."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array, Ints
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.bezier.power_form import jets
 from bodymeasure.taut.foot_search import descend
 from bodymeasure.taut.sides import AXIS, VALUE
@@ -55,7 +54,7 @@ def _nearest_sides(skin: Skin, feet: Feet) -> tuple[Ints, Array]:
     return side, away[np.arange(len(side)), side]
 
 
-def _rises(skin: Skin, patch: Ints, seam: Array, side: Ints) -> NDArray[np.bool_]:
+def _rises(skin: Skin, patch: Ints, seam: Array, side: Ints) -> Bools:
     """Whether the patches over some sides rise from the tangent planes of those before."""
     _, normal, _ = skin.frame(patch, seam)
     to_patch, start = skin.entered(patch, seam, side)

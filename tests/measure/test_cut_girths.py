@@ -8,7 +8,7 @@ from scipy import optimize
 from scipy.spatial import ConvexHull
 
 from bodymeasure.errors import InputError
-from bodymeasure.measure import body_girth, breadth, fork
+from bodymeasure.measure import body_girth, breadth, fork_point
 from bodymeasure.samples import load_sample
 
 BODIES = ["female_average", "female_full_bust", "female_heavy", "female_old", "male_average"]
@@ -54,7 +54,7 @@ def test_a_loop_between_the_planes_is_left_whole() -> None:
 @pytest.mark.parametrize("name", BODIES)
 def test_girths_above_the_armpits(name: str) -> None:
     atlas = load_sample(name)
-    left, right = (fork(atlas, ("torso", f"upper arm {side}")) for side in ("left", "right"))
+    left, right = (fork_point(atlas, ("torso", f"upper arm {side}")) for side in ("left", "right"))
     top = atlas.position(left)
     above = at(0.0, -0.2, top[2] + 0.01)
     with pytest.raises(InputError, match=r"merges the trunk.*cut at the armpits \(cut\)"):

@@ -8,7 +8,7 @@ from scipy.spatial import ConvexHull
 
 from bodymeasure.atlas import AtlasPoint
 from bodymeasure.errors import InputError
-from bodymeasure.measure import Drop, drop, fork
+from bodymeasure.measure import Drop, fork_point, vertical_drop
 from bodymeasure.samples import load_sample
 from bodymeasure.section import outer_hull, part, turned
 
@@ -51,7 +51,7 @@ def test_drops_along_tubes(
     points = profile(radii, min(start, level), max(start, level))
     r = points[np.argmin(np.abs(points[:, 1] - start)), 0]
     out = at(0.0, facing, 0.0) if plane == "median" else at(facing, 0.0, 0.0)
-    found = drop(tube(radii), r * out + at(0, 0, start), at(0, 0, level), plane=plane)  # type: ignore[arg-type]
+    found = vertical_drop(tube(radii), r * out + at(0, 0, start), at(0, 0, level), plane=plane)  # type: ignore[arg-type]
     assert found.contact == pytest.approx(chain(points), rel=1e-9)
     # The hull of the profile and of two points far inside; less its other sides.
     inside = np.array([[-50.0, points[0, 1]], [-50.0, points[-1, 1]]])
@@ -65,7 +65,7 @@ def test_drops_along_tubes(
 
 def test_a_hollow_is_bridged_and_a_bulge_is_not() -> None:
     hollow, bulge = (
-        drop(tube(radii), at(0.0, -2.0, 3.0), at(0.0, -2.0, 0.0))
+        vertical_drop(tube(radii), at(0.0, -2.0, 3.0), at(0.0, -2.0, 0.0))
         for radii in ([2.0, 1.0, 1.0, 2.0], [2.0, 3.0, 3.0, 2.0])
     )
     assert hollow.taut == pytest.approx(3.0, rel=1e-13)
@@ -80,7 +80,7 @@ def test_drops_of_bodies(name: str) -> None:
     for start, level, plane in MEASURES:
         both = []
         for side in ("left", "right"):
-            found: Drop = drop(
+            found: Drop = vertical_drop(
                 atlas,
                 start.format(side=side),
                 level.format(side=side),
@@ -104,7 +104,8 @@ def test_drops_of_bodies(name: str) -> None:
 def test_the_level_tells_front_from_back() -> None:
     atlas = load_sample("female_average")
     front, back = (
-        drop(atlas, "side neck point left", f"{side} waist point") for side in ("front", "back")
+        vertical_drop(atlas, "side neck point left", f"{side} waist point")
+        for side in ("front", "back")
     )
     regions = [set(" ".join(found.arc.length_by_region).split()) for found in (front, back)]
     assert "back" not in regions[0]
@@ -115,22 +116,22 @@ def test_the_level_tells_front_from_back() -> None:
 def test_mistakes_are_named() -> None:
     atlas = load_sample("female_average")
     with pytest.raises(InputError, match=r"reaches the level, 0\.\d+ up from its start, nowhere"):
-        drop(atlas, "back neck point", at(0.0, 0.0, 1.9))
-    armpit = fork(atlas, ("torso", "upper arm left"))
+        vertical_drop(atlas, "back neck point", at(0.0, 0.0, 1.9))
+    armpit = fork_point(atlas, ("torso", "upper arm left"))
     with pytest.raises(InputError, match="only by going the other way first; choose a start"):
-        drop(atlas, armpit, "side neck point left", plane="side")
+        vertical_drop(atlas, armpit, "side neck point left", plane="side")
     with pytest.raises(InputError, match=r"have one height.*expected two heights"):
-        drop(atlas, "bust point left", "bust point left")
+        vertical_drop(atlas, "bust point left", "bust point left")
     with pytest.raises(InputError, match="plane is 'front'; expected 'median' or 'side'"):
-        drop(atlas, "back neck point", "back waist point", plane="front")  # type: ignore[arg-type]
+        vertical_drop(atlas, "back neck point", "back waist point", plane="front")  # type: ignore[arg-type]
     with pytest.raises(InputError, match="misses the body; move it"):
-        drop(atlas, at(3.0, 0.0, 1.0), "back waist point")
+        vertical_drop(atlas, at(3.0, 0.0, 1.0), "back waist point")
     with pytest.raises(InputError, match="no landmark 'nape'"):
-        drop(atlas, "nape", AtlasPoint(0, 0.0, 0.0))
+        vertical_drop(atlas, "nape", AtlasPoint(0, 0.0, 0.0))
 
 
 def test_parts_and_turns() -> None:
-    found = drop(tube([1.0, 2.0, 2.0, 1.0]), at(0.0, -1.0, 3.0), at(0.0, -1.0, 0.0))
+    found = vertical_drop(tube([1.0, 2.0, 2.0, 1.0]), at(0.0, -1.0, 3.0), at(0.0, -1.0, 0.0))
     arc = found.arc
     halves = [part(arc, 0.0, 0.3), part(arc, 0.3, float(arc.count))]
     assert sum(half.length for half in halves) == pytest.approx(arc.length, rel=1e-13)

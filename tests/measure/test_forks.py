@@ -7,7 +7,7 @@ from scipy.spatial.transform import Rotation
 
 from bodymeasure.atlas import Atlas, Axes
 from bodymeasure.errors import InputError
-from bodymeasure.measure import fork
+from bodymeasure.measure import fork_point
 from bodymeasure.samples import load_sample
 from bodymeasure.section import Plane, plane_section
 
@@ -29,7 +29,7 @@ def hill(*top: Knot) -> tuple[Knot, ...]:
 )
 def test_saddles_on_seams_and_corners(top: Knot, along: tuple[Knot, ...]) -> None:
     atlas = valleys(hill(top), along)
-    assert atlas.position(fork(atlas, LEGS)) == pytest.approx(np.zeros(3), abs=1e-12)
+    assert atlas.position(fork_point(atlas, LEGS)) == pytest.approx(np.zeros(3), abs=1e-12)
 
 
 def test_a_saddle_inside_a_patch() -> None:
@@ -43,7 +43,7 @@ def test_a_saddle_inside_a_patch() -> None:
         t,
     )
     atlas = valleys(hill(*knots), VALLEY)
-    point = fork(atlas, LEGS)
+    point = fork_point(atlas, LEGS)
     assert atlas.position(point) == pytest.approx([-0.25 + 0.75 * t, 0.0, known], abs=1e-10)
     assert 0.0 < point.u < 1.0
 
@@ -51,7 +51,7 @@ def test_a_saddle_inside_a_patch() -> None:
 def test_two_saddles_of_one_height_give_the_point_midway() -> None:
     top = (smooth(-0.3, 0.0), smooth(0.0, -0.1), smooth(0.3, 0.0))
     atlas = valleys(hill(*top), VALLEY)
-    assert atlas.position(fork(atlas, LEGS)) == pytest.approx([0.0, 0.0, -0.1], abs=1e-9)
+    assert atlas.position(fork_point(atlas, LEGS)) == pytest.approx([0.0, 0.0, -0.1], abs=1e-9)
 
 
 def test_forks_follow_the_axes() -> None:
@@ -63,19 +63,21 @@ def test_forks_follow_the_axes() -> None:
         regions=atlas.regions,
         axes=Axes(up="+x", front="-z"),
     )
-    assert lying.position(fork(lying, LEGS)) == pytest.approx(np.zeros(3), abs=1e-12)
+    assert lying.position(fork_point(lying, LEGS)) == pytest.approx(np.zeros(3), abs=1e-12)
     turn = Rotation.from_rotvec([0.0, 0.0, 0.3]).as_matrix()
     turned = Atlas(atlas.points @ turn.T, atlas.index, atlas.unit, regions=atlas.regions)
-    assert turned.position(fork(turned, LEGS)) == pytest.approx(np.zeros(3), abs=1e-11)
+    assert turned.position(fork_point(turned, LEGS)) == pytest.approx(np.zeros(3), abs=1e-11)
 
 
 @pytest.mark.parametrize("name", BODIES)
 def test_armpits_and_crotch_of_bodies(name: str) -> None:
     atlas = load_sample(name)
-    left, right = (atlas.position(fork(atlas, ("torso", f"upper arm {side}"))) for side in SIDES)
+    left, right = (
+        atlas.position(fork_point(atlas, ("torso", f"upper arm {side}"))) for side in SIDES
+    )
     assert left == pytest.approx(right * (-1.0, 1.0, 1.0), abs=1e-6)
     assert 0.14 < left[0] < 0.20
-    crotch = atlas.position(fork(atlas, ("thigh left", "thigh right")))
+    crotch = atlas.position(fork_point(atlas, ("thigh left", "thigh right")))
     assert abs(crotch[0]) < 1e-4
     assert np.linalg.norm(crotch - atlas.position(atlas.landmarks["crotch point"])) < 0.03
     if name == "female_average":
@@ -90,11 +92,11 @@ def test_armpits_and_crotch_of_bodies(name: str) -> None:
 def test_mistakes_are_named() -> None:
     atlas = load_sample("female_average")
     with pytest.raises(InputError, match=r"no region whose name begins with 'arm'; it has: crotch"):
-        fork(atlas, ("torso", "arm"))
+        fork_point(atlas, ("torso", "arm"))
     for wrong in (("torso",), "torso"):
         with pytest.raises(InputError, match="expected the beginnings of two regions' names"):
-            fork(atlas, wrong)  # type: ignore[arg-type]
+            fork_point(atlas, wrong)  # type: ignore[arg-type]
     with pytest.raises(InputError, match=r"share no height.*two neighboring parts"):
-        fork(atlas, ("neck", "thigh"))
+        fork_point(atlas, ("neck", "thigh"))
     with pytest.raises(InputError, match="no two horizontal loops that join farther up"):
-        fork(atlas, ("torso front", "torso back"))
+        fork_point(atlas, ("torso front", "torso back"))

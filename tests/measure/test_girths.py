@@ -19,11 +19,11 @@ from bodymeasure.measure import (
     chord,
     closed_geodesic,
     depth,
-    drop,
     extreme_girth,
     height,
     limb_girth,
     plane_girth,
+    vertical_drop,
 )
 from bodymeasure.samples import load_sample
 from bodymeasure.section import Plane, convex_hull, plane_section
@@ -271,7 +271,7 @@ def test_results_are_shown_in_a_line_or_two() -> None:
         body,
         waist,
         waist.loop,
-        drop(body, "back neck point", "back waist point"),
+        vertical_drop(body, "back neck point", "back waist point"),
         closed_geodesic(body, "front waist point"),
     )
     # The provenance of a body is the longest.

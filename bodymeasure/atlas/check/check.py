@@ -1,8 +1,8 @@
 """What is wrong with an atlas."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.check.degeneracy import Degeneracy, degeneracy_findings, find_degeneracy
 from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
@@ -108,8 +108,8 @@ def _gap_findings(atlas: Atlas, free: FreeEdges, near: NearSeams) -> list[Findin
 
 def _t_junction_findings(
     atlas: Atlas,
-    index: NDArray[np.int64],
-    collapsed: NDArray[np.bool_],
+    index: Ints,
+    collapsed: Bools,
     free: FreeEdges,
     near: NearSeams,
 ) -> list[Finding]:
@@ -134,7 +134,7 @@ def _t_junction_findings(
     return findings
 
 
-def _join_findings(atlas: Atlas, index: NDArray[np.int64], degeneracy: Degeneracy) -> list[Finding]:
+def _join_findings(atlas: Atlas, index: Ints, degeneracy: Degeneracy) -> list[Finding]:
     """Findings on seams, of an atlas joined as in `index`."""
     collapsed = degeneracy.edges | degeneracy.patches[:, None]
     table = edge_table(index)
@@ -199,7 +199,7 @@ def _join_findings(atlas: Atlas, index: NDArray[np.int64], degeneracy: Degenerac
     return findings
 
 
-def _parts_finding(atlas: Atlas, part: NDArray[np.int64]) -> Finding:
+def _parts_finding(atlas: Atlas, part: Ints) -> Finding:
     _, first, sizes = np.unique(part, return_index=True, return_counts=True)
     order = np.argsort(-sizes, kind="stable")
     listed = ", ".join(

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
 from bodymeasure.atlas.normals import patch_sizes
@@ -42,20 +42,18 @@ class Degeneracy:
         the ends of a collapsed side, nor of patches without area.
     """
 
-    patches: NDArray[np.bool_]
-    edges: NDArray[np.bool_]
-    corners: NDArray[np.bool_]
+    patches: Bools
+    edges: Bools
+    corners: Bools
 
 
-def collapsed_sides(control_points: NDArray[np.float64]) -> NDArray[np.bool_]:
+def collapsed_sides(control_points: Array) -> Bools:
     """Sides, in the order of `EDGES`, that are a point beside their patch; shape (patches, 4)."""
     extent = np.linalg.norm(np.ptp(sides_of(control_points), axis=2), axis=-1)
     return np.asarray(extent <= SAME_PLACE * patch_sizes(control_points)[:, None])
 
 
-def find_degeneracy(
-    control_points: NDArray[np.float64], normals: NDArray[np.float64]
-) -> Degeneracy:
+def find_degeneracy(control_points: Array, normals: Array) -> Degeneracy:
     """What collapses in each patch.
 
     Parameters
@@ -83,9 +81,7 @@ def find_degeneracy(
     return Degeneracy(patches, edges, corners)
 
 
-def _parallel(
-    first: NDArray[np.float64], second: NDArray[np.float64], sizes: NDArray[np.float64]
-) -> NDArray[np.bool_]:
+def _parallel(first: Array, second: Array, sizes: Array) -> Bools:
     lengths = np.linalg.norm(first, axis=-1), np.linalg.norm(second, axis=-1)
     vanishing = np.minimum(*lengths) <= SAME_PLACE * sizes
     sine = np.linalg.norm(np.cross(first, second), axis=-1)

@@ -1,8 +1,8 @@
 """Patches that fold over: whose normal turns round abruptly inside."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.check.degeneracy import CORNERS, Degeneracy
 from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
@@ -29,9 +29,7 @@ _SAMPLES = 5
 _BLOCK = 64
 
 
-def fold_findings(
-    atlas: Atlas, normals: NDArray[np.float64], degeneracy: Degeneracy
-) -> list[Finding]:
+def fold_findings(atlas: Atlas, normals: Array, degeneracy: Degeneracy) -> list[Finding]:
     """The findings on folded patches, and on single points without a normal inside a patch.
 
     Parameters
@@ -61,7 +59,7 @@ def fold_findings(
     return findings
 
 
-def _regular(coefficients: NDArray[np.float64]) -> NDArray[np.bool_]:
+def _regular(coefficients: Array) -> Bools:
     """Whether all coefficients of each cell lie in a cone round their mean, clear of zero."""
     mean = coefficients.mean(axis=(-3, -2))
     length = np.linalg.norm(mean, axis=-1, keepdims=True)
@@ -73,8 +71,8 @@ def _regular(coefficients: NDArray[np.float64]) -> NDArray[np.bool_]:
 
 
 def _unproven_cells(
-    coefficients: NDArray[np.float64],
-) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    coefficients: Array,
+) -> tuple[Ints, Array]:
     """Cells at the finest level without proof: each one's patch and its lowest (u, v)."""
     numbers = np.arange(len(coefficients))
     corners = np.zeros((len(coefficients), 2))
@@ -90,9 +88,9 @@ def _unproven_cells(
 
 def _judge(
     atlas: Atlas,
-    patches: NDArray[np.int64],
-    corners: NDArray[np.float64],
-    largest: NDArray[np.float64],
+    patches: Ints,
+    corners: Array,
+    largest: Array,
     degeneracy: Degeneracy,
 ) -> list[Finding]:
     """Findings from the normals sampled in each unproven cell."""
@@ -125,11 +123,11 @@ def _judge(
 
 
 def _near_known(
-    patches: NDArray[np.int64],
-    corners: NDArray[np.float64],
+    patches: Ints,
+    corners: Array,
     width: float,
     degeneracy: Degeneracy,
-) -> NDArray[np.bool_]:
+) -> Bools:
     """Whether a cell touches an edge or corner that is known to collapse."""
     near = np.zeros(len(patches), dtype=np.bool_)
     touches = np.concatenate([corners <= 0.0, corners + width >= 1.0], axis=1)
@@ -142,7 +140,7 @@ def _near_known(
     return near
 
 
-def _folded(atlas: Atlas, patch: int, place: NDArray[np.float64], cosine: float) -> Finding:
+def _folded(atlas: Atlas, patch: int, place: Array, cosine: float) -> Finding:
     angle = np.degrees(np.arccos(max(cosine, -1.0)))
     return Finding(
         Severity.ERROR,
@@ -155,7 +153,7 @@ def _folded(atlas: Atlas, patch: int, place: NDArray[np.float64], cosine: float)
     )
 
 
-def _singular(atlas: Atlas, patch: int, place: NDArray[np.float64]) -> Finding:
+def _singular(atlas: Atlas, patch: int, place: Array) -> Finding:
     return Finding(
         Severity.WARNING,
         FindingKind.SINGULAR_POINT,

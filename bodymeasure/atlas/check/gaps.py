@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.check.degeneracy import SAME_PLACE
 from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.seams import edge_table, sides_of
@@ -45,12 +45,12 @@ class FreeEdges(NamedTuple):
         Of the control polygon, and of the patch across the side.
     """
 
-    patch: NDArray[np.int64]
-    side: NDArray[np.int64]
-    control_index: NDArray[np.int64]
-    control_points: NDArray[np.float64]
-    length: NDArray[np.float64]
-    width: NDArray[np.float64]
+    patch: Ints
+    side: Ints
+    control_index: Ints
+    control_points: Array
+    length: Array
+    width: Array
 
 
 class NearSeams(NamedTuple):
@@ -68,17 +68,17 @@ class NearSeams(NamedTuple):
         Whether the second runs against the first.
     """
 
-    first: NDArray[np.int64]
-    second: NDArray[np.int64]
-    distance: NDArray[np.float64]
-    coincide: NDArray[np.bool_]
-    turned: NDArray[np.bool_]
+    first: Ints
+    second: Ints
+    distance: Array
+    coincide: Bools
+    turned: Bools
 
 
 def free_edges(
-    control_points: NDArray[np.float64],
-    index: NDArray[np.int64],
-    collapsed: NDArray[np.bool_],
+    control_points: Array,
+    index: Ints,
+    collapsed: Bools,
 ) -> FreeEdges:
     """Sides with one patch only, without the `collapsed` ones (patches, 4)."""
     table = edge_table(index)
@@ -100,7 +100,7 @@ def near_seams(edges: FreeEdges) -> NearSeams:
     reach = NEAR * np.minimum(edges.length, edges.width)
     tolerance = np.minimum(reach[first], reach[second])
 
-    def largest(points: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
+    def largest(points: Array, other: Array) -> Array:
         return np.asarray(np.linalg.norm(points - other, axis=-1).max(axis=-1))
 
     forwards = largest(curves[first], curves[second])
@@ -115,7 +115,7 @@ def near_seams(edges: FreeEdges) -> NearSeams:
     return NearSeams(first[near], second[near], distance[near], coincide[near], turned[near])
 
 
-def _neighbors(edges: FreeEdges) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _neighbors(edges: FreeEdges) -> tuple[Ints, Ints]:
     """Pairs of free edges whose middles are near each other, each pair once."""
     count = len(edges.patch)
     none = np.empty(0, dtype=np.int64)
@@ -133,7 +133,7 @@ def _neighbors(edges: FreeEdges) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     return pairs[:, 0], pairs[:, 1]
 
 
-def welded_index(index: NDArray[np.int64], edges: FreeEdges, seams: NearSeams) -> NDArray[np.int64]:
+def welded_index(index: Ints, edges: FreeEdges, seams: NearSeams) -> Ints:
     """The index as it would be if edges that coincide were joined."""
     forwards = edges.control_index
     first = forwards[seams.first[seams.coincide]]
@@ -143,7 +143,7 @@ def welded_index(index: NDArray[np.int64], edges: FreeEdges, seams: NearSeams) -
     return connected_components(first.ravel(), second.ravel(), count)[index]
 
 
-def t_junctions(edges: FreeEdges) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def t_junctions(edges: FreeEdges) -> tuple[Ints, Ints]:
     """Ends of free edges that lie inside another free edge.
 
     Returns
@@ -176,9 +176,7 @@ def t_junctions(edges: FreeEdges) -> tuple[NDArray[np.int64], NDArray[np.int64]]
     return edge[touching], owner[vertex[touching]]
 
 
-def _distance_inside(
-    curves: NDArray[np.float64], points: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _distance_inside(curves: Array, points: Array) -> Array:
     """Distance of points (n, 3) from curves (n, k, 3 or 4), infinite where an end is nearest."""
     polyline = _points(curves, np.linspace(0.0, 1.0, _SEGMENTS + 1))
     start, step = polyline[:, :-1], np.diff(polyline, axis=1)
@@ -194,12 +192,12 @@ def _distance_inside(
     return np.where(at_end, np.inf, distance[row, nearest])
 
 
-def _points(curves: NDArray[np.float64], t: NDArray[np.float64]) -> NDArray[np.float64]:
+def _points(curves: Array, t: Array) -> Array:
     """Points (n, len(t), 3) of curves with control points (n, k, 3 or 4)."""
     return project(bernstein(curves.shape[1] - 1, t)[:, 0] @ curves)
 
 
-def _compared_points(curves: NDArray[np.float64], t: NDArray[np.float64]) -> NDArray[np.float64]:
+def _compared_points(curves: Array, t: Array) -> Array:
     """Points by which two edges are compared: at t, or, of rational ones, at parts t of the length.
 
     By their weights, one curve may be run along at many speeds.

@@ -1,9 +1,8 @@
 """Welding: patches that are given without topology are joined where their edges coincide."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array, Ints
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.check.degeneracy import collapsed_sides
 from bodymeasure.atlas.check.gaps import free_edges, near_seams, welded_index
 from bodymeasure.atlas.components import connected_components
@@ -77,7 +76,7 @@ def same_places(points: Array) -> Ints:
     return number
 
 
-def _join_same(own: Ints, table: EdgeTable, collapsed: NDArray[np.bool_], weights: Array) -> Ints:
+def _join_same(own: Ints, table: EdgeTable, collapsed: Bools, weights: Array) -> Ints:
     """The index with sides joined that lie on one edge, and collapsed sides made one point."""
     rows = edge_table(own).control_index.reshape(-1, own.shape[-1])
     backwards = table.reversed.reshape(-1, 1)

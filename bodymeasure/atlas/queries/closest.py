@@ -2,8 +2,9 @@
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.bezier import derivatives, evaluate, project
@@ -28,9 +29,7 @@ ROUNDING = 1e-15
 TIE_TOLERANCE = 1e-13
 
 
-def closest_points(
-    atlas: Atlas, positions: ArrayLike
-) -> tuple[tuple[AtlasPoint, ...], NDArray[np.float64]]:
+def closest_points(atlas: Atlas, positions: ArrayLike) -> tuple[tuple[AtlasPoint, ...], Array]:
     """Points of the smooth atlas that are closest to given positions.
 
     Parameters
@@ -86,7 +85,7 @@ class _Search:
         self.spacing = _spacing(self.nets)
         self.size = float(np.ptp(self.samples.reshape(-1, 3), axis=0).max())
 
-    def run(self, positions: NDArray[np.float64]) -> tuple[list[AtlasPoint], NDArray[np.float64]]:
+    def run(self, positions: Array) -> tuple[list[AtlasPoint], Array]:
         nearest, _ = self.tree.query(positions)
         within = self.tree.query_ball_point(positions, (nearest + self.spacing) * (1.0 + 1e-12))
         patches = [np.unique(np.asarray(hits) // SAMPLES**2) for hits in within]
@@ -114,7 +113,7 @@ class _Search:
         return points, result
 
 
-def _spacing(nets: NDArray[np.float64]) -> float:
+def _spacing(nets: Array) -> float:
     """How far a point of the atlas can lie from the closest sample, at most.
 
     A point is at most half a cell from a sample in u and in v, and no curve on a patch is faster
@@ -131,7 +130,7 @@ def _spacing(nets: NDArray[np.float64]) -> float:
     return float(degree * sum(speeds) * 0.5 / (SAMPLES - 1))
 
 
-def _local_minima(values: NDArray[np.float64]) -> NDArray[np.bool_]:
+def _local_minima(values: Array) -> Bools:
     """Where no neighbour on the grid of the last two axes is lower, shape as `values`."""
     padded = np.pad(values, [(0, 0), (1, 1), (1, 1)], constant_values=np.inf)
     count = values.shape[-1]
@@ -142,9 +141,7 @@ def _local_minima(values: NDArray[np.float64]) -> NDArray[np.bool_]:
     return result
 
 
-def _descend(
-    nets: NDArray[np.float64], targets: NDArray[np.float64], start: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _descend(nets: Array, targets: Array, start: Array) -> tuple[Array, Array]:
     """Newton's method for the closest point in the box, one problem a row.
 
     Returns parameters (k, 2) and distances (k,).
@@ -183,15 +180,11 @@ def _descend(
     return x, np.sqrt(2.0 * value)
 
 
-def _half_square(
-    nets: NDArray[np.float64], targets: NDArray[np.float64], x: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _half_square(nets: Array, targets: Array, x: Array) -> Array:
     return np.asarray(0.5 * ((evaluate(nets, x) - targets) ** 2).sum(axis=-1))
 
 
-def _step(
-    nets: NDArray[np.float64], targets: NDArray[np.float64], x: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _step(nets: Array, targets: Array, x: Array) -> Array:
     """Newton step of the coordinates that are free, shape (k, 2)."""
     s = derivatives(nets, x, order=2)
     tangents = np.stack([s[:, 1, 0], s[:, 0, 1]], axis=1)
@@ -214,7 +207,7 @@ def _step(
     return -np.linalg.solve(matrix, np.where(held, 0.0, gradient)[..., None])[..., 0]
 
 
-def _freeze(matrix: NDArray[np.float64], held: NDArray[np.bool_]) -> NDArray[np.float64]:
+def _freeze(matrix: Array, held: Bools) -> Array:
     """The matrix with the held coordinates cut off from the others; their diagonal stays > 0."""
     result = np.where(held[:, :, None] | held[:, None, :], 0.0, matrix)
     largest = np.abs(matrix).max(axis=(1, 2))

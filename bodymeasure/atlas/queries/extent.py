@@ -1,8 +1,8 @@
 """How far patches extend in a direction."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.bezier import split
 
@@ -12,7 +12,7 @@ NEAR = 1e-7
 MOST_HALVINGS = 20
 
 
-def size_along(atlas: Atlas, directions: NDArray[np.float64]) -> NDArray[np.float64]:
+def size_along(atlas: Atlas, directions: Array) -> Array:
     """Sizes of the box round an atlas's surface.
 
     Parameters
@@ -36,7 +36,7 @@ def size_along(atlas: Atlas, directions: NDArray[np.float64]) -> NDArray[np.floa
     )
 
 
-def _farthest(nets: NDArray[np.float64], direction: NDArray[np.float64], tolerance: float) -> float:
+def _farthest(nets: Array, direction: Array, tolerance: float) -> float:
     """The greatest coordinate along a direction of points of patches (k, m + 1, m + 1, 3 or 4).
 
     Control points enclose their patch, corners lie on it: patches whose control points do not come

@@ -3,8 +3,8 @@
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.bezier import derivatives, evaluate, split
@@ -39,8 +39,8 @@ class Farthest(NamedTuple):
 
 def farthest_on_patches(
     atlas: Atlas,
-    patches: NDArray[np.int64],
-    direction: NDArray[np.float64],
+    patches: Ints,
+    direction: Array,
     limits: tuple[float, float] = (-np.inf, np.inf),
 ) -> Farthest:
     """Points of some patches that lie farthest in a direction, between two heights.
@@ -92,14 +92,12 @@ def farthest_on_patches(
 
 
 class _Candidates(NamedTuple):
-    row: NDArray[np.int64]
-    middle: NDArray[np.float64]
-    cut: NDArray[np.bool_]
+    row: Ints
+    middle: Array
+    cut: Bools
 
 
-def _coordinates(
-    control_points: NDArray[np.float64], along: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _coordinates(control_points: Array, along: Array) -> Array:
     """Two coordinates along directions (3, 2), and the weight they are to be divided by."""
     weight = control_points[..., 3:]
     if not weight.shape[-1]:
@@ -107,7 +105,7 @@ def _coordinates(
     return np.concatenate([control_points[..., :3] @ along, weight], axis=-1)
 
 
-def _candidates(nets: NDArray[np.float64], limits: tuple[float, float], tie: float) -> _Candidates:
+def _candidates(nets: Array, limits: tuple[float, float], tie: float) -> _Candidates:
     """Small rectangles that may hold the farthest point between the limits.
 
     `nets` (k, m + 1, m + 1, 3) has the coordinate that is to be large, the height, and weights.
@@ -148,8 +146,8 @@ DISTINCT = 8
 SAME = 1e-6
 
 
-def _refuse_flat(positions: NDArray[np.float64], size: float) -> None:
-    distinct: list[NDArray[np.float64]] = []
+def _refuse_flat(positions: Array, size: float) -> None:
+    distinct: list[Array] = []
     for position in positions:
         if all(np.linalg.norm(position - other) > SAME * size for other in distinct):
             distinct.append(position)
@@ -157,9 +155,7 @@ def _refuse_flat(positions: NDArray[np.float64], size: float) -> None:
             raise InputError(_FLAT)
 
 
-def _climb(
-    nets: NDArray[np.float64], direction: NDArray[np.float64], start: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _climb(nets: Array, direction: Array, start: Array) -> Array:
     """Newton's method for the points of patches farthest in a direction, in the box, from (k, 2).
 
     As in `bodymeasure.atlas.queries.closest`: coordinates on a bound that the slope presses

@@ -3,8 +3,8 @@
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.normals import normal_vectors
 from bodymeasure.atlas.seams import EDGES, EdgeTable
@@ -18,7 +18,7 @@ NO_NORMAL = 1e-9
 _WITH_THE_ROUND = np.array([False, True, True, False])
 
 
-def round_of_side(side: NDArray[np.int64]) -> NDArray[np.bool_]:
+def round_of_side(side: Ints) -> Bools:
     """Whether sides, numbered as in `EDGES`, run with the round that has the patch on its left."""
     return _WITH_THE_ROUND[side]
 
@@ -36,13 +36,13 @@ class Seams(NamedTuple):
         Whether both patches face the same way.
     """
 
-    patch: NDArray[np.int64]
-    side: NDArray[np.int64]
-    against: NDArray[np.bool_]
-    consistent: NDArray[np.bool_]
+    patch: Ints
+    side: Ints
+    against: Bools
+    consistent: Bools
 
 
-def seams_of(table: EdgeTable, collapsed: NDArray[np.bool_]) -> Seams:
+def seams_of(table: EdgeTable, collapsed: Bools) -> Seams:
     """The edges that two sides share, without the `collapsed` sides (patches, 4)."""
     # Neither side of an edge of which one belongs to a patch without area.
     single = np.zeros(len(table.sides), dtype=np.bool_)
@@ -56,7 +56,7 @@ def seams_of(table: EdgeTable, collapsed: NDArray[np.bool_]) -> Seams:
     return Seams(patch, side, turned[:, 0] != turned[:, 1], ahead[:, 0] != ahead[:, 1])
 
 
-def turned_patches(seams: Seams, count: int) -> tuple[NDArray[np.int64], list[NDArray[np.int64]]]:
+def turned_patches(seams: Seams, count: int) -> tuple[Ints, list[Ints]]:
     """Patches that face against the others of their part.
 
     Returns
@@ -89,13 +89,13 @@ def turned_patches(seams: Seams, count: int) -> tuple[NDArray[np.int64], list[ND
     )
 
 
-def parts(seams: Seams, count: int) -> NDArray[np.int64]:
+def parts(seams: Seams, count: int) -> Ints:
     """Number of the connected part that each patch belongs to, shape (patches,)."""
     first, second = seams.patch.T
     return connected_components(first, second, count)
 
 
-def kink_angles(control_points: NDArray[np.float64], seams: Seams) -> NDArray[np.float64]:
+def kink_angles(control_points: Array, seams: Seams) -> Array:
     """Largest angle in degrees by which the normal jumps across each seam, shape (seams,).
 
     Zero where either side has no normal.

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Bools
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, edge_table
@@ -65,7 +65,7 @@ class Neighbors:
     def __init__(self, atlas: Atlas) -> None:
         table = edge_table(atlas.index)
         control = table.control_index
-        self.collapsed: NDArray[np.bool_] = (control == control[:, :, :1]).all(axis=2)
+        self.collapsed: Bools = (control == control[:, :, :1]).all(axis=2)
         on_edge: dict[int, list[tuple[int, int]]] = {}
         for patch, side in np.argwhere(~self.collapsed).tolist():
             on_edge.setdefault(int(table.edge[patch, side]), []).append((patch, side))

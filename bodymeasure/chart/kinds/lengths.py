@@ -12,7 +12,7 @@ from bodymeasure.chart.chart import Measured, Outcome, Tape, TapeKind
 from bodymeasure.chart.kinds.definitions import ClosedMeasure, DropMeasure, PathMeasure
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import AtlasPath
-from bodymeasure.measure import closed_geodesic, drop
+from bodymeasure.measure import closed_geodesic, vertical_drop
 from bodymeasure.taut import taut_tape
 
 # Points of a drawn tape on each patch that it crosses: closer than a picture's pixels.
@@ -90,7 +90,7 @@ def _drawn_taut(body: Body, path: AtlasPath, contact: Measured) -> Measured:
 def measure_drop(body: Body, definition: DropMeasure) -> Measured:
     """The way down or up the vertical plane through a landmark, to the height of another."""
     start, level = definition.start, definition.level
-    found = drop(body.atlas, body.point(start), body.point(level), plane=definition.plane)
+    found = vertical_drop(body.atlas, body.point(start), body.point(level), plane=definition.plane)
     wanted = [(TapeKind.CONTACT, found.contact_tape)]
     if definition.tape != "contact":
         wanted.append((TapeKind.TAUT, found.taut_tape))

@@ -9,7 +9,7 @@ from bodymeasure._typing import Array
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.chart import Measured, Outcome, Tape, TapeKind
 from bodymeasure.chart.kinds.definitions import OverMeasure
-from bodymeasure.measure import drop
+from bodymeasure.measure import vertical_drop
 from bodymeasure.section import SectionLoop
 
 # Points on each piece of the profile.
@@ -42,7 +42,7 @@ class _Profile(NamedTuple):
 def measure_over(body: Body, definition: OverMeasure) -> Measured:
     """A drop, taut, and over the middle of a straight line between two landmarks."""
     start, level, over = definition.start, definition.level, definition.over
-    arc = drop(body.atlas, body.point(start), body.point(level)).arc
+    arc = vertical_drop(body.atlas, body.point(start), body.point(level)).arc
     profile = _Profile(arc, _middle(body, start, over), _outwards(body, start, arc))
     coarse, _ = _hull(profile, SAMPLES // 2)
     fine, places = _hull(profile, SAMPLES)

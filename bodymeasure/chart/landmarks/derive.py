@@ -23,7 +23,7 @@ from bodymeasure.chart.landmarks.rules import (
 )
 from bodymeasure.chart.landmarks.sections import girth_level_point, level_point, median_point
 from bodymeasure.errors import BodymeasureError
-from bodymeasure.measure.body.forks import fork
+from bodymeasure.measure.body.forks import fork_point
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,4 +113,4 @@ def _point(atlas: Atlas, rule: LandmarkRule, landmarks: dict[str, AtlasPoint]) -
         case Boundary():
             return boundary_point(atlas, rule)
         case Fork():
-            return fork(atlas, rule.regions)
+            return fork_point(atlas, rule.regions)

@@ -5,7 +5,8 @@ import sys
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+
+from bodymeasure._typing import Array
 
 # Of a face's range in u or v: edges that run so close to its border bound all of it.
 ON_BORDER = 1e-6
@@ -88,7 +89,7 @@ def _surface(face: Any) -> tuple[Any, bool]:
     return spline, _is_trimmed(face, bounds)
 
 
-def _covered(surface: Any, bounds: tuple[float, ...]) -> NDArray[np.float64]:
+def _covered(surface: Any, bounds: tuple[float, ...]) -> Array:
     """A face's range in u and v, put on its surface's own borders where it is beside them.
 
     Of more than a full turn, be it by rounding, Open CASCADE converts nothing at all.
@@ -124,7 +125,7 @@ def _is_trimmed(face: Any, bounds: tuple[float, ...]) -> bool:
     return False
 
 
-def _arrays(surface: Any, face: Any) -> dict[str, NDArray[np.float64]]:
+def _arrays(surface: Any, face: Any) -> dict[str, Array]:
     from OCP.TopAbs import TopAbs_Orientation
 
     rows, columns = surface.NbUPoles(), surface.NbVPoles()
@@ -144,7 +145,7 @@ def _arrays(surface: Any, face: Any) -> dict[str, NDArray[np.float64]]:
     return {"points": points, "weights": weights, "knots u": knots_u, "knots v": knots_v}
 
 
-def _knots(knot: Any, multiplicity: Any, count: int) -> NDArray[np.float64]:
+def _knots(knot: Any, multiplicity: Any, count: int) -> Array:
     values = [knot(number + 1) for number in range(count)]
     return np.repeat(values, [multiplicity(number + 1) for number in range(count)])
 

@@ -5,7 +5,8 @@ import sys
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+
+from bodymeasure._typing import Array
 
 # Bytes. A file of some kilobytes with one wrong byte may ask for many times what there is.
 MEMORY = 4 * 2**30
@@ -127,11 +128,11 @@ def _is_trimmed(brep: Any, face: Any, surface: Any) -> bool:
     return False
 
 
-def _spacing(sides: NDArray[np.float64]) -> float:
+def _spacing(sides: Array) -> float:
     return 0.5 * float(np.median(np.linalg.norm(np.diff(sides, axis=0), axis=1)))
 
 
-def _sides(surface: Any) -> list[NDArray[np.float64]]:
+def _sides(surface: Any) -> list[Array]:
     u, v = surface.Domain(0), surface.Domain(1)
     along_u = np.linspace(u.T0, u.T1, SEGMENTS + 1)
     along_v = np.linspace(v.T0, v.T1, SEGMENTS + 1)
@@ -141,7 +142,7 @@ def _sides(surface: Any) -> list[NDArray[np.float64]]:
     return [np.array([[p.X, p.Y, p.Z] for p in side]) for side in points]
 
 
-def _arrays(found: _Found) -> dict[str, NDArray[np.float64]]:
+def _arrays(found: _Found) -> dict[str, Array]:
     surface = found.surface
     shape = surface.Points.CountU, surface.Points.CountV
     points = [

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
 from bodymeasure.formats.text import TextFile, Words, quoted, whole_number
 
@@ -61,8 +61,8 @@ class ObjFile:
         Of each statement its line and how many vertices came before.
     """
 
-    points: NDArray[np.float64]
-    weights: NDArray[np.float64]
+    points: Array
+    weights: Array
     keywords: frozenset[str]
     text: TextFile
     lines: list[int]
@@ -107,7 +107,7 @@ def parse(content: bytes, source: str) -> ObjFile:
     return ObjFile(points, weights, frozenset(keywords), file, lines, before)
 
 
-def _vertices(words: Words, source: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _vertices(words: Words, source: str) -> tuple[Array, Array]:
     """Points, and weights: 1 where none is given."""
     ends = np.array(words.ends, dtype=np.int64)
     widths = np.diff(ends, prepend=0)
@@ -125,9 +125,7 @@ def _vertices(words: Words, source: str) -> tuple[NDArray[np.float64], NDArray[n
     return values[begin[:, None] + np.arange(3)], weights
 
 
-def vertex_numbers(
-    statement: Statement, words: Sequence[bytes], count: int, source: str
-) -> NDArray[np.int64]:
+def vertex_numbers(statement: Statement, words: Sequence[bytes], count: int, source: str) -> Ints:
     """The vertices that a statement refers to, from 0.
 
     Of ``v/vt/vn`` the first counts. Numbers are from 1, or negative and count back from the

@@ -75,7 +75,7 @@ class Drop:
         return drawn(self.arc, self.hull.spans)
 
 
-def drop(
+def vertical_drop(
     atlas: Atlas, start: Location, level: Location, *, plane: Literal["median", "side"] = "median"
 ) -> Drop:
     """Length along the surface in a vertical plane, from a place to the height of another one.

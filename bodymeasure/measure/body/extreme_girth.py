@@ -6,8 +6,8 @@ from typing import Literal
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas
 from bodymeasure.atlas.queries.locations import Location, position_of
 from bodymeasure.errors import InputError
@@ -117,9 +117,9 @@ class _Stretch:
     """Parallel planes from one point to another."""
 
     atlas: Atlas
-    first: NDArray[np.float64]
-    last: NDArray[np.float64]
-    normal: NDArray[np.float64]
+    first: Array
+    last: Array
+    normal: Array
     limb: bool
 
     @classmethod
@@ -133,7 +133,7 @@ class _Stretch:
             )
         return cls(atlas, first, last, limb_axis(first, last) if limb else up, limb)
 
-    def point(self, fraction: float) -> NDArray[np.float64]:
+    def point(self, fraction: float) -> Array:
         return self.first + fraction * (self.last - self.first)
 
     def loop(self, fraction: float) -> SectionLoop:

@@ -41,7 +41,7 @@ class _Level(NamedTuple):
         return self.loops[0] is not self.loops[1]
 
 
-def fork(atlas: Atlas, regions: tuple[str, str]) -> AtlasPoint:
+def fork_point(atlas: Atlas, regions: tuple[str, str]) -> AtlasPoint:
     """Where two parts of the body part, going down: an armpit, the crotch.
 
     Parameters

@@ -3,8 +3,8 @@
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Unit
 from bodymeasure.atlas.queries.locations import Location, position_of
 from bodymeasure.errors import InputError
@@ -61,7 +61,7 @@ class Girth:
         return self.contact - self.taut
 
     @property
-    def bridges(self) -> NDArray[np.float64]:
+    def bridges(self) -> Array:
         """Ends of the straight parts of the taut tape over hollows, shape (k, 2, 3)."""
         return self.hull.bridges
 
@@ -178,7 +178,7 @@ def limb_girth(
     return plane_girth(atlas, Plane(point, limb_axis(first, last)), point, limb=True)
 
 
-def limb_axis(first: NDArray[np.float64], last: NDArray[np.float64]) -> NDArray[np.float64]:
+def limb_axis(first: Array, last: Array) -> Array:
     """Direction from one position to another, refused where they coincide."""
     if np.array_equal(first, last):
         raise InputError("the limb's axis starts and ends at one place; expected two places")

@@ -3,10 +3,9 @@
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import EDGES, Atlas, AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors, on_side
 from bodymeasure.bezier import derivatives, project
@@ -63,7 +62,7 @@ def saddles_between(atlas: Atlas, low: float, high: float, near: Array) -> list[
     return []
 
 
-def _in_patches(atlas: Atlas, patches: NDArray[np.int64]) -> Iterator[AtlasPoint]:
+def _in_patches(atlas: Atlas, patches: Ints) -> Iterator[AtlasPoint]:
     """Where a patch's height has no gradient and an indefinite Hessian."""
     side = (np.arange(STARTS) + 0.5) / STARTS
     grid = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
@@ -86,14 +85,14 @@ def _in_patches(atlas: Atlas, patches: NDArray[np.int64]) -> Iterator[AtlasPoint
         yield AtlasPoint(int(row[number]), u, v)
 
 
-def _slopes(atlas: Atlas, patch: NDArray[np.int64], place: Array) -> tuple[Array, Array]:
+def _slopes(atlas: Atlas, patch: Ints, place: Array) -> tuple[Array, Array]:
     """Gradients (k, 2) and Hessians (k, 2, 2) of the height by (u, v)."""
     s = derivatives(atlas.control_points[patch], place, order=2) @ atlas.axes.up_vector
     bend = np.stack([s[:, 2, 0], s[:, 1, 1], s[:, 1, 1], s[:, 0, 2]], axis=1).reshape(-1, 2, 2)
     return np.stack([s[:, 1, 0], s[:, 0, 1]], axis=1), bend
 
 
-def _on_seams(atlas: Atlas, patches: NDArray[np.int64]) -> Iterator[AtlasPoint]:
+def _on_seams(atlas: Atlas, patches: Ints) -> Iterator[AtlasPoint]:
     """Where the height is least along a seam and falls to both sides, or the other way round."""
     neighbors = Neighbors(atlas)
     for (patch, side), crossings in neighbors.over.items():

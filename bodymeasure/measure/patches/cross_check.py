@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas import Atlas
 from bodymeasure.geodesic import GeodesicSolution, Status
 from bodymeasure.oracle import LEVELS, mesh_distances
@@ -138,7 +138,7 @@ def cross_check(
     )
 
 
-def _along_an_edge(solution: GeodesicSolution) -> NDArray[np.bool_]:
+def _along_an_edge(solution: GeodesicSolution) -> Bools:
     """Which paths run along an edge of their patch, or may do so because both ends lie on it."""
     start, end = solution.start, solution.end
     common = (start == end) & ((start == 0.0) | (start == 1.0))

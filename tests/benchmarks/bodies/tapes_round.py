@@ -14,7 +14,7 @@ import numpy as np
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError
-from bodymeasure.measure import body_girth, closed_geodesic, drop, fork
+from bodymeasure.measure import body_girth, closed_geodesic, fork_point, vertical_drop
 from bodymeasure.samples import load_sample
 
 Result = TypeVar("Result")
@@ -51,7 +51,7 @@ def waists(atlas: Atlas) -> None:
 
 def armpits(atlas: Atlas) -> None:
     (left, seconds), (right, _) = (
-        timed(lambda side=side: fork(atlas, ("torso", f"upper arm {side}")))  # type: ignore[misc]
+        timed(lambda side=side: fork_point(atlas, ("torso", f"upper arm {side}")))  # type: ignore[misc]
         for side in ("left", "right")
     )
     position, mirror = atlas.position(left), atlas.position(right) * (-1.0, 1.0, 1.0)
@@ -59,7 +59,7 @@ def armpits(atlas: Atlas) -> None:
         f"  armpit left {np.round(position, 4)}, mirror image off by "
         f"{np.abs(position - mirror).max():.1e}, {seconds:.2f} s"
     )
-    crotch, seconds = timed(lambda: fork(atlas, ("thigh left", "thigh right")))
+    crotch, seconds = timed(lambda: fork_point(atlas, ("thigh left", "thigh right")))
     apart = np.linalg.norm(atlas.position(crotch) - atlas.position(atlas.landmarks["crotch point"]))
     print(
         f"  crotch {np.round(atlas.position(crotch), 4)}, {apart:.2f} from the landmark, "
@@ -78,7 +78,7 @@ def armpits(atlas: Atlas) -> None:
 def drops(atlas: Atlas) -> None:
     for start, level, plane in DROPS:
         try:
-            found, seconds = timed(lambda: drop(atlas, start, level, plane=plane))  # type: ignore[arg-type]  # noqa: B023
+            found, seconds = timed(lambda: vertical_drop(atlas, start, level, plane=plane))  # type: ignore[arg-type]  # noqa: B023
         except InputError as error:
             print(f"  {start} to {level}: {error}")
             continue
