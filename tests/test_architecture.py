@@ -49,6 +49,7 @@ ORDERS = {
     "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"
     " across/pieces, solving · contact, graph · across/contact, methods, shortest · across/search",
     "measure": "patches · body",
+    "paper": "method · data · surface · tables · reproduction · page",
     "report": "files, serial, units · numbers · templating · landmarks · patches · body",
     "scene": "model · clip · camera, colors · lighting · figures · drawing · diagonals · tapes",
 }

@@ -7,11 +7,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from bodymeasure.errors import InputError
 from bodymeasure.measure import package_versions
 from bodymeasure.paper.data.comparison import compare, in_chunks
 from bodymeasure.paper.data.random_patches import (
-    GROUP_SIZE,
     GROUPS,
     READINGS,
     RandomPatches,
@@ -19,20 +17,22 @@ from bodymeasure.paper.data.random_patches import (
     make_testing_data,
 )
 from bodymeasure.paper.method.normalization import normalize
+from bodymeasure.paper.reproduction import BODY, CHOSEN, Reproduction, Settings
 from bodymeasure.paper.surface.table5 import table5
 from bodymeasure.paper.tables.aims import accuracy_bars, speed_bars
 from bodymeasure.paper.tables.beyond import (
     COUNTS,
     FEW_COUNTS,
     beyond_table,
+    families,
     known_diagonals,
-    settings,
 )
 from bodymeasure.paper.tables.medians import medians_table
 from bodymeasure.paper.tables.readings import closest_table, events_table
 from bodymeasure.paper.tables.scaling import measure_scaling, scaling_table
 from bodymeasure.paper.tables.speed import BATCH, speed_table
 from bodymeasure.paper.tables.spreads import distribution_table, roots_table
+from bodymeasure.paper.tables.statistics import key
 from bodymeasure.paper.tables.table import Table
 from bodymeasure.paper.tables.table_5 import (
     body_distribution,
@@ -43,96 +43,32 @@ from bodymeasure.paper.tables.table_5 import (
 )
 from bodymeasure.paper.tables.tables_3_and_4 import (
     ReadingResult,
-    key,
     table_3,
     table_4,
     truth_table,
 )
 from bodymeasure.samples import load_sample
 
-# The year of the paper.
-SEED = 2007
-# A quick run: enough to see that everything works.
-QUICK_GROUP_SIZE = 3
-# Of the body, each so many-th patch.
-BODY = "female_average"
-BODY_STEP, QUICK_BODY_STEP = 4, 24
 BODY_PATCHES = Reading(f"body {BODY}", "Patches of a sample body, normalized.", 1.0)
-# Of all its diagonals and boundary curves, a quick run measures so many on its surface.
+# A quick run measures so many of the body's diagonals and boundary curves on its surface.
 QUICK_CURVES = 12
-# Of the reading, so many patches for what lies beyond the paper, and for the scaling.
+# Numbers of patches of the chosen reading for what lies beyond the paper, and for the scaling.
 BEYOND_PATCHES, QUICK_BEYOND_PATCHES = 200, 20
 SCALING_PATCHES, QUICK_SCALING_PATCHES = 600, 40
-# The reading that goes on to the tables about speed, scaling and what lies beyond.
-CHOSEN = "grid 0.6"
 PACKAGES = ("bodymeasure", "numpy", "scipy", "libigl", "matplotlib")
 
-# Opens a bar with a label and a total, to be called with how many are done.
+# Opens a progress bar with a label and a total, which is called with how many are done.
 Bar = Callable[[str, int], AbstractContextManager[Callable[[int], None]]]
 
 
 def no_bar(_label: str, _total: int) -> AbstractContextManager[Callable[[int], None]]:
-    """Progress that nobody sees."""
+    """Open a progress bar that nobody sees."""
     return nullcontext(lambda _done: None)
-
-
-@dataclass(frozen=True)
-class Settings:
-    """What a run is made with.
-
-    Parameters
-    ----------
-    seed : int
-        At least 0.
-    quick : bool
-        Few patches and settings.
-    processes : int
-        Worker processes, at least 1.
-
-    Raises
-    ------
-    InputError
-        If a number is too small.
-    """
-
-    seed: int = SEED
-    quick: bool = False
-    processes: int = 1
-
-    def __post_init__(self) -> None:
-        if self.seed < 0:
-            raise InputError(f"seed is {self.seed}; expected a whole number of at least 0")
-        if self.processes < 1:
-            raise InputError(f"processes is {self.processes}; expected at least 1")
-
-    @property
-    def group_size(self) -> int:
-        """Patches a group; the paper's 250, but for a quick run."""
-        return QUICK_GROUP_SIZE if self.quick else GROUP_SIZE
-
-    @property
-    def body_step(self) -> int:
-        """Each so many-th patch of the body is taken."""
-        return QUICK_BODY_STEP if self.quick else BODY_STEP
-
-
-@dataclass(frozen=True)
-class Reproduction:
-    """All tables of a run, with what is needed to repeat it."""
-
-    settings: Settings
-    tables: tuple[Table, ...]
-    versions: dict[str, str]
-    seconds: dict[str, float]
-
-    def table(self, name: str) -> Table:
-        """A table by its name."""
-        return next(table for table in self.tables if table.name == name)
 
 
 @dataclass
 class _Study:
-    """What the parts of a run hand on: tables, and the results on the readings."""
+    """What the parts of a run pass on: tables, and the results on the readings."""
 
     settings: Settings
     bar: Bar
@@ -145,22 +81,22 @@ class _Study:
         return next(r for r in self.results if r.reading.name == CHOSEN)
 
 
-def reproduce(settings_: Settings, bar: Bar = no_bar) -> Reproduction:
-    """Run everything.
+def reproduce(settings: Settings, bar: Bar = no_bar) -> Reproduction:
+    """Run everything, and return all tables.
 
     Parameters
     ----------
-    settings_ : Settings
+    settings : Settings
     bar : callable, optional
         Opens a progress bar.
     """
-    study = _Study(settings_, bar)
+    study = _Study(settings, bar)
     seconds = {}
     for name, part in PARTS:
         begin = time.perf_counter()
         part(study)
         seconds[name] = time.perf_counter() - begin
-    return Reproduction(settings_, tuple(study.tables), package_versions(PACKAGES), seconds)
+    return Reproduction(settings, tuple(study.tables), package_versions(PACKAGES), seconds)
 
 
 def _testing(study: _Study) -> None:
@@ -173,7 +109,7 @@ def _testing(study: _Study) -> None:
             progress(number)
     body = load_sample(BODY).control_points[:: study.settings.body_step]
     drawn.append(RandomPatches(normalize(body).control_points[None], 0, 0))
-    # All at once, so that processes are started once.
+    # All of them together, so that processes are started only once.
     nets = np.concatenate([data.control_points.reshape(-1, 4, 4, 3) for data in drawn])
     with study.bar("Tables 3 and 4", len(nets)) as progress:
         found = compare(nets, processes=study.settings.processes, progress=progress)
@@ -203,17 +139,17 @@ def _testing(study: _Study) -> None:
 
 
 def _body(study: _Study) -> None:
-    """Table 5, and how far what was found so far is from what it was to be."""
-    settings_ = study.settings
+    """Table 5, and whether the accuracies found so far reach the aims."""
+    settings = study.settings
     atlas = load_sample(BODY)
-    rows = QUICK_CURVES if settings_.quick else None
+    rows = QUICK_CURVES if settings.quick else None
     with study.bar("Table 5", rows or 2 * len(atlas)) as progress:
         found = table5(
-            BODY, rows=rows, seed=settings_.seed, processes=settings_.processes, progress=progress
+            BODY, rows=rows, seed=settings.seed, processes=settings.processes, progress=progress
         )
     parts = len(in_chunks(found.diagonals.calculated))
     with study.bar("Table 5 by two functions", parts) as progress:
-        two = by_two_functions(found.diagonals, atlas, settings_.processes, progress)
+        two = by_two_functions(found.diagonals, atlas, settings.processes, progress)
     study.tables += [
         table_5(found, two),
         spread_of_table_5(found, two),
@@ -224,7 +160,7 @@ def _body(study: _Study) -> None:
 
 
 def _speed(study: _Study) -> None:
-    """Time a patch."""
+    """Times a patch."""
     tables = []
     results = [*study.results, study.body]
     with study.bar("time a patch", len(results)) as progress:
@@ -247,7 +183,7 @@ def _scaling(study: _Study) -> None:
 
 
 def _beyond(study: _Study) -> None:
-    """More functions, other kernels, other places."""
+    """More functions, other kernels and other centers."""
     quick = study.settings.quick
     nets = study.chosen.data.control_points.reshape(-1, 4, 4, 3)
     nets = nets[: QUICK_BEYOND_PATCHES if quick else BEYOND_PATCHES]
@@ -256,7 +192,7 @@ def _beyond(study: _Study) -> None:
         known_diagonals(BODY_PATCHES.name, study.body.data.control_points[0]),
     ]
     counts: Sequence[int] = FEW_COUNTS if quick else COUNTS
-    with study.bar("beyond 2007", len(settings())) as progress:
+    with study.bar("beyond 2007", len(families())) as progress:
         table = beyond_table(problems, counts, progress)
     study.tables += [medians_table(table), table]
 

@@ -5,7 +5,7 @@ from typing import Final
 
 from bodymeasure.paper.page.page import render_page
 from bodymeasure.paper.page.summary import render_summary
-from bodymeasure.paper.reproduce import Reproduction
+from bodymeasure.paper.reproduction import Reproduction
 from bodymeasure.paper.tables.table import to_csv, to_record
 from bodymeasure.report.files import write_files
 from bodymeasure.report.serial import indented_json

@@ -8,22 +8,22 @@ from typing import Any
 import pytest
 from helpers.command_line import Run, hide_here, recorded_bars
 
-from bodymeasure.paper import reproduce
+from bodymeasure.paper import reproduce, reproduction
 from bodymeasure.paper.data.random_patches import READINGS
-from bodymeasure.paper.tables.tables_3_and_4 import key
+from bodymeasure.paper.tables.statistics import key
 
 FEW = READINGS[1:3]
-OTHER = next(r.name for r in FEW if r.name != reproduce.CHOSEN)
+OTHER = next(r.name for r in FEW if r.name != reproduction.CHOSEN)
 FILES = ["paper.html", "summary.md", "tables.json", "tables.csv"]
 
 
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """As little as shows that everything is there."""
-    monkeypatch.setattr(reproduce, "QUICK_GROUP_SIZE", 1)
+    monkeypatch.setattr(reproduction, "QUICK_GROUP_SIZE", 1)
     monkeypatch.setattr(reproduce, "READINGS", FEW)
     monkeypatch.setattr(reproduce, "FEW_COUNTS", (4,))
-    monkeypatch.setattr(reproduce, "QUICK_BODY_STEP", 94)
+    monkeypatch.setattr(reproduction, "QUICK_BODY_STEP", 94)
     monkeypatch.setattr(reproduce, "QUICK_CURVES", 2)
     monkeypatch.setattr(reproduce, "QUICK_BEYOND_PATCHES", 4)
     monkeypatch.setattr(reproduce, "QUICK_SCALING_PATCHES", 4)

@@ -3,7 +3,7 @@ import pytest
 from helpers.surfaces.random_patches import wild_patches
 
 from bodymeasure import load_sample
-from bodymeasure.paper.tables.beyond import beyond_table, known_diagonals, settings
+from bodymeasure.paper.tables.beyond import beyond_table, families, known_diagonals
 from bodymeasure.paper.tables.table import Table
 
 
@@ -39,4 +39,4 @@ def test_more_functions_are_more_accurate(table: Table) -> None:
 def test_every_patch_is_counted(table: Table) -> None:
     totals = {row["solved"] + row["failed"] for row in table.records}
     assert len(totals) == 1
-    assert len(table.rows) == 3 * len(settings())
+    assert len(table.rows) == 3 * len(families())

@@ -15,10 +15,10 @@ from bodymeasure.paper.data.random_patches import READINGS, RandomPatches
 from bodymeasure.paper.tables.aims import accuracy_bars
 from bodymeasure.paper.tables.readings import closest_table, events_table
 from bodymeasure.paper.tables.spreads import distribution_table, roots_table
-from bodymeasure.paper.tables.table import Column, Table, plain, rows_of, to_csv, to_record
+from bodymeasure.paper.tables.statistics import signed_difference
+from bodymeasure.paper.tables.table import Column, Table, plain, to_csv, to_record
 from bodymeasure.paper.tables.tables_3_and_4 import (
     ReadingResult,
-    signed_difference,
     table_3,
     table_4,
     truth_table,
@@ -174,12 +174,17 @@ def test_values_for_files_are_plain() -> None:
     assert plain(np.array(3)) == 3
     assert plain(np.nan) is None
     assert plain(-math.inf) is None
-    assert rows_of([(np.bool_(True), "a")]) == ((True, "a"),)
+    assert plain(np.bool_(True)) is True
+    assert plain("a") == "a"
 
 
-def test_csv_holds_every_value() -> None:
-    columns = (Column("a", "A", "count"), Column("b", "B", "seconds", is_timing=True))
-    table = Table("some", "Some", columns, ((1, 0.1), (2, None)))
+def test_csv_holds_every_value_that_the_columns_give() -> None:
+    columns = (
+        Column("a", "A", "count", lambda item: item[0]),
+        Column("b", "B", "seconds", lambda item: item[1], is_timing=True),
+    )
+    table = Table.of("some", "Some", columns, [(1, np.float64(0.1)), (2, NAN)], "A note.")
+    assert (table.rows, table.notes) == (((1, 0.1), (2, None)), ("A note.",))
     lines = list(csv.DictReader(io.StringIO(to_csv([table]).decode(), newline="")))
     assert [(r["table"], r["row"], r["column"], r["value"], r["timing"]) for r in lines] == [
         ("some", "0", "a", "1", "0"),

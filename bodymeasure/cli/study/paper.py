@@ -47,11 +47,12 @@ def paper(output: Path, quick: bool, seed: int, processes: int) -> int:
     require(PAGE, CHARTS, SURFACE)
     with output_folder(output):
         # Not needed by `--help` and the like, and slow to load.
-        from bodymeasure.paper.reproduce import Reproduction, Settings, reproduce
+        from bodymeasure.paper.reproduce import reproduce
+        from bodymeasure.paper.reproduction import Settings
         from bodymeasure.paper.write import write_reproduction
 
         settings = Settings(seed=seed, quick=quick, processes=processes)
-        found: Reproduction = reproduce(settings, progress_bar)
+        found = reproduce(settings, progress_bar)
         files = write_reproduction(found, output)
     print_table(_summary(found.table("closest").rows, sum(found.seconds.values())))
     for path in files:

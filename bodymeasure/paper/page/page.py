@@ -6,7 +6,7 @@ from bodymeasure.paper.data.random_patches import GROUP_SIZE
 from bodymeasure.paper.page import charts
 from bodymeasure.paper.page.sections import CHOICES, LONG, sections_of, tiles
 from bodymeasure.paper.page.shown import shown
-from bodymeasure.paper.reproduce import BODY, CHOSEN, Reproduction
+from bodymeasure.paper.reproduction import BODY, CHOSEN, Reproduction
 from bodymeasure.report import templating
 
 

@@ -5,10 +5,10 @@ from typing import NamedTuple
 from bodymeasure.paper.data import published
 from bodymeasure.paper.method.ritz_table import ERROR_BOUND, MAX_ORDER
 from bodymeasure.paper.page.shown import shown
-from bodymeasure.paper.reproduce import CHOSEN, Reproduction
+from bodymeasure.paper.reproduction import CHOSEN, Reproduction
+from bodymeasure.paper.tables.statistics import key
 from bodymeasure.paper.tables.table import Column, Table
 from bodymeasure.paper.tables.table_5 import DIAGONALS, PAPERS_ROWS, TWO_FUNCTIONS
-from bodymeasure.paper.tables.tables_3_and_4 import key
 from bodymeasure.report import numbers
 
 # Tables of each section by the beginnings of their names, and what the page says of them.

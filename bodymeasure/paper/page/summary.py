@@ -5,9 +5,9 @@ from collections.abc import Iterator
 from bodymeasure.paper.data.random_patches import READINGS
 from bodymeasure.paper.page.sections import CHOICES, LONG, sections_of, tiles
 from bodymeasure.paper.page.shown import shown
-from bodymeasure.paper.reproduce import CHOSEN, Reproduction
+from bodymeasure.paper.reproduction import CHOSEN, Reproduction
+from bodymeasure.paper.tables.statistics import key
 from bodymeasure.paper.tables.table import Column, Table
-from bodymeasure.paper.tables.tables_3_and_4 import key
 
 
 def render_summary(found: Reproduction) -> bytes:

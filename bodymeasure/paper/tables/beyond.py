@@ -1,8 +1,10 @@
-"""Beyond 2007: accuracy and cost against the number of functions, and where they stand."""
+"""Beyond 2007: accuracy and cost against the number of functions, and by their centers."""
 
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 
@@ -21,20 +23,20 @@ from bodymeasure.geodesic import (
     solve_geodesic,
 )
 from bodymeasure.geodesic.methods.rbf_collocation import chebyshev_points, default_centers
+from bodymeasure.paper.data.truth import END, START
 from bodymeasure.paper.method.two_functions import even_points, paper_centers
-from bodymeasure.paper.tables.table import Column, Table, Value, rows_of
+from bodymeasure.paper.tables.table import Column, Table
 
-# Every length counts whose correction can be trusted at all.
+# The tolerance with which every length counts whose correction can be trusted at all.
 ANY = 1.0
 COUNTS = (2, 3, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24)
 FEW_COUNTS = (2, 4, 8, 12)
 KERNELS = (WU_C2, WU_C4, WU_C6, WU_C10)
-ENDS = {"diagonal": ((0.0, 0.0), (1.0, 1.0))}
 
 
 @dataclass(frozen=True, eq=False)
 class Known:
-    """Patches whose diagonal stays inside, and its length."""
+    """Patches whose diagonal stays inside, and the length of the diagonal."""
 
     name: str
     control_points: Array
@@ -50,20 +52,20 @@ class Setting:
 
 
 def known_diagonals(name: str, control_points: Array) -> Known:
-    """Those of some patches whose diagonal is known by `independent_lengths`."""
+    """Return those patches whose diagonal is known by `independent_lengths`."""
     lengths = independent_lengths(control_points)
     rows = np.flatnonzero(np.isfinite(lengths))
     return Known(name, control_points[rows], lengths[rows])
 
 
 def independent_lengths(control_points: Array) -> Array:
-    """Lengths of diagonals that are geodesics inside their patch, NaN for others.
+    """Return lengths of diagonals that are geodesics inside their patch, NaN for others.
 
-    Found by polynomial collocation and Ritz, which must agree: radial functions are judged by what
-    they had no part in.
+    They are found by polynomial collocation and Ritz, which must agree, so that radial functions
+    are compared with what they had no part in.
     """
     solutions = [
-        solve_geodesic(control_points, *ENDS["diagonal"], method=method, on_failure="status")
+        solve_geodesic(control_points, START, END, method=method, on_failure="status")
         for method in (
             PolynomialCollocation(degrees=(16, 24, 32), tolerance=1e-12),
             Ritz(order=(16, 24, 32), tolerance=1e-12),
@@ -75,53 +77,73 @@ def independent_lengths(control_points: Array) -> Array:
     return np.asarray(np.where(agree, first, np.nan))
 
 
-def settings() -> tuple[Setting, ...]:
-    """The families that are compared."""
-    families = [Setting(f"RBF {k.name}, centers outside", _outside(k)) for k in KERNELS]
+def families() -> tuple[Setting, ...]:
+    """Return the families that are compared."""
+    radial = [
+        Setting(f"RBF {k.name}, centers outside", _rbf(k, partial(_outside, k), None))
+        for k in KERNELS
+    ]
     for kernel in (WU_C2, WU_C10):
-        families += [
-            Setting(f"RBF {kernel.name}, centers from 1 on, even nodes", _paper(kernel)),
-            Setting(f"RBF {kernel.name}, centers from 1 on, Chebyshev nodes", _from_one(kernel)),
-            Setting(f"RBF {kernel.name}, centers at Chebyshev points", _chebyshev(kernel)),
-            Setting(f"RBF {kernel.name}, centers and nodes even", _even(kernel)),
+        radial += [
+            Setting(f"RBF {kernel.name}, {where}", _rbf(kernel, centers, points))
+            for where, centers, points in (
+                ("centers from 1 on, even nodes", paper_centers, even_points),
+                ("centers from 1 on, Chebyshev nodes", paper_centers, None),
+                ("centers at Chebyshev points", _at_chebyshev_points, None),
+                ("centers and nodes even", _even, even_points),
+            )
         ]
-    families.append(
-        Setting(
-            "polynomial collocation",
-            lambda n: PolynomialCollocation(degrees=n, tolerance=ANY, form="full"),
-        )
+    full = partial(PolynomialCollocation, tolerance=ANY, form="full")
+    ritz = partial(Ritz, tolerance=ANY)
+    return (
+        *radial,
+        Setting("polynomial collocation", lambda n: full(degrees=n)),
+        Setting("Ritz, u and v free", lambda n: ritz(order=n)),
+        Setting("Ritz, u = t", lambda n: ritz(order=n, parametrization="u")),
     )
-    families.append(Setting("Ritz, u and v free", lambda n: Ritz(order=n, tolerance=ANY)))
-    families.append(
-        Setting("Ritz, u = t", lambda n: Ritz(order=n, tolerance=ANY, parametrization="u"))
+
+
+def _outside(kernel: Kernel, functions: int) -> Sequence[float]:
+    centers: list[float] = default_centers(kernel, functions).tolist()
+    return centers
+
+
+def _at_chebyshev_points(functions: int) -> Sequence[float]:
+    return [0.0, *chebyshev_points(functions - 2), 1.0]
+
+
+def _even(functions: int) -> Sequence[float]:
+    centers: list[float] = np.linspace(0.0, 1.0, functions).tolist()
+    return centers
+
+
+def _rbf(
+    kernel: Kernel,
+    centers: Callable[[int], Sequence[float]],
+    points: Callable[[int], Sequence[float]] | None,
+) -> Callable[[int], Method]:
+    """Return what makes the method of so many functions, by centers and collocation points."""
+    return lambda n: RBFCollocation(
+        kernel,
+        centers=centers(n),
+        collocation_points=None if points is None else points(n),
+        tolerance=ANY,
+        form="full",
     )
-    return tuple(families)
 
 
-def _outside(kernel: Kernel) -> Callable[[int], Method]:
-    return lambda n: _rbf(kernel, default_centers(kernel, n).tolist(), None)
+class _Row(NamedTuple):
+    """What a method with some number of functions did on some patches."""
 
-
-def _paper(kernel: Kernel) -> Callable[[int], Method]:
-    return lambda n: _rbf(kernel, paper_centers(n), even_points(n))
-
-
-def _from_one(kernel: Kernel) -> Callable[[int], Method]:
-    return lambda n: _rbf(kernel, paper_centers(n), None)
-
-
-def _chebyshev(kernel: Kernel) -> Callable[[int], Method]:
-    return lambda n: _rbf(kernel, [0.0, *chebyshev_points(n - 2), 1.0], None)
-
-
-def _even(kernel: Kernel) -> Callable[[int], Method]:
-    return lambda n: _rbf(kernel, np.linspace(0.0, 1.0, n).tolist(), even_points(n))
-
-
-def _rbf(kernel: Kernel, centers: Sequence[float], points: Sequence[float] | None) -> Method:
-    return RBFCollocation(
-        kernel, centers=centers, collocation_points=points, tolerance=ANY, form="full"
-    )
+    patches: str
+    family: str
+    functions: int
+    condition: float | None
+    solved: int
+    failed: int
+    raw: tuple[float | None, float | None]
+    corrected: tuple[float | None, float | None]
+    microseconds: float | None
 
 
 def beyond_table(
@@ -129,7 +151,7 @@ def beyond_table(
     counts: Sequence[int],
     progress: Callable[[int], None] | None = None,
 ) -> Table:
-    """Errors and cost of every family at every number of functions.
+    """Return errors and cost of every family at every number of functions.
 
     Parameters
     ----------
@@ -138,65 +160,65 @@ def beyond_table(
     progress : callable, optional
         Called with the number of families that are done.
     """
-    rows: list[tuple[Value, ...]] = []
-    for number, setting in enumerate(settings(), start=1):
-        for count in counts:
-            rows += [
-                (known.name, setting.family, count, *_judged(setting, count, known))
-                for known in problems
-            ]
+    rows = []
+    for number, setting in enumerate(families(), start=1):
+        rows += [_row(setting, count, known) for count in counts for known in problems]
         if progress is not None:
             progress(number)
-    return Table(
+    columns = (
+        Column("patches", "Patches", "text", lambda row: row.patches),
+        Column("family", "Method", "text", lambda row: row.family),
+        Column("functions", "Functions", "count", lambda row: row.functions),
+        Column("condition", "Condition number", "small", lambda row: row.condition),
+        Column("solved", "Trusted", "count", lambda row: row.solved),
+        Column("failed", "Not", "count", lambda row: row.failed),
+        Column("raw_median", "Error of the path's length: median", "small", lambda row: row.raw[0]),
+        Column("raw_nine_in_ten", "90 %", "small", lambda row: row.raw[1]),
+        Column("median", "With the correction: median", "small", lambda row: row.corrected[0]),
+        Column("nine_in_ten", "90 %", "small", lambda row: row.corrected[1]),
+        Column("microseconds", "Microseconds each", "number", lambda row: row.microseconds, True),
+    )
+    return Table.of(
         "beyond",
         "Accuracy and cost against the number of functions",
-        (
-            Column("patches", "Patches", "text"),
-            Column("family", "Method", "text"),
-            Column("functions", "Functions", "count"),
-            Column("condition", "Condition number", "small"),
-            Column("solved", "Trusted", "count"),
-            Column("failed", "Not", "count"),
-            Column("raw_median", "Error of the path's length: median", "small"),
-            Column("raw_nine_in_ten", "90 %", "small"),
-            Column("median", "With the correction: median", "small"),
-            Column("nine_in_ten", "90 %", "small"),
-            Column("microseconds", "Microseconds each", "number", is_timing=True),
-        ),
-        rows_of(rows),
-        (
-            "Relative errors: of the paths as they are, all patches counted; and with the "
-            "correction, where it is small enough to be trusted. A polynomial of degree N and "
-            "Ritz's of order N have as many unknowns as N functions and a constant. An empty row: "
-            "the system is degenerate.",
-        ),
+        columns,
+        rows,
+        "Relative errors: of the paths as they are, all patches counted; and with the "
+        "correction, where it is small enough to be trusted. A polynomial of degree N and "
+        "Ritz's of order N have as many unknowns as N functions and a constant. An empty row: "
+        "the system is degenerate.",
     )
 
 
-def _judged(setting: Setting, count: int, known: Known) -> tuple[float | int | None, ...]:
+def _row(setting: Setting, count: int, known: Known) -> _Row:
+    of, total, nothing = (known.name, setting.family, count), len(known.length), (None, None)
     try:
         method = setting.make(count)
-        solve_geodesic(
-            known.control_points[:1], *ENDS["diagonal"], method=method, on_failure="status"
-        )
+        # The first call makes the trial spaces, and is not timed.
+        solve_geodesic(known.control_points[:1], START, END, method=method, on_failure="status")
     except InputError:
-        return (None, 0, len(known.length), None, None, None, None, None)
+        return _Row(*of, None, 0, total, nothing, nothing, None)
     begin = time.thread_time()
-    solution = solve_geodesic(
-        known.control_points, *ENDS["diagonal"], method=method, on_failure="status"
-    )
+    solution = solve_geodesic(known.control_points, START, END, method=method, on_failure="status")
     seconds = time.thread_time() - begin
     good = solution.converged
-    # Where Newton's method went astray, the path may have no length.
+    # Where Newton's method diverged, the path may have no length.
     raw = np.abs(solution.raw_length / known.length - 1.0)
     raw = np.where(np.isfinite(raw), raw, np.inf)
     corrected = np.abs(solution.length[good] / known.length[good] - 1.0)
-    figures = [
-        (float(np.median(error)), float(np.quantile(error, 0.9, method="lower")))
-        if len(error)
-        else (None, None)
-        for error in (raw, corrected)
-    ]
-    condition = float(solution.condition.max())
-    each = 1e6 * seconds / len(known.length)
-    return (condition, int(good.sum()), int((~good).sum()), *figures[0], *figures[1], each)
+    return _Row(
+        *of,
+        solution.condition.max(),
+        good.sum(),
+        (~good).sum(),
+        _median_and_most(raw),
+        _median_and_most(corrected),
+        1e6 * seconds / total,
+    )
+
+
+def _median_and_most(error: Array) -> tuple[float | None, float | None]:
+    """Return the median, and what 90 % of the errors do not exceed; None without errors."""
+    if not len(error):
+        return None, None
+    return float(np.median(error)), float(np.quantile(error, 0.9, method="lower"))

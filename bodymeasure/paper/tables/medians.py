@@ -1,7 +1,10 @@
-"""Errors against the number of functions, a method a column."""
+"""Errors against the number of functions, with a column for each method."""
 
-from bodymeasure.paper.tables.table import Column, Table, rows_of
-from bodymeasure.paper.tables.tables_3_and_4 import key
+from collections.abc import Callable
+from typing import Any
+
+from bodymeasure.paper.tables.statistics import key
+from bodymeasure.paper.tables.table import Column, Table
 
 # Families of `beyond_table`: those of the page's charts that tell most.
 SHOWN = (
@@ -16,30 +19,29 @@ SHOWN = (
 
 
 def medians_table(beyond: Table) -> Table:
-    """The median errors of paths, read off the table of all methods and settings.
+    """Return the median errors of paths, read off the table of all methods and settings.
 
     Parameters
     ----------
     beyond : Table
-        By `beyond_table`.
+        The result of `beyond_table`.
     """
     found = {(r["patches"], r["functions"], r["family"]): r["raw_median"] for r in beyond.records}
+    sets = list(dict.fromkeys(patches for patches, _, _ in found))
     places = dict.fromkeys((patches, count) for patches, count, _ in found)
-    rows = [
-        (*place, *(found[(*place, family)] for family in SHOWN))
-        for place in sorted(places, key=lambda place: [p for p, _ in places].index(place[0]))
-    ]
-    return Table(
+
+    def median(family: str) -> Callable[[tuple[Any, Any]], Any]:
+        return lambda place: found[(*place, family)]
+
+    return Table.of(
         "beyond_medians",
         "Median error of the path's length, by number of functions",
         (
-            Column("patches", "Patches", "text"),
-            Column("functions", "Functions", "count"),
-            *(Column(key(family), family, "small") for family in SHOWN),
+            Column("patches", "Patches", "text", lambda place: place[0]),
+            Column("functions", "Functions", "count", lambda place: place[1]),
+            *(Column(key(family), family, "small", median(family)) for family in SHOWN),
         ),
-        rows_of(rows),
-        (
-            "Relative, of the path as it is, without the correction. Centers from 1 on with even "
-            "nodes are the paper's own; a dash: the system is degenerate.",
-        ),
+        sorted(places, key=lambda place: sets.index(place[0])),
+        "Relative, of the path as it is, without the correction. Centers from 1 on with even "
+        "nodes are the paper's own; a dash: the system is degenerate.",
     )

@@ -1,4 +1,4 @@
-"""Distributed collocation: one batch split over processes, and what that wins."""
+"""Distributed collocation: one batch split over processes, and the speedup."""
 
 import time
 from collections.abc import Callable, Sequence
@@ -11,17 +11,17 @@ from bodymeasure._typing import Array
 from bodymeasure.oracle.workers import map_in_processes
 from bodymeasure.paper.data.comparison import in_chunks
 from bodymeasure.paper.method.two_function_solve import TwoFunctionSolution, solve_two_functions
-from bodymeasure.paper.tables.table import Column, Table, rows_of
+from bodymeasure.paper.tables.table import Column, Table
 
-# So that no speedup is divided by zero where a start takes as long as the work.
+# Keeps a speedup from being divided by zero where the start takes as long as the work.
 LEAST_SECONDS = 1e-3
 
 
 class Run(NamedTuple):
     """A batch solved by some processes: the solution, and seconds by the clock.
 
-    `start` is what it takes until the processes stand ready, NaN if that was not measured;
-    `seconds` is all of it.
+    `start` is the time until the processes are ready, NaN if that was not measured; `seconds` is
+    all of the time.
     """
 
     processes: int
@@ -33,10 +33,10 @@ class Run(NamedTuple):
 def solve_distributed(
     control_points: Array, processes: int, progress: Callable[[int], None] | None = None
 ) -> TwoFunctionSolution:
-    """`solve_two_functions` inside the patch, with the batch split over processes.
+    """Return `solve_two_functions` inside the patch, with the batch split over processes.
 
-    The parts are the same however many processes there are, so that the solution is too, to the
-    last bit.
+    The parts are the same however many processes there are, and so is the solution, to the last
+    bit.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ def _solve_part(control_points: Array) -> TwoFunctionSolution:
 
 
 def _nothing(_number: int) -> None:
-    """What a worker does first in `measure_scaling`: load this module."""
+    """Do nothing: a worker that is sent this loads the module, for `measure_scaling`."""
 
 
 def measure_scaling(
@@ -78,7 +78,7 @@ def measure_scaling(
     progress : callable, optional
         Called with the number of runs that are done.
     with_start : bool
-        Whether the start is measured too, which takes as long again.
+        Whether the start is measured too, which doubles the time.
     """
     runs = []
     for done, number in enumerate(processes, start=1):
@@ -95,7 +95,7 @@ def measure_scaling(
 
 
 def same_to_the_bit(first: TwoFunctionSolution, second: TwoFunctionSolution) -> bool:
-    """Whether two solutions are equal, NaN being equal to NaN."""
+    """Return whether two solutions are equal, where NaN is equal to NaN."""
     return all(
         np.array_equal(getattr(first, f.name), getattr(second, f.name), equal_nan=True)
         for f in fields(TwoFunctionSolution)
@@ -103,36 +103,33 @@ def same_to_the_bit(first: TwoFunctionSolution, second: TwoFunctionSolution) -> 
 
 
 def scaling_table(runs: Sequence[Run]) -> Table:
-    """Time, speedup and whether the result is the same."""
+    """Return times, speedups, and whether the result is the same."""
     one = runs[0]
-    rows = [
-        (
-            run.processes,
-            len(run.solution.length),
-            same_to_the_bit(one.solution, run.solution),
-            run.seconds,
-            run.start,
-            one.seconds / run.seconds,
-            (one.seconds - one.start) / np.maximum(run.seconds - run.start, LEAST_SECONDS),
-        )
-        for run in runs
-    ]
-    return Table(
+
+    def speedup_started(run: Run) -> float:
+        least = np.maximum(run.seconds - run.start, LEAST_SECONDS)
+        return float((one.seconds - one.start) / least)
+
+    columns = (
+        Column("processes", "Processes", "count", lambda run: run.processes),
+        Column("patches", "Patches", "count", lambda run: len(run.solution.length)),
+        Column(
+            "identical",
+            "Same to the last bit as one process",
+            "text",
+            lambda run: same_to_the_bit(one.solution, run.solution),
+        ),
+        Column("seconds", "Seconds by the clock", "seconds", lambda run: run.seconds, True),
+        Column("start_seconds", "of these to start", "seconds", lambda run: run.start, True),
+        Column("speedup", "Speedup", "factor", lambda run: one.seconds / run.seconds, True),
+        Column("speedup_started", "once started", "factor", speedup_started, True),
+    )
+    return Table.of(
         "scaling",
         "Distributed collocation",
-        (
-            Column("processes", "Processes", "count"),
-            Column("patches", "Patches", "count"),
-            Column("identical", "Same to the last bit as one process", "text"),
-            Column("seconds", "Seconds by the clock", "seconds", is_timing=True),
-            Column("start_seconds", "of these to start", "seconds", is_timing=True),
-            Column("speedup", "Speedup", "factor", is_timing=True),
-            Column("speedup_started", "once started", "factor", is_timing=True),
-        ),
-        rows_of(rows),
-        (
-            "The batch is cut into the same parts whatever the number of processes, and each "
-            "process is one thread. The start is measured by itself, with processes that load "
-            "the package and do nothing.",
-        ),
+        columns,
+        runs,
+        "The batch is cut into the same parts whatever the number of processes, and each "
+        "process is one thread. The start is measured by itself, with processes that load "
+        "the package and do nothing.",
     )

@@ -1,12 +1,12 @@
-"""A table: what `tables.json`, `tables.csv` and the page show."""
+"""A table: the content of `tables.json`, `tables.csv` and the page."""
 
-import csv
-import io
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
-from typing import Any, Literal
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal, Self
 
 import numpy as np
+
+from bodymeasure.report.serial import csv_bytes
 
 # How a number is to be read: a length in the unit of the patches; a ratio that is shown in percent
 # with its sign, to three decimals, in percent without a sign, or as a power of ten; seconds, a
@@ -19,21 +19,33 @@ Value = str | int | float | bool | None
 
 @dataclass(frozen=True)
 class Column:
-    """A column: its key in the files, its heading, and how its values are to be read.
+    """A column of a table.
 
-    `is_timing` marks values that are measured times, or made of them: they differ from run to run,
-    all others do not.
+    Parameters
+    ----------
+    name : str
+        Its key in the files.
+    label : str
+        Its heading.
+    kind : Kind
+        How its values are to be read.
+    value : callable, optional
+        Gives the value of a row from the item that the row is about; see `Table.of`.
+    is_timing : bool
+        Whether the values are measured times, or made of them: they differ from run to run, while
+        all others do not.
     """
 
     name: str
     label: str
     kind: Kind = "text"
+    value: Callable[[Any], Any] | None = field(default=None, compare=False)
     is_timing: bool = False
 
 
 @dataclass(frozen=True)
 class Table:
-    """Rows of values, None where there is none.
+    """Rows of values, None where there is no value.
 
     Parameters
     ----------
@@ -43,7 +55,7 @@ class Table:
     columns : tuple of Column
     rows : tuple of tuple
     notes : tuple of str
-        What to know for reading it.
+        What a reader has to know.
     """
 
     name: str
@@ -51,6 +63,15 @@ class Table:
     columns: tuple[Column, ...]
     rows: tuple[tuple[Value, ...], ...]
     notes: tuple[str, ...] = ()
+
+    @classmethod
+    def of(
+        cls, name: str, title: str, columns: Sequence[Column], items: Iterable[Any], *notes: str
+    ) -> Self:
+        """Return a table with a row for each item, in which each column gives its value."""
+        values = [column.value for column in columns if column.value is not None]
+        rows = tuple(tuple(plain(value(item)) for value in values) for item in items)
+        return cls(name, title, tuple(columns), rows, notes)
 
     @property
     def records(self) -> list[dict[str, Any]]:
@@ -60,7 +81,7 @@ class Table:
 
 
 def plain(value: Any) -> Value:
-    """A single value as files hold it: numbers as Python has them, None for what is not finite."""
+    """Return a value as files hold it: a number of Python's, or None for one that is not finite."""
     if isinstance(value, np.generic | np.ndarray):
         value = value.item()
     if isinstance(value, float) and not np.isfinite(value):
@@ -69,13 +90,8 @@ def plain(value: Any) -> Value:
     return result
 
 
-def rows_of(values: Iterable[Sequence[Any]]) -> tuple[tuple[Value, ...], ...]:
-    """Rows of plain values."""
-    return tuple(tuple(plain(value) for value in row) for row in values)
-
-
 def to_record(table: Table) -> dict[str, Any]:
-    """A table for JSON, each row an object."""
+    """Return a table for JSON, in which each row is an object."""
     return {
         "title": table.title,
         "columns": [
@@ -88,13 +104,13 @@ def to_record(table: Table) -> dict[str, Any]:
 
 
 def to_csv(tables: Sequence[Table]) -> bytes:
-    """All tables in one file (RFC 4180, UTF-8), a value a line: table, row, column, value."""
-    text = io.StringIO(newline="")
-    writer = csv.writer(text, lineterminator="\r\n")
-    writer.writerow(("table", "row", "column", "value", "timing"))
-    for table in tables:
-        for number, row in enumerate(table.rows):
-            for column, value in zip(table.columns, row, strict=True):
-                shown = "" if value is None else value
-                writer.writerow((table.name, number, column.name, shown, int(column.is_timing)))
-    return text.getvalue().encode()
+    """Return all tables as one CSV file, with a line for each value: table, row, column, value."""
+    return csv_bytes(
+        ("table", "row", "column", "value", "timing"),
+        (
+            (table.name, number, column.name, value, int(column.is_timing))
+            for table in tables
+            for number, row in enumerate(table.rows)
+            for column, value in zip(table.columns, row, strict=True)
+        ),
+    )

@@ -2,21 +2,19 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import TypeVar
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Unit, convert_length
 from bodymeasure.paper.data import published
 from bodymeasure.paper.method.normalization import normalize
-from bodymeasure.paper.surface.surface_comparison import Comparison, distribution
+from bodymeasure.paper.surface.surface_comparison import Comparison, Distribution, Row, distribution
 from bodymeasure.paper.surface.table5 import Table5
 from bodymeasure.paper.tables.scaling import solve_distributed
 from bodymeasure.paper.tables.spreads import spread_row, spread_table
-from bodymeasure.paper.tables.table import Column, Table, Value, rows_of
-
-_Length = TypeVar("_Length", float, NDArray[np.float64])
+from bodymeasure.paper.tables.table import Column, Table
 
 # The kinds of curves, by which rows are named.
 DIAGONALS = "diagonals"
@@ -31,12 +29,12 @@ def by_two_functions(
     processes: int,
     progress: Callable[[int], None] | None = None,
 ) -> Comparison:
-    """The same diagonals, calculated as in the paper: two functions on the normalized patch.
+    """Return the same diagonals, calculated as in the paper: two functions on normalized patches.
 
     Parameters
     ----------
     diagonals : Comparison
-        Of the atlas.
+        Diagonals of the atlas.
     atlas : Atlas
     processes : int
     progress : callable, optional
@@ -52,8 +50,17 @@ def by_two_functions(
     return replace(diagonals, calculated=normalized.original_lengths(found.length))
 
 
+class _Row(NamedTuple):
+    """A row of Table 5: ours by collocation and by two functions, and the printed one."""
+
+    number: int
+    own: Row
+    two: Row
+    printed: published.Table5Row
+
+
 def table_5(found: Table5, two: Comparison) -> Table:
-    """Four rows, in cm, beside the published ones.
+    """Return four rows, in cm, beside the published ones.
 
     Parameters
     ----------
@@ -61,155 +68,158 @@ def table_5(found: Table5, two: Comparison) -> Table:
     two : Comparison
         Its diagonals by two functions.
     """
-    paper = {row.name: row for row in two.rows()}
-    rows = []
-    for number, (printed, row) in enumerate(found.in_the_papers_form(), start=1):
-        own = paper[row.name]
-        rows.append(
-            (
-                number,
-                row.name,
-                _cm(row.calculated, two.unit),
-                _cm(row.physical, two.unit),
-                row.relative_error,
-                _cm(own.calculated, two.unit),
-                own.relative_error,
-                printed.calculated,
-                printed.physical,
-                printed.relative_error,
-            )
-        )
-    return Table(
-        "table_5",
-        "Table 5: calculated and physical lengths, cm",
-        (
-            Column("data", "Data", "count"),
-            Column("curve", "Diagonal", "text"),
-            Column("calculated", "Calculated, cm", "length"),
-            Column("physical", "Physical, cm", "length"),
-            Column("error", "Relative error", "fine"),
-            Column("two_functions", "By two functions, cm", "length"),
-            Column("two_functions_error", "Relative error", "fine"),
-            Column("published_calculated", "Paper: by two functions", "length"),
-            Column("published_physical", "Paper: physical", "length"),
-            Column("published_error", "Paper: error, as printed", "percent"),
+    by_two = {row.name: row for row in two.rows()}
+    rows = [
+        _Row(number, row, by_two[row.name], printed)
+        for number, (printed, row) in enumerate(found.in_the_papers_form(), start=1)
+    ]
+
+    def cm(length: float) -> float:
+        return convert_length(length, two.unit, Unit.CM)
+
+    columns = (
+        Column("data", "Data", "count", lambda r: r.number),
+        Column("curve", "Diagonal", "text", lambda r: r.own.name),
+        Column("calculated", "Calculated, cm", "length", lambda r: cm(r.own.calculated)),
+        Column("physical", "Physical, cm", "length", lambda r: cm(r.own.physical)),
+        Column("error", "Relative error", "fine", lambda r: r.own.relative_error),
+        Column("two_functions", "By two functions, cm", "length", lambda r: cm(r.two.calculated)),
+        Column("two_functions_error", "Relative error", "fine", lambda r: r.two.relative_error),
+        Column(
+            "published_calculated",
+            "Paper: by two functions",
+            "length",
+            lambda r: r.printed.calculated,
         ),
-        rows_of(rows),
-        (
-            "The paper does not say which diagonals its rows are, of which mannequin. For each, "
-            "the diagonal is taken whose physical length is nearest to the printed one: by size "
-            "alone, whatever its error. Calculated: the converged shortest path; by two functions: "
-            "the shortest solution inside the normalized patch. Relative error: (17), which is "
-            "calculated less physical by physical; the paper prints the sign the other way round "
-            "in its first three rows. Physical: libigl's exact distances on the surface that the "
-            "atlas was fitted to, extrapolated over meshes of it.",
+        Column("published_physical", "Paper: physical", "length", lambda r: r.printed.physical),
+        Column(
+            "published_error",
+            "Paper: error, as printed",
+            "percent",
+            lambda r: r.printed.relative_error,
         ),
     )
+    return Table.of(
+        "table_5",
+        "Table 5: calculated and physical lengths, cm",
+        columns,
+        rows,
+        "The paper does not say which diagonals its rows are, of which mannequin. For each, "
+        "the diagonal is taken whose physical length is nearest to the printed one: by size "
+        "alone, whatever its error. Calculated: the converged shortest path; by two functions: "
+        "the shortest solution inside the normalized patch. Relative error: (17), which is "
+        "calculated less physical by physical; the paper prints the sign the other way round "
+        "in its first three rows. Physical: libigl's exact distances on the surface that the "
+        "atlas was fitted to, extrapolated over meshes of it.",
+    )
+
+
+class _Spread(NamedTuple):
+    """The spread of the errors of some curves, and the largest one."""
+
+    curves: str
+    spread: Distribution
+    largest: float | None
+    which: str | None
 
 
 def spread_of_table_5(found: Table5, two: Comparison) -> Table:
-    """How the errors of all curves are spread, and those of the paper's four rows."""
-    rows: list[tuple[Value, ...]] = []
-    explained = []
-    for name, comparison in (
-        (DIAGONALS, found.diagonals),
-        (TWO_FUNCTIONS, two),
-        (BOUNDARY, found.boundary),
-    ):
+    """Return how the errors of all curves are spread, and those of the paper's four rows."""
+    rows, explained = [], []
+    for name, comparison in _kinds(found, two):
         spread = distribution(comparison)
         largest = spread.largest
-        rows.append(
-            (
-                name,
-                spread.count,
-                spread.without_length,
-                spread.mean,
-                spread.mean_absolute,
-                spread.median_absolute,
-                spread.quantile_95,
-                None if largest is None else largest.relative_error,
-                None if largest is None else largest.name,
-                spread.uncertainty,
-            )
-        )
-        if largest is not None and comparison is not two:
+        if largest is None:
+            rows.append(_Spread(name, spread, None, None))
+            continue
+        rows.append(_Spread(name, spread, largest.relative_error, largest.name))
+        if comparison is not two:
             explained.append(f"Largest of the {name}, {largest.name}: {spread.explanation}")
-    printed = np.array([row.calculated / row.physical - 1.0 for row in published.TABLE_5])
-    size = np.abs(printed)
-    largest_printed = printed[size.argmax()]
-    means = (printed.mean(), size.mean(), np.median(size), None)
-    which = f"data {size.argmax() + 1}"
-    rows.append((PAPERS_ROWS, len(size), 0, *means, largest_printed, which, None))
-    return Table(
-        "table_5_spread",
-        "Relative errors of all curves",
-        (
-            Column("curves", "Curves", "text"),
-            Column("count", "Count", "count"),
-            Column("without_length", "No length", "count"),
-            Column("mean", "Mean", "fine"),
-            Column("mean_absolute", "Mean of its size", "share"),
-            Column("median_absolute", "Median", "share"),
-            Column("quantile_95", "95 %", "share"),
-            Column("largest", "Largest", "fine"),
-            Column("which", "Which", "text"),
-            Column("uncertainty", "Physical lengths' own doubt, median", "small"),
-        ),
-        rows_of(rows),
-        (
-            *explained,
-            "A boundary curve is compared with itself, laid on the surface. All rows, with what "
-            "part of each error is the fit and what part the path, are in the files as "
-            "curves_diagonals and curves_boundary.",
+    rows.append(_printed_spread())
+    columns = (
+        Column("curves", "Curves", "text", lambda r: r.curves),
+        Column("count", "Count", "count", lambda r: r.spread.count),
+        Column("without_length", "No length", "count", lambda r: r.spread.without_length),
+        Column("mean", "Mean", "fine", lambda r: r.spread.mean),
+        Column("mean_absolute", "Mean of its size", "share", lambda r: r.spread.mean_absolute),
+        Column("median_absolute", "Median", "share", lambda r: r.spread.median_absolute),
+        Column("quantile_95", "95 %", "share", lambda r: r.spread.quantile_95),
+        Column("largest", "Largest", "fine", lambda r: r.largest),
+        Column("which", "Which", "text", lambda r: r.which),
+        Column(
+            "uncertainty",
+            "Physical lengths' own doubt, median",
+            "small",
+            lambda r: r.spread.uncertainty,
         ),
     )
+    return Table.of(
+        "table_5_spread",
+        "Relative errors of all curves",
+        columns,
+        rows,
+        *explained,
+        "A boundary curve is compared with itself, laid on the surface. All rows, with what "
+        "part of each error is the fit and what part the path, are in the files as "
+        "curves_diagonals and curves_boundary.",
+    )
+
+
+def _kinds(found: Table5, two: Comparison) -> tuple[tuple[str, Comparison], ...]:
+    return (DIAGONALS, found.diagonals), (TWO_FUNCTIONS, two), (BOUNDARY, found.boundary)
+
+
+def _printed_spread() -> _Spread:
+    """Return the spread of the paper's four errors, with the signs that its lengths have."""
+    error = np.array([row.calculated / row.physical - 1.0 for row in published.TABLE_5])
+    size = np.abs(error)
+    spread = Distribution(
+        count=len(error),
+        without_length=0,
+        mean=error.mean(),
+        mean_absolute=size.mean(),
+        median_absolute=float(np.median(size)),
+        quantile_95=np.nan,
+        largest=None,
+        explanation="",
+        uncertainty=np.nan,
+    )
+    return _Spread(PAPERS_ROWS, spread, error[size.argmax()], f"data {size.argmax() + 1}")
 
 
 def body_distribution(name: str, found: Table5, two: Comparison) -> Table:
-    """Quantiles of the errors' sizes, for the chart."""
-    return spread_table(
-        "body_distribution",
-        [
-            spread_row(name, curves, comparison.relative_error)
-            for curves, comparison in (
-                (DIAGONALS, found.diagonals),
-                (BOUNDARY, found.boundary),
-                (TWO_FUNCTIONS, two),
-            )
-        ],
+    """Return quantiles of the sizes of the errors, for the chart."""
+    diagonals, by_two, boundary = (
+        spread_row(name, curves, comparison.relative_error)
+        for curves, comparison in _kinds(found, two)
     )
+    return spread_table("body_distribution", [diagonals, boundary, by_two])
 
 
 def curve_tables(found: Table5, two: Comparison) -> tuple[Table, Table]:
-    """Every diagonal and boundary curve, for the files."""
+    """Return every diagonal and boundary curve, for the files."""
     return (
         _curves("curves_diagonals", "All diagonals of Table 5", found.diagonals, two),
         _curves("curves_boundary", "All boundary curves of Table 5", found.boundary, None),
     )
 
 
-def _curves(name: str, title: str, comparison: Comparison, two: Comparison | None) -> Table:
-    unit = comparison.unit
-    nothing = np.full(len(comparison), np.nan)
-    columns: list[tuple[Column, NDArray[np.float64] | tuple[str, ...] | NDArray[np.bool_]]] = [
-        (Column("patch", "Patch"), comparison.patch),
-        (Column("place", "Curve"), comparison.place),
-        (Column("calculated", "Calculated, cm", "length"), _cm(comparison.calculated, unit)),
-        (Column("physical", "Physical, cm", "length"), _cm(comparison.physical, unit)),
-        (Column("uncertainty", "Its doubt, cm", "small"), _cm(comparison.uncertainty, unit)),
-        (Column("error", "Relative error", "fine"), comparison.relative_error),
-        (Column("of_fit", "of the fit", "fine"), comparison.of_fit),
-        (Column("of_path", "of the path", "fine"), comparison.of_path),
-        (Column("distance", "Farthest off, cm", "length"), _cm(comparison.distance, unit)),
-        (Column("shorter_path", "Surface has a shorter one"), comparison.shorter_path),
-        (
-            Column("two_functions", "By two functions, cm", "length"),
-            nothing if two is None else _cm(two.calculated, unit),
-        ),
-    ]
-    values = zip(*(column for _, column in columns), strict=True)
-    return Table(name, title, tuple(head for head, _ in columns), rows_of(values))
+def _curves(name: str, title: str, each: Comparison, two: Comparison | None) -> Table:
+    def cm(lengths: Array) -> Callable[[int], float]:
+        return convert_length(lengths, each.unit, Unit.CM).item
 
-
-def _cm(length: _Length, unit: Unit) -> _Length:
-    return convert_length(length, unit, Unit.CM)
+    by_two = np.full(len(each), np.nan) if two is None else two.calculated
+    columns = (
+        Column("patch", "Patch", "text", each.patch.__getitem__),
+        Column("place", "Curve", "text", each.place.__getitem__),
+        Column("calculated", "Calculated, cm", "length", cm(each.calculated)),
+        Column("physical", "Physical, cm", "length", cm(each.physical)),
+        Column("uncertainty", "Its doubt, cm", "small", cm(each.uncertainty)),
+        Column("error", "Relative error", "fine", each.relative_error.item),
+        Column("of_fit", "of the fit", "fine", each.of_fit.item),
+        Column("of_path", "of the path", "fine", each.of_path.item),
+        Column("distance", "Farthest off, cm", "length", cm(each.distance)),
+        Column("shorter_path", "Surface has a shorter one", "text", each.shorter_path.item),
+        Column("two_functions", "By two functions, cm", "length", cm(by_two)),
+    )
+    return Table.of(name, title, columns, range(len(each)))
