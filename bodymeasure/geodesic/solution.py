@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
-from bodymeasure.geodesic.solving.protocol import Piece
+from bodymeasure.geodesic.solving.protocol import PathBatch
 from bodymeasure.geodesic.status import have_length
 
 
@@ -47,7 +47,7 @@ class GeodesicSolution:
         How many functions the path was found with.
     iterations : ndarray of int, or int
         Newton iterations, all trial spaces together.
-    pieces : tuple of Piece
+    batches : tuple of PathBatch
         The paths, by trial space; problems are numbered through the flattened batch. For `path`.
     """
 
@@ -61,7 +61,7 @@ class GeodesicSolution:
     index: Any
     functions: Any
     iterations: Any
-    pieces: tuple[Piece, ...] = field(repr=False)
+    batches: tuple[PathBatch, ...] = field(repr=False)
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -91,17 +91,17 @@ class GeodesicSolution:
         """
         result = np.empty(int(np.prod(self.shape)), dtype=object)
         result[:] = [()] * len(result)
-        for piece in self.pieces:
-            for problem in piece.problems:
-                result[problem] = piece.contacts
+        for batch in self.batches:
+            for problem in batch.problems:
+                result[problem] = batch.contacts
         return result.reshape(self.shape) if self.shape else result[0]
 
     @property
     def condition(self) -> Any:
         """Condition number of the collocation system of each path's trial space."""
         result = np.ones(int(np.prod(self.shape)))
-        for piece in self.pieces:
-            result[piece.problems] = piece.space.condition
+        for batch in self.batches:
+            result[batch.problems] = batch.space.condition
         return result.reshape(self.shape) if self.shape else float(result[0])
 
     def path(self, t: ArrayLike) -> Array:
@@ -130,34 +130,34 @@ class GeodesicSolution:
         if not ((times >= 0.0) & (times <= 1.0)).all():
             raise InputError(f"path parameters must lie in [0, 1]; got {times}")
         points = np.empty((int(np.prod(self.shape)), times.size, 2))
-        # Problems without a piece have their ends in one place, and a line that stays there.
+        # Problems without a batch have their ends in one place, and a line that stays there.
         first, last = (ends.reshape(-1, 1, 2) for ends in (self.start, self.end))
         points[:] = first + (last - first) * times.reshape(1, -1, 1)
         points[:, times.ravel() == 1.0] = last
-        for piece in self.pieces:
-            points[piece.problems] = piece.points(times.ravel())
+        for batch in self.batches:
+            points[batch.problems] = batch.points(times.ravel())
         return points.reshape(*self.shape, *times.shape, 2)
 
     def __getitem__(self, key: Any) -> "GeodesicSolution":
         """Some of the problems, by indexing the batch as an array."""
         numbers = np.arange(int(np.prod(self.shape))).reshape(self.shape)[key]
         place = np.full(int(np.prod(self.shape)), -1)
-        # Indices may repeat a problem; then each piece gives its rows as often.
+        # Indices may repeat a problem; then each batch gives its rows as often.
         chosen = np.atleast_1d(np.asarray(numbers)).ravel()
-        pieces = []
-        for piece in self.pieces:
+        batches = []
+        for batch in self.batches:
             place[:] = -1
-            place[piece.problems] = np.arange(len(piece.problems))
+            place[batch.problems] = np.arange(len(batch.problems))
             rows = place[chosen]
             inside = np.flatnonzero(rows >= 0)
             if len(inside):
-                pieces.append(piece.take(rows[inside]).renumbered(inside))
+                batches.append(batch.take(rows[inside]).renumbered(inside))
         start, end = (ends.reshape(-1, 2)[numbers] for ends in (self.start, self.end))
         return GeodesicSolution(
             start=start,
             end=end,
             **{item.name: self._chosen(item.name, numbers) for item in fields(self)[2:-1]},
-            pieces=tuple(pieces),
+            batches=tuple(batches),
         )
 
     def _chosen(self, name: str, numbers: NDArray[np.int64]) -> Any:

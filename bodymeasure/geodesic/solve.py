@@ -14,7 +14,7 @@ from bodymeasure.geodesic.methods.rbf_collocation import RBFCollocation
 from bodymeasure.geodesic.shortest.search import Search, check_search, is_outside, search_further
 from bodymeasure.geodesic.solution import GeodesicSolution
 from bodymeasure.geodesic.solving.magnified import solve_near_and_far
-from bodymeasure.geodesic.solving.protocol import Method, Piece
+from bodymeasure.geodesic.solving.protocol import Method, PathBatch
 from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure, have_length
 from bodymeasure.geodesic.surfaces.control_points import checked_control_points, of_size_one
 from bodymeasure.geodesic.surfaces.custom import CustomSurface
@@ -67,7 +67,7 @@ def solve_geodesic(
         coordinates, those of rational patches (see `bodymeasure.homogeneous`). Control points may
         be an array of torch, CuPy or JAX: then most of the work is done by that library, on the
         device where they are. The solution is numpy's.
-    start, end : array_like, shape (*batch, 2)
+    start, end : array_like, shape (*shape, 2)
         Points (u, v) in [0, 1]; they broadcast with each other and with the patches.
     method : Method, optional
         `RBFCollocation()` by default.
@@ -131,7 +131,7 @@ class _Problems(NamedTuple):
     starts, ends : ndarray, shape (problems, 2)
     scale : ndarray, shape (problems,)
         The factors that take lengths on the surfaces to the user's unit.
-    batch : tuple of int
+    shape : tuple of int
         The shape of the batch as the user gave it.
     """
 
@@ -140,26 +140,26 @@ class _Problems(NamedTuple):
     starts: Array
     ends: Array
     scale: Array
-    batch: tuple[int, ...]
+    shape: tuple[int, ...]
 
 
 def _problems(surface: ArrayLike | HasDerivatives, start: Array, end: Array) -> _Problems:
     surfaces: Surface
     if hasattr(surface, "derivatives"):
-        batch = _broadcast(start.shape[:-1], end.shape[:-1])
-        count = int(np.prod(batch))
+        shape = _broadcast(start.shape[:-1], end.shape[:-1])
+        count = int(np.prod(shape))
         surfaces, size = CustomSurface(surface.derivatives).of_size_one()
         surface_of, scale = np.zeros(count, np.int64), np.full(count, size)
     else:
         nets = checked_control_points(surface)
-        batch = _broadcast(nets.shape[:-3], start.shape[:-1], end.shape[:-1])
+        shape = _broadcast(nets.shape[:-3], start.shape[:-1], end.shape[:-1])
         # Each patch is prepared once, however many problems it has.
         patches = np.arange(int(np.prod(nets.shape[:-3]))).reshape(nets.shape[:-3])
-        surface_of = np.broadcast_to(patches, batch).ravel()
+        surface_of = np.broadcast_to(patches, shape).ravel()
         nets, sizes = of_size_one(nets.reshape((-1, *nets.shape[-3:])))
         surfaces, scale = surfaces_of(nets), sizes[surface_of]
-    starts, ends = (np.broadcast_to(x, (*batch, 2)).reshape(-1, 2).copy() for x in (start, end))
-    return _Problems(surfaces, surface_of, starts, ends, scale, batch)
+    starts, ends = (np.broadcast_to(x, (*shape, 2)).reshape(-1, 2).copy() for x in (start, end))
+    return _Problems(surfaces, surface_of, starts, ends, scale, shape)
 
 
 @dataclass(frozen=True)
@@ -183,35 +183,35 @@ class _Outcome:
         status = np.full(count, Status.CONVERGED, dtype=object)
         return cls(zeros[0], zeros[1], error, zeros[2], status, *none)
 
-    def put(self, piece: Piece, scale: Array) -> None:
+    def put(self, batch: PathBatch, scale: Array) -> None:
         """Put in what a method found for some of the problems, at their numbers."""
-        here, measured = piece.problems, piece.measured
+        here, length = batch.problems, batch.length
         scale = scale[here]
-        self.raw_length[here] = measured.raw * scale
-        self.length[here] = measured.corrected * scale
+        self.raw_length[here] = length.raw * scale
+        self.length[here] = length.corrected * scale
         # The smallest numbers have few digits.
-        self.error_estimate[here] = (measured.error + SMALLEST) * scale + SMALLEST
-        self.residual[here] = measured.residual
-        self.index[here] = np.where(piece.converged, measured.index, UNKNOWN)
-        self.functions[here] = piece.space.size
-        outside = is_outside(piece) & ~_is_far_from_geodesic(piece)
-        if piece.contacts:
+        self.error_estimate[here] = (length.error + SMALLEST) * scale + SMALLEST
+        self.residual[here] = length.residual
+        self.index[here] = np.where(batch.converged, length.index, UNKNOWN)
+        self.functions[here] = batch.space.size
+        outside = is_outside(batch) & ~_is_far_from_geodesic(batch)
+        if batch.contacts:
             self.status[here] = Status.ON_BOUNDARY
-        self.status[here[~measured.minimal]] = Status.NOT_A_MINIMUM
+        self.status[here[~length.minimal]] = Status.NOT_A_MINIMUM
         self.status[here[outside]] = Status.LEAVES_PATCH
-        self.status[here[~piece.converged & ~outside]] = Status.NOT_CONVERGED
-        self.status[here[piece.singular]] = Status.SINGULAR
+        self.status[here[~batch.converged & ~outside]] = Status.NOT_CONVERGED
+        self.status[here[batch.singular]] = Status.SINGULAR
 
 
-def _is_far_from_geodesic(piece: Piece) -> Bools:
+def _is_far_from_geodesic(batch: PathBatch) -> Bools:
     """Which paths are so far from a geodesic that they do not say where the geodesic would run."""
-    measured = piece.measured
-    near = np.abs(measured.correction) < MAX_CORRECTION * measured.raw
-    return ~piece.converged & ~(near & (measured.residual <= MAX_TURN))
+    length = batch.length
+    near = np.abs(length.correction) < MAX_CORRECTION * length.raw
+    return ~batch.converged & ~(near & (length.residual <= MAX_TURN))
 
 
 def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolution:
-    surfaces, surface_of, starts, ends, scale, batch = problems
+    surfaces, surface_of, starts, ends, scale, shape = problems
     # Between points in one place the length is zero, and nothing needs solving.
     outcome = _Outcome.of_coincident_points(
         distances_in_one_place(surfaces, surface_of, starts, ends) * scale
@@ -223,18 +223,18 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
     result = solve_near_and_far(method, part, starts[apart], ends[apart])
     result = search_further(part, (starts[apart], ends[apart]), result, search, method.tolerance)
     outcome.iterations[apart] = result.iterations
-    pieces = tuple(piece.renumbered(apart[piece.problems]) for piece in result.pieces)
-    for piece in pieces:
-        outcome.put(piece, scale)
+    batches = tuple(batch.renumbered(apart[batch.problems]) for batch in result.batches)
+    for batch in batches:
+        outcome.put(batch, scale)
     outcome.length[~have_length(outcome.status)] = np.nan
     return GeodesicSolution(
-        start=starts.reshape(*batch, 2),
-        end=ends.reshape(*batch, 2),
+        start=starts.reshape(*shape, 2),
+        end=ends.reshape(*shape, 2),
         **{
-            name: array.reshape(batch) if batch else array.tolist()[0]
+            name: array.reshape(shape) if shape else array.tolist()[0]
             for name, array in vars(outcome).items()
         },
-        pieces=pieces,
+        batches=batches,
     )
 
 

@@ -169,7 +169,7 @@ def test_settings_of_all_kinds_give_the_length(settings: dict[str, Any]) -> None
     exact = solve_geodesic(ENNEPER, (0.1, 0.0), (1.0, 0.6)).length
     assert abs(solution.length - exact) <= solution.error_estimate + 1e-14 < 1e-6
     assert solution.path([0.0, 1.0]) == pytest.approx(np.array([[0.1, 0.0], [1.0, 0.6]]))
-    listed = np.concatenate([piece.problems for piece in solution.pieces])
+    listed = np.concatenate([batch.problems for batch in solution.batches])
     assert listed.tolist() == [0]
 
 

@@ -141,8 +141,8 @@ def test_more_problems_than_are_solved_at_once(known: GeodesicSolution) -> None:
     np.testing.assert_array_equal(many.functions, few.functions[which])
     np.testing.assert_allclose(many.path(T), few.path(T)[which], atol=1e-13)
     np.testing.assert_allclose(many.length, known.length[which], rtol=1e-10)
-    # Every problem is on exactly one piece.
-    listed = np.concatenate([piece.problems for piece in many.pieces])
+    # Every problem is on exactly one batch.
+    listed = np.concatenate([batch.problems for batch in many.batches])
     np.testing.assert_array_equal(np.sort(listed), np.arange(count))
 
 

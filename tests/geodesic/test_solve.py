@@ -61,10 +61,10 @@ def test_the_papers_equations_hold(surface: Surface, kernel: Kernel) -> None:
     # (7) to (10): the ends; (11) and (12): the geodesic equations (1) and (2), with Christoffel
     # symbols, at the collocation points; u and v written with the coefficients of (5) and (6).
     method = RBFCollocation(kernel, functions=6, tolerance=1e-2, form="full")
-    (piece,) = on(surface, method).pieces
-    nodes = piece.space.nodes
+    (batch,) = on(surface, method).batches
+    nodes = batch.space.nodes
     assert len(nodes) == 7
-    nodal = piece.values[0].T
+    nodal = batch.values[0].T
     np.testing.assert_array_equal(nodal[[0, -1]], [surface.start, surface.end])
     (space,) = method.spaces
     np.testing.assert_array_equal(space.nodes, nodes)
@@ -82,9 +82,9 @@ def test_the_papers_equations_hold(surface: Surface, kernel: Kernel) -> None:
 def test_coefficients_of_a_solution_give_its_path() -> None:
     method = RBFCollocation(WU_C2, functions=5, tolerance=1e-2, form="full")
     solution = solve_geodesic(PLANE, (0.1, 0.8), (1.0, 0.2), method=method)
-    (piece,) = solution.pieces
+    (batch,) = solution.batches
     centers = (-0.675, -0.225, 1.15, 1.45, 1.75)
-    a = rbf_coefficients(WU_C2, centers, 2.0, piece.space.nodes, piece.values[0].T)
+    a = rbf_coefficients(WU_C2, centers, 2.0, batch.space.nodes, batch.values[0].T)
     t = np.linspace(0.0, 1.0, 21)
     kernels = WU_C2(np.abs(t[:, None] - np.array(centers)) / 2.0)
     np.testing.assert_allclose(a[0] + kernels @ a[1:], solution.path(t), atol=1e-9)

@@ -98,8 +98,8 @@ def test_newtons_method_finds_one_of_the_solutions(rng: np.random.Generator) -> 
     )
     solution = solve_geodesic(nets, (0.0, 0.0), (1.0, 1.0), method=method, on_failure="status")
     matched = 0
-    for piece in solution.pieces:
-        for problem, values in zip(piece.problems, piece.values, strict=True):
+    for batch in solution.batches:
+        for problem, values in zip(batch.problems, batch.values, strict=True):
             (roots,) = system_roots(nets[problem][None], paper_space()).real
             matched += bool(np.abs(roots - values[:, 1]).max(axis=1).min() < 1e-8)
     assert matched >= 5

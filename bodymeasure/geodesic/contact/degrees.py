@@ -18,27 +18,27 @@ OVERSHOOT = 1e-9
 OFF = 10.0
 
 
-def degrees_wanted(degree: int, measured: Length, tolerance: float) -> NDArray[np.float64]:
+def degrees_wanted(degree: int, length: Length, tolerance: float) -> NDArray[np.float64]:
     """The degrees that paths seem to take, told from how good they are on one; shape (problems,).
 
     Parameters
     ----------
     degree : int
         That of the paths.
-    measured : Length
+    length : Length
         Their lengths, none of which is known to the tolerance.
     tolerance : float
         Relative error asked for.
     """
     with np.errstate(divide="ignore", invalid="ignore"):
-        known = np.log(np.clip(measured.error / measured.raw, tolerance, 0.5))
+        known = np.log(np.clip(length.error / length.raw, tolerance, 0.5))
         foretold = CAUTION * degree * np.log(tolerance) / known
     # Of what is not finite nothing is known.
     return np.where(np.isfinite(foretold), foretold, degree + 1.0)
 
 
 def leave_for_certain(
-    space: TrialSpace, values: NDArray[np.float64], measured: Length
+    space: TrialSpace, values: NDArray[np.float64], length: Length
 ) -> NDArray[np.bool_]:
     """Which paths leave their patch by so much that no higher degree brings them back.
 
@@ -46,11 +46,11 @@ def leave_for_certain(
     ----------
     space : TrialSpace
     values : ndarray, shape (problems, 2, n + 1)
-    measured : Length
+    length : Length
         Their lengths, known to the tolerance that is asked for.
     """
     paths = values @ space.between_nodes.T
     outside = np.abs(paths - 0.5).max(axis=(1, 2)) - 0.5
-    off = np.sqrt(np.abs(measured.correction) * measured.raw)
+    off = np.sqrt(np.abs(length.correction) * length.raw)
     result: NDArray[np.bool_] = outside > OVERSHOOT + OFF * off
     return result

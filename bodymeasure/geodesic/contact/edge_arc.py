@@ -60,16 +60,16 @@ def edge_arc(surface: Surface, contact: Contact, begin: Array, end: Array) -> Ed
         speed = np.sqrt((velocity * velocity).sum(axis=0))
         lengths.append(rule.integrate(speed))
     turn = _inward_turn(jet, contact, velocity, end - begin)
-    length = np.array([lengths[1]])
-    measured = Length(
-        raw=length,
+    raw = np.array([lengths[1]])
+    length = Length(
+        raw=raw,
         correction=np.zeros(1),
-        error=2.0 * np.abs(length - lengths[0]) + ROUNDING * length,
+        error=2.0 * np.abs(raw - lengths[0]) + ROUNDING * raw,
         residual=np.zeros(1),
         index=np.zeros(1, np.int64),
         trusted=np.ones(1, bool),
     )
-    return EdgeArc(SolvedLeg(space, values, measured), bool((turn <= UNPRESSED).all()))
+    return EdgeArc(SolvedLeg(space, values, length), bool((turn <= UNPRESSED).all()))
 
 
 def edge_curvature(surface: Surface, contact: Contact, place: Array) -> float:

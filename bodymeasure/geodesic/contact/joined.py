@@ -18,7 +18,7 @@ class SolvedLeg(NamedTuple):
 
     space: TrialSpace
     values: Array
-    measured: Length
+    length: Length
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class ContactPath:
         Piecewise: one piece a leg, in proportion to their lengths.
     values : ndarray, shape (2, n + 1)
         u and v at the space's nodes.
-    measured : Length
+    length : Length
         Of shape (1,).
     contacts : tuple of EdgeContact
         The edges it runs along, in order.
@@ -39,15 +39,15 @@ class ContactPath:
 
     space: TrialSpace
     values: Array
-    measured: Length
+    length: Length
     contacts: tuple[EdgeContact, ...]
 
 
 def join(legs: Sequence[SolvedLeg], contacts: tuple[EdgeContact, ...]) -> ContactPath:
     """One path of all legs, each taking as much of [0, 1] as it has of the length."""
     # A corner is touched along no way at all.
-    parts = [leg for leg in legs if leg.measured.raw[0] > 0.0]
-    lengths = np.array([measured.raw[0] for _, _, measured in parts])
+    parts = [leg for leg in legs if leg.length.raw[0] > 0.0]
+    lengths = np.array([length.raw[0] for _, _, length in parts])
     edges = np.concatenate([[0.0], np.cumsum(lengths) / lengths.sum()])
     edges[-1] = 1.0
     nodes = [np.array([0.0])]
@@ -72,5 +72,5 @@ def join(legs: Sequence[SolvedLeg], contacts: tuple[EdgeContact, ...]) -> Contac
         functions=PiecewisePolynomials(edges, coefficients),
         description=" + ".join(space.description for space, _, _ in parts),
     )
-    measured = Length.of_parts([measured for _, _, measured in parts])
-    return ContactPath(joined, np.concatenate(values, axis=1), measured, contacts)
+    length = Length.of_parts([length for _, _, length in parts])
+    return ContactPath(joined, np.concatenate(values, axis=1), length, contacts)

@@ -103,18 +103,18 @@ def _solve_free(surface: Surface, points: Array, leg: Leg, tolerance: float) -> 
         values = solve_free_piece(surface, space, start, leg.ends)
         if values is None:
             continue
-        measured = measure_length(surface, space, values[None])
+        length = measure_length(surface, space, values[None])
         # How wrong a joint is says little of the degree that it takes.
-        wanted = degrees_wanted(degree, measured, tolerance)[0]
+        wanted = degrees_wanted(degree, length, tolerance)[0]
         joints = tangency_error(surface, space, values, leg.ends)
-        measured = replace(measured, error=measured.error + joints)
-        if not measured.is_known_to(tolerance)[0]:
+        length = replace(length, error=length.error + joints)
+        if not length.is_known_to(tolerance)[0]:
             continue
-        solved = SolvedLeg(space, values, measured)
+        solved = SolvedLeg(space, values, length)
         if not space.leaves_patch(values[None], OVERSHOOT)[0]:
             return _FreeLeg(solved, inside=True)
         outside = _FreeLeg(solved, inside=False)
-        if leave_for_certain(space, values[None], measured)[0]:
+        if leave_for_certain(space, values[None], length)[0]:
             break
     return outside
 

@@ -24,7 +24,7 @@ from bodymeasure.geodesic.lengths.measure import is_steep
 from bodymeasure.geodesic.numerics.array_libraries import constant, is_on_cpu, to_numpy
 from bodymeasure.geodesic.numerics.elimination import solve_batch
 from bodymeasure.geodesic.solving.on_spaces import is_far_outside
-from bodymeasure.geodesic.solving.protocol import MethodResult, Piece
+from bodymeasure.geodesic.solving.protocol import MethodResult, PathBatch
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
@@ -46,7 +46,7 @@ CHUNK = 1024
 # CPU. This bounds the memory.
 BLOCK = 16384
 # An offset beyond this, where the patch ends at 1, comes from a system that was nearly singular.
-ASTRAY = 1.0
+MAX_OFFSET = 1.0
 
 
 def solve_offsets(
@@ -71,11 +71,11 @@ def solve_offsets(
     Returns
     -------
     MethodResult
-        Its pieces hold only the problems that are solved.
+        Its batches hold only the problems that are solved.
     """
     start, end = ends
     iterations = np.zeros(len(start), np.int64)
-    pieces: dict[TrialSpace, list[Piece]] = {}
+    batches: dict[TrialSpace, list[PathBatch]] = {}
     # Between points on one line of u or v there is nothing to run across.
     across = np.flatnonzero((start != end).all(axis=1))
     # A system without a solution ends in numbers that are not finite, and is left over.
@@ -85,10 +85,10 @@ def solve_offsets(
             problems = OffsetProblems.of(surface.take(block), start[block], end[block])
             result = _solve_block(spaces, problems, tolerance)
             iterations[block] = result.iterations
-            for piece in result.pieces:
-                parts = pieces.setdefault(piece.space, [])
-                parts.append(piece.renumbered(block[piece.problems]))
-    return MethodResult(tuple(_joined(parts) for parts in pieces.values()), iterations)
+            for batch in result.batches:
+                parts = batches.setdefault(batch.space, [])
+                parts.append(batch.renumbered(block[batch.problems]))
+    return MethodResult(tuple(_joined(parts) for parts in batches.values()), iterations)
 
 
 def _solve_block(
@@ -97,7 +97,7 @@ def _solve_block(
     xp = problems.xp
     rest = np.arange(problems.count)
     iterations = np.full(problems.count, GUESS_STEPS)
-    pieces: list[Piece] = []
+    batches: list[PathBatch] = []
     before = polynomial_space(GUESS_DEGREE)
     chunks = _chunks(problems, rest)
     offset = xp.concat([_guess(before, part) for _, part in chunks], axis=1)
@@ -111,20 +111,20 @@ def _solve_block(
         moved, is_open = [], []
         for rows, part in chunks:
             path, last_step = _newton(space, part, offset[:, rows], steps)
-            piece = _measured(space, part, path, tolerance)
+            batch = _measured(space, part, path, tolerance)
             solved = last_step < small
-            done = solved & (piece.converged | is_far_outside(piece, solved))
+            done = solved & (batch.converged | is_far_outside(batch, solved))
             if done.any():
-                pieces.append(piece.take(np.flatnonzero(done)).renumbered(rest[rows][done]))
+                batches.append(batch.take(np.flatnonzero(done)).renumbered(rest[rows][done]))
             moved.append(path)
-            is_open.append(~done & to_numpy(xp.max(xp.abs(path), axis=0) < ASTRAY))
+            is_open.append(~done & to_numpy(xp.max(xp.abs(path), axis=0) < MAX_OFFSET))
         keep = np.flatnonzero(np.concatenate(is_open))
         if len(keep) == 0:
             break
         offset = xp.take(xp.concat(moved, axis=1), constant(keep, offset, xp), axis=1)
         rest, before, (steps, small) = rest[keep], space, LATER
         chunks = _chunks(problems, rest)
-    return MethodResult(tuple(pieces), iterations)
+    return MethodResult(tuple(batches), iterations)
 
 
 def _chunks(
@@ -169,24 +169,26 @@ def _step(space: TrialSpace, coefficients: Any, offset: Any, xp: Any) -> Any:
     return solve_batch(matrix, -left, xp)
 
 
-def _measured(space: TrialSpace, problems: OffsetProblems, offset: Any, tolerance: float) -> Piece:
+def _measured(
+    space: TrialSpace, problems: OffsetProblems, offset: Any, tolerance: float
+) -> PathBatch:
     xp, count = problems.xp, problems.count
     times = space.quadrature.points
     path, slope, bend = (constant(rows, offset, xp) @ offset for rows in _inner(space, times))
     geometry = offset_geometry(_coefficients(problems, times), path, slope, bend, xp)
-    measured = length_and_error(space, geometry, xp).mapped(to_numpy)
-    measured = replace(measured, error=measured.error + problems.rounding)
+    length = length_and_error(space, geometry, xp).mapped(to_numpy)
+    length = replace(length, error=length.error + problems.rounding)
     values = np.empty((count, 2, space.size + 1))
     values[:, :, 0], values[:, :, -1] = problems.start, problems.end
     for axis, parameter in enumerate(problems.parameters(space.nodes[1:-1], offset)):
         values[:, axis, 1:-1] = to_numpy(parameter).T
     # Those come from differences of neighboring control points, which this form never sees.
-    good = measured.is_known_to(tolerance) & ~is_steep(measured.raw, values)
-    return Piece(
+    good = length.is_known_to(tolerance) & ~is_steep(length.raw, values)
+    return PathBatch(
         np.arange(count),
         space.with_lines,
         values,
-        measured,
+        length,
         good,
         np.zeros(count, bool),
         speed=to_numpy(geometry.speed).T,
@@ -218,14 +220,14 @@ def _slices(count: int, size: int) -> Iterator[slice]:
         yield slice(int(first), int(last))
 
 
-def _joined(pieces: Sequence[Piece]) -> Piece:
-    """One piece of several on the same space."""
-    return Piece(
-        np.concatenate([piece.problems for piece in pieces]),
-        pieces[0].space,
-        np.concatenate([piece.values for piece in pieces]),
-        Length.concatenated([piece.measured for piece in pieces]),
-        np.concatenate([piece.converged for piece in pieces]),
-        np.concatenate([piece.singular for piece in pieces]),
-        speed=np.concatenate([piece.speed for piece in pieces if piece.speed is not None]),
+def _joined(batches: Sequence[PathBatch]) -> PathBatch:
+    """One batch of several on the same space."""
+    return PathBatch(
+        np.concatenate([batch.problems for batch in batches]),
+        batches[0].space,
+        np.concatenate([batch.values for batch in batches]),
+        Length.concatenated([batch.length for batch in batches]),
+        np.concatenate([batch.converged for batch in batches]),
+        np.concatenate([batch.singular for batch in batches]),
+        speed=np.concatenate([batch.speed for batch in batches if batch.speed is not None]),
     )

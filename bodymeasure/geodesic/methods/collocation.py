@@ -52,13 +52,13 @@ def collocate(
         return solve_on_spaces(spaces, surface, ends, tolerance=tolerance)
     found = solve_offsets(spaces, surface, ends, tolerance)
     is_open = np.ones(len(ends[0]), bool)
-    for piece in found.pieces:
-        is_open[piece.problems] = False
+    for batch in found.batches:
+        is_open[batch.problems] = False
     rest = np.flatnonzero(is_open)
     others = solve_on_spaces(
         spaces, surface.take(rest), (ends[0][rest], ends[1][rest]), tolerance=tolerance
     )
     iterations = found.iterations.copy()
     iterations[rest] += others.iterations
-    pieces = [piece.renumbered(rest[piece.problems]) for piece in others.pieces]
-    return MethodResult((*found.pieces, *pieces), iterations)
+    batches = [batch.renumbered(rest[batch.problems]) for batch in others.batches]
+    return MethodResult((*found.batches, *batches), iterations)

@@ -1,22 +1,25 @@
-"""The shortest paths inside patches: candidates, descent, polishing, for many problems at once."""
+"""The shortest paths inside patches, for many problems at once.
 
+Candidates slide down to polygons at rest, and the shortest of these are made exact.
+"""
+
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array, Ints
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.geodesic.shortest.descent import descend
-from bodymeasure.geodesic.shortest.exact_paths import polish
+from bodymeasure.geodesic.shortest.exact_paths import exact_paths
 from bodymeasure.geodesic.shortest.polygon_energy import polygon_energy, polygon_lengths
 from bodymeasure.geodesic.shortest.rough_paths import rough_paths
-from bodymeasure.geodesic.shortest.saddles import ways_off
-from bodymeasure.geodesic.solving.protocol import Piece
+from bodymeasure.geodesic.shortest.saddles import descent_directions
+from bodymeasure.geodesic.solving.protocol import PathBatch
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# Edges of the polygons that compete.
+# The number of edges of the polygons that compete.
 EDGES = 32
-# And of those that are looked at once more for being saddles.
+# The number of edges of polygons that are examined once more for being saddles.
 FINE_EDGES = 128
 # How far, in u or v, a path steps off a saddle.
 STEP_OFF = 0.05
@@ -26,12 +29,13 @@ SAME = 0.02
 NEAR = 0.05
 # A path must be shorter than one that is known by this part to be taken instead.
 SHORTER = 1e-8
-# After so many polygons shorter than the best path that could not be made exact, a problem stays in
-# doubt: then hardly ever another one can, and each takes as long as a hundred that can.
+# After so many polygons that are shorter than the best path but could not be made exact, the
+# problem stays doubtful: hardly ever can another one be made exact then, and each takes as long as
+# a hundred that can.
 MOST_FAILURES = 2
 
 
-class Known(NamedTuple):
+class KnownPaths(NamedTuple):
     """A path that is known already for each problem.
 
     Parameters
@@ -46,130 +50,112 @@ class Known(NamedTuple):
     length: Array
 
 
-class Found(NamedTuple):
-    """What a search found.
+class SearchResult(NamedTuple):
+    """The paths that a search found.
 
     Parameters
     ----------
-    pieces : tuple of Piece
+    batches : tuple of PathBatch
         Paths that are shorter than those known.
     doubtful : ndarray of bool, shape (problems,)
-        Where a path shorter still seems to exist, which could not be made exact.
+        Where an even shorter path seems to exist, which could not be made exact.
     """
 
-    pieces: tuple[Piece, ...]
-    doubtful: NDArray[np.bool_]
+    batches: tuple[PathBatch, ...]
+    doubtful: Bools
 
 
 class _Contenders(NamedTuple):
-    """Polygons at rest, shape (contenders, EDGES + 1, 2), whose they are, and their lengths."""
+    """Polygons at rest, shape (contenders, EDGES + 1, 2), with their problems and lengths."""
 
     problems: Ints
     points: Array
     length: Array
 
 
+@dataclass(eq=False)
+class _Standing:
+    """How the competition stands; it changes while contenders are made exact.
+
+    Parameters
+    ----------
+    best : ndarray, shape (problems,)
+        The length that a path must be below.
+    unsolved : ndarray, shape (problems,)
+        The least length of a polygon that could not be made exact.
+    winner : ndarray of int, shape (problems,)
+        The number of the batch that holds the shortest path; -1 if that is the one known before.
+    batches : list of PathBatch
+    """
+
+    best: Array
+    unsolved: Array
+    winner: Ints
+    batches: list[PathBatch] = field(default_factory=list)
+
+    def enter(self, batch: PathBatch) -> None:
+        """Let paths win where they are shorter than the best."""
+        owners, length = batch.problems, batch.length.corrected
+        shorter = length < self.best[owners]
+        self.winner[owners[shorter]] = len(self.batches)
+        # A path that is no minimum gives way to one of the same length.
+        bar = np.where(batch.length.minimal, length, length * (1.0 + SHORTER))
+        self.best[owners[shorter]] = bar[shorter]
+        self.batches.append(batch)
+
+    def winners(self) -> tuple[PathBatch, ...]:
+        """The shortest paths, by batch."""
+        chosen = (
+            batch.take(np.flatnonzero(self.winner[batch.problems] == number))
+            for number, batch in enumerate(self.batches)
+        )
+        return tuple(batch for batch in chosen if len(batch.problems))
+
+
 # Overflow and the like on wild surfaces end as candidates that are not finite.
 @np.errstate(over="ignore", divide="ignore", invalid="ignore")
-def shortest_paths(surface: Surface, ends: Array, known: Known, tolerance: float) -> Found:
-    """The shortest paths found between pairs of points, each in a patch.
+def shortest_paths(
+    surface: Surface, ends: Array, known: KnownPaths, tolerance: float
+) -> SearchResult:
+    """Find the shortest paths between pairs of points, each in a patch.
 
-    Candidates are the straight line, the path that is known already, and the graph's; each slides
-    down to a path at rest, off saddles too, in the box; then the shortest is made exact, and others
-    as long as they may be shorter: a polygon at rest is shorter than the path it stands for. That
-    there is none shorter still is not proven.
+    Candidates are the straight line, the path that is known already, and those of a graph. Each
+    slides down to a path at rest in the box, off saddles too. Then the shortest is made exact, and
+    so are the others as long as they may be shorter, since a polygon at rest is shorter than the
+    path it stands for. That there is none shorter still is not proven.
 
     Parameters
     ----------
     surface : Surface
     ends : ndarray, shape (2, problems, 2)
         Starts and ends.
-    known : Known
+    known : KnownPaths
     tolerance : float
-        Relative error asked for.
+        The relative error asked for.
     """
     count = len(known.length)
     standing = _Standing(
         best=known.length * (1.0 - SHORTER),
-        doubt=np.full(count, np.inf),
+        unsolved=np.full(count, np.inf),
         winner=np.full(count, -1),
-        pieces=[],
     )
     latest = np.where(np.isfinite(known.length)[:, None, None], known.points, np.nan)
     contenders = _at_rest(surface, *_seeds(surface, ends, known))
     _compete(surface, contenders, latest, standing, tolerance)
-    # A path at rest on a polygon of few edges may be on a saddle that only finer ones can tell.
-    saddles = [piece for piece in standing.winners() if not piece.measured.minimal.all()]
+    # A path at rest on a polygon of few edges may be on a saddle that only finer ones reveal.
+    saddles = [batch for batch in standing.winners() if not batch.length.minimal.all()]
     if saddles:
-        problems = np.concatenate([piece.problems for piece in saddles])
+        problems = np.concatenate([batch.problems for batch in saddles])
         times = np.linspace(0.0, 1.0, FINE_EDGES + 1)
-        paths = np.concatenate([piece.points(times) for piece in saddles])
+        paths = np.concatenate([batch.points(times) for batch in saddles])
         beyond = _at_rest(surface, problems, np.clip(paths, 0.0, 1.0))
-        # What lies beyond may be near, so that none is taken for the same.
+        # What lies beyond a saddle may be near it, and must not be taken for the same path.
         _compete(surface, beyond, np.full((count, *paths.shape[1:]), np.nan), standing, tolerance)
-    return Found(standing.winners(), standing.doubt < standing.best)
+    return SearchResult(standing.winners(), standing.unsolved < standing.best)
 
 
-class _Standing(NamedTuple):
-    """How the competition stands; the arrays, one entry a problem, and the list change.
-
-    Parameters
-    ----------
-    best : ndarray
-        What a path must be shorter than.
-    doubt : ndarray
-        The least length of a path that could not be made exact.
-    winner : ndarray of int
-        The number of the piece that holds the shortest path; -1 if that is the one known before.
-    pieces : list of Piece
-    """
-
-    best: Array
-    doubt: Array
-    winner: Ints
-    pieces: list[Piece]
-
-    def winners(self) -> tuple[Piece, ...]:
-        """The shortest paths, by piece."""
-        chosen = (
-            piece.take(np.flatnonzero(self.winner[piece.problems] == number))
-            for number, piece in enumerate(self.pieces)
-        )
-        return tuple(piece for piece in chosen if len(piece.problems))
-
-
-def _compete(
-    surface: Surface,
-    contenders: _Contenders,
-    latest: Array,
-    standing: _Standing,
-    tolerance: float,
-) -> None:
-    """Make contenders exact, the shortest of each problem first, while they may still win."""
-    best, doubt, winner, pieces = standing
-    failures = np.zeros(len(best), np.int64)
-    while True:
-        given_up = np.where(failures < MOST_FAILURES, np.inf, -np.inf)
-        contenders = _others(contenders, latest, np.minimum(np.minimum(best, doubt), given_up))
-        if len(contenders.problems) == 0:
-            break
-        problems, first = np.unique(contenders.problems, return_index=True)
-        latest[problems] = contenders.points[first]
-        polished, in_doubt = polish(surface.take(problems), latest[problems], tolerance)
-        doubt[problems] = np.minimum(doubt[problems], in_doubt)
-        failures[problems] += in_doubt < best[problems]
-        for piece in polished:
-            owners, length = problems[piece.problems], piece.measured.corrected
-            shorter = length < best[owners]
-            winner[owners[shorter]] = len(pieces)
-            # One that is no minimum gives way to its equals.
-            bar = np.where(piece.measured.minimal, length, length * (1.0 + SHORTER))
-            best[owners[shorter]] = bar[shorter]
-            pieces.append(piece.renumbered(owners))
-
-
-def _seeds(surface: Surface, ends: Array, known: Known) -> tuple[Ints, Array]:
-    """Polygons to slide down from, and whose they are."""
+def _seeds(surface: Surface, ends: Array, known: KnownPaths) -> tuple[Ints, Array]:
+    """The polygons to slide down from, preceded by their problems."""
     times = np.linspace(0.0, 1.0, EDGES + 1)[:, None]
     straight = ends[0, :, None] * (1.0 - times) + ends[1, :, None] * times
     # Where the path that is known is a good one, the straight line led there.
@@ -188,9 +174,9 @@ def _seeds(surface: Surface, ends: Array, known: Known) -> tuple[Ints, Array]:
 
 
 def _at_rest(surface: Surface, problems: Ints, seeds: Array) -> _Contenders:
-    """Where seeds slide down to, also those beyond saddles; in order of length."""
+    """The polygons that seeds slide down to, also beyond saddles, in order of length."""
     points = descend(surface.take(problems), seeds)
-    saddles, direction = ways_off(surface.take(problems), points)
+    saddles, direction = descent_directions(surface.take(problems), points)
     beyond = np.concatenate([points[saddles] + sign * STEP_OFF * direction for sign in (-1.0, 1.0)])
     owners = np.concatenate([problems[saddles]] * 2)
     beyond = descend(surface.take(owners), beyond)
@@ -200,8 +186,32 @@ def _at_rest(surface: Surface, problems: Ints, seeds: Array) -> _Contenders:
     return _Contenders(problems[order], points[order], length[order])
 
 
+def _compete(
+    surface: Surface,
+    contenders: _Contenders,
+    latest: Array,
+    standing: _Standing,
+    tolerance: float,
+) -> None:
+    """Make contenders exact, the shortest of each problem first, while they may still win."""
+    failures = np.zeros(len(standing.best), np.int64)
+    while True:
+        given_up = np.where(failures < MOST_FAILURES, np.inf, -np.inf)
+        bar = np.minimum(np.minimum(standing.best, standing.unsolved), given_up)
+        contenders = _others(contenders, latest, bar)
+        if len(contenders.problems) == 0:
+            break
+        problems, first = np.unique(contenders.problems, return_index=True)
+        latest[problems] = contenders.points[first]
+        exact = exact_paths(surface.take(problems), latest[problems], tolerance)
+        standing.unsolved[problems] = np.minimum(standing.unsolved[problems], exact.unsolved)
+        failures[problems] += exact.unsolved < standing.best[problems]
+        for batch in exact.batches:
+            standing.enter(batch.renumbered(problems[batch.problems]))
+
+
 def _others(contenders: _Contenders, latest: Array, best: Array) -> _Contenders:
-    """Those that may be shorter than the best known, and are not the same as the latest."""
+    """The contenders that may be shorter than the best known and differ from the latest."""
     problems, points, length = contenders
     keep = (length < best[problems]) & ~(_gap(points, latest[problems]) <= SAME)
     return _Contenders(problems[keep], points[keep], length[keep])

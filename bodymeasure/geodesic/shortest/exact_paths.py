@@ -1,4 +1,4 @@
-"""Polygons at rest made exact: the geodesic that each stands for, or the path along edges."""
+"""The exact paths that polygons at rest stand for: geodesics, or paths along edges."""
 
 from dataclasses import replace
 from functools import lru_cache
@@ -17,51 +17,52 @@ from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.shortest.descent import descend
 from bodymeasure.geodesic.shortest.polygon_energy import polygon_lengths
 from bodymeasure.geodesic.solving.newton import newton
-from bodymeasure.geodesic.solving.protocol import Piece
+from bodymeasure.geodesic.solving.protocol import PathBatch
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# Newton steps on each: polygons are near enough that those that converge do so in fewer.
+# The most Newton steps on each space: polygons are so near their paths that those that converge do
+# so in fewer.
 MOST_STEPS = 8
 # A path may leave its patch by this much, in u or v: more than rounding errors of a path along the
 # edge, less than anything that could be measured.
 OUTSIDE = 1e-9
-# A path that is further than this from its polygon, in u or v, is another than was meant.
-ASTRAY = 0.1
-# An edge this long, on a patch of size 1, is a point but for rounding errors.
+# A path that is further than this from its polygon, in u or v, is not the one it stands for.
+MAX_DISTANCE = 0.1
+# An edge of at most this length, on a patch of size 1, is a point but for rounding errors.
 COLLAPSED = 1e-14
-# And so it is if it is this part of the error that is asked for: paths from its points differ in
-# length by no more than it is long, which is added to their error.
+# An edge as short as this part of the error that is asked for is a point as well: paths from its
+# points differ in length by no more than the edge is long, which is added to their error.
 SMALL = 0.1
-# Rounding errors of lengths, relative, generously.
+# A generous bound of the rounding errors of lengths, relative to them.
 ROUNDING = 1e-9
-# Points of a polygon this close to an edge, in u or v, are on it: where the edge is a geodesic
-# itself nothing presses them, and rounding errors would tell which of them touch.
+# Points of a polygon this close to an edge, in u or v, are taken to be on it: nothing presses them
+# to an edge that is a geodesic itself, and rounding errors would decide which of them touch it.
 TOUCHING = 1e-12
-# Edges of the polygons whose pattern of contacts is read, in turn.
+# The numbers of edges of the polygons whose pattern of contacts is read, in turn.
 FINE_EDGES = (64, 256)
 
 
-class Polished(NamedTuple):
-    """What became of polygons.
+class ExactPaths(NamedTuple):
+    """The paths that polygons stand for, as far as they were found.
 
     Parameters
     ----------
-    pieces : tuple of Piece
-        Paths; their problems are the polygons' numbers.
-    doubt : ndarray, shape (polygons,)
-        The least length of a path that was not found; infinite where it was.
+    batches : tuple of PathBatch
+        The paths; their problems are the polygons' numbers.
+    unsolved : ndarray, shape (polygons,)
+        The lengths of the polygons whose paths were not found, and infinity for the others.
     """
 
-    pieces: tuple[Piece, ...]
-    doubt: Array
+    batches: tuple[PathBatch, ...]
+    unsolved: Array
 
 
-def polish(surface: Surface, polygons: Array, tolerance: float) -> Polished:
-    """Exact paths near polygons at rest.
+def exact_paths(surface: Surface, polygons: Array, tolerance: float) -> ExactPaths:
+    """Find the exact paths near polygons at rest.
 
-    Those that touch no edge are solved by collocation, all at once; the others, and those for which
-    that fails, leg by leg, with their contacts read from finer polygons.
+    Paths of polygons that touch no edge are solved by collocation, all at once. The others, and
+    those for which that fails, are solved leg by leg, with their contacts read from finer polygons.
 
     Parameters
     ----------
@@ -71,34 +72,34 @@ def polish(surface: Surface, polygons: Array, tolerance: float) -> Polished:
     tolerance : float
         Relative error asked for.
     """
-    poles, doubts = zip(
+    poles, widths = zip(
         *(_poles(surface, polygons[:, place], tolerance) for place in (0, -1)), strict=True
     )
     touches = ((polygons <= 0.0) | (polygons >= 1.0))[:, 1:-1].any(axis=(1, 2))
     fixed = np.array([pole is None and other is None for pole, other in zip(*poles, strict=True)])
-    pieces = _collocated(surface, polygons, np.flatnonzero(~touches & fixed), tolerance)
-    left = _without(np.arange(len(polygons)), pieces)
-    doubt = np.full(len(polygons), np.inf)
+    batches = _collocated(surface, polygons, np.flatnonzero(~touches & fixed), tolerance)
+    left = _without(np.arange(len(polygons)), batches)
+    unsolved = np.full(len(polygons), np.inf)
     for edges in FINE_EDGES:
         if len(left) == 0:
             break
         part = surface.take(left)
         fine = _on_edges(descend(part, _refined(polygons[left], edges)))
         length = polygon_lengths(part, fine)
-        doubt[left] = length
+        unsolved[left] = length
         for row, polygon, least in zip(left, fine, length, strict=True):
             own = surface.take(np.array([row]))
             path = solve_contact_path(own, polygon, (poles[0][row], poles[1][row]), tolerance)
             # No path is shorter than the shortest polygon.
-            if path is not None and path.measured.raw[0] >= least * (1.0 - ROUNDING):
-                pieces.append(_as_piece(row, path, doubts[0][row] + doubts[1][row]))
-                doubt[row] = np.inf
-        left = _without(left, pieces)
-    return Polished(tuple(pieces), doubt)
+            if path is not None and path.length.raw[0] >= least * (1.0 - ROUNDING):
+                batches.append(_as_batch(row, path, widths[0][row] + widths[1][row]))
+                unsolved[row] = np.inf
+        left = _without(left, batches)
+    return ExactPaths(tuple(batches), unsolved)
 
 
 def _poles(surface: Surface, points: Array, tolerance: float) -> tuple[list[End], Array]:
-    """Of points, shape (polygons, 2), the collapsed edges that they lie on, and their lengths."""
+    """The collapsed edges on which points, shape (polygons, 2), lie, and these edges' lengths."""
     result: list[End] = [None] * len(points)
     length = np.zeros(len(points))
     for axis in (0, 1):
@@ -113,13 +114,13 @@ def _poles(surface: Surface, points: Array, tolerance: float) -> tuple[list[End]
     return result, length
 
 
-def _collocated(surface: Surface, polygons: Array, rows: Ints, tolerance: float) -> list[Piece]:
-    """Paths of some of the polygons that have no contact, each on the first space that serves."""
+def _collocated(surface: Surface, polygons: Array, rows: Ints, tolerance: float) -> list[PathBatch]:
+    """The paths of some polygons without contact, each on the first space that serves."""
     times = np.linspace(0.0, 1.0, polygons.shape[1])
-    pieces: list[Piece] = []
+    batches: list[PathBatch] = []
     every, wanted = rows, np.zeros(len(polygons))
     for degree in DEGREES:
-        rows = _without(every, pieces)
+        rows = _without(every, batches)
         rows = rows[wanted[rows] <= degree]
         if len(rows) == 0:
             continue
@@ -127,42 +128,42 @@ def _collocated(surface: Surface, polygons: Array, rows: Ints, tolerance: float)
         start = (_spline(degree, polygons.shape[1]) @ polygons[rows]).swapaxes(1, 2)
         part = surface.take(rows)
         found = newton(part, space, start, max_iterations=MOST_STEPS)
-        measured = measure_length(part, space, found.values)
+        length = measure_length(part, space, found.values)
         path = (found.values @ space.matrices(times)[0].T).swapaxes(1, 2)
-        exact = found.converged & measured.is_known_to(tolerance)
-        gone = exact & leave_for_certain(space, found.values, measured)
+        exact = found.converged & length.is_known_to(tolerance)
+        gone = exact & leave_for_certain(space, found.values, length)
         good = exact & ~space.leaves_patch(found.values, OUTSIDE)
-        good &= np.abs(path - polygons[rows]).max(axis=(1, 2)) <= ASTRAY
-        piece = Piece(rows, space, found.values, measured, good, found.singular)
-        pieces.append(piece.take(np.flatnonzero(good)))
-        next_degrees = degrees_wanted(degree, measured, tolerance)
+        good &= np.abs(path - polygons[rows]).max(axis=(1, 2)) <= MAX_DISTANCE
+        batch = PathBatch(rows, space, found.values, length, good, found.singular)
+        batches.append(batch.take(np.flatnonzero(good)))
+        next_degrees = degrees_wanted(degree, length, tolerance)
         wanted[rows] = np.where(found.converged, next_degrees, degree + 1)
         wanted[rows[gone]] = np.inf
-    return pieces
+    return batches
 
 
 @lru_cache(maxsize=16)
 def _spline(degree: int, vertices: int) -> Array:
-    """From a polygon's vertices to a smooth path at the nodes of a polynomial space."""
+    """The matrix from a polygon's vertices to a smooth path at a polynomial space's nodes."""
     times = np.linspace(0.0, 1.0, vertices)
     nodes = polynomial_space(degree).nodes
     return np.asarray(CubicSpline(times, np.eye(vertices))(nodes))
 
 
-def _without(rows: Ints, pieces: list[Piece]) -> Ints:
-    """Those rows that have no piece yet."""
-    return np.setdiff1d(rows, np.concatenate([rows[:0], *(piece.problems for piece in pieces)]))
+def _without(rows: Ints, batches: list[PathBatch]) -> Ints:
+    """The rows of polygons whose paths were not found yet."""
+    return np.setdiff1d(rows, np.concatenate([rows[:0], *(batch.problems for batch in batches)]))
 
 
 def _refined(polygons: Array, edges: int) -> Array:
-    """Polygons with another number of edges."""
+    """The same polygons with another number of edges."""
     old, new = np.linspace(0.0, 1.0, polygons.shape[1]), np.linspace(0.0, 1.0, edges + 1)
     result: Array = np.stack([np.interp(new, old, row) for row in np.eye(len(old))], 1) @ polygons
     return result
 
 
 def _on_edges(polygons: Array) -> Array:
-    """Polygons whose points all but on an edge are on it; the ends stay."""
+    """The polygons with inner points that all but touch an edge put onto it."""
     result = polygons.copy()
     inner = result[:, 1:-1]
     inner[inner < TOUCHING] = 0.0
@@ -170,14 +171,13 @@ def _on_edges(polygons: Array) -> Array:
     return result
 
 
-def _as_piece(row: np.int64, found: ContactPath, doubt: float) -> Piece:
-    """The path of one polygon; `doubt` is added to its error."""
-    measured = replace(found.measured, error=found.measured.error + doubt)
-    return Piece(
+def _as_batch(row: np.int64, found: ContactPath, error: float) -> PathBatch:
+    """The path of one polygon, with something added to its error."""
+    return PathBatch(
         problems=np.array([row]),
         space=found.space,
         values=found.values[None],
-        measured=measured,
+        length=replace(found.length, error=found.length.error + error),
         converged=np.ones(1, bool),
         singular=np.zeros(1, bool),
         contacts=found.contacts,

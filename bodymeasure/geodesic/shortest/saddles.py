@@ -19,7 +19,7 @@ MOST_SHIFTS = 24
 INVERSE_ITERATIONS = 10
 
 
-def ways_off(surface: Surface, points: Array) -> tuple[NDArray[np.int64], Array]:
+def descent_directions(surface: Surface, points: Array) -> tuple[NDArray[np.int64], Array]:
     """Ways along which polygons at rest can still slide down.
 
     Parameters

@@ -25,9 +25,9 @@ from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
-from bodymeasure.geodesic.shortest.candidates import EDGES, Known, shortest_paths
+from bodymeasure.geodesic.shortest.candidates import EDGES, KnownPaths, shortest_paths
 from bodymeasure.geodesic.shortest.exact_paths import OUTSIDE
-from bodymeasure.geodesic.solving.protocol import MethodResult, Piece
+from bodymeasure.geodesic.solving.protocol import MethodResult, PathBatch
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
 Search = Literal["quick", "thorough", "straight"]
@@ -74,32 +74,32 @@ def search_further(
     count = len(ends[0])
     good = np.zeros(count, bool)
     place = np.empty((2, count), np.int64)
-    for number, piece in enumerate(result.pieces):
-        good[piece.problems] = piece.converged & piece.measured.minimal & ~is_outside(piece)
-        place[0, piece.problems] = number
-        place[1, piece.problems] = np.arange(len(piece.problems))
+    for number, batch in enumerate(result.batches):
+        good[batch.problems] = batch.converged & batch.length.minimal & ~is_outside(batch)
+        place[0, batch.problems] = number
+        place[1, batch.problems] = np.arange(len(batch.problems))
     if search == "quick":
         again = np.flatnonzero(~good | _is_roundabout(surface, ends, result))
     else:
         again = np.arange(count)
     doubtful, replaced = np.zeros(count, bool), np.zeros(count, bool)
-    shorter: list[Piece] = []
+    shorter: list[PathBatch] = []
     for first in range(0, len(again), CHUNK):
         chunk = again[first : first + CHUNK]
         own = _taken(result, place[:, chunk])
         known = _known(own, good[chunk])
         found = shortest_paths(surface.take(chunk), np.stack(ends)[:, chunk], known, tolerance)
-        shorter += [piece.renumbered(chunk[piece.problems]) for piece in found.pieces]
+        shorter += [batch.renumbered(chunk[batch.problems]) for batch in found.batches]
         doubtful[chunk] = found.doubtful
-    for piece in shorter:
-        replaced[piece.problems] = True
-    kept = [piece.take(np.flatnonzero(~replaced[piece.problems])) for piece in result.pieces]
-    pieces = (
-        replace(piece, converged=piece.converged & ~doubtful[piece.problems])
-        for piece in [*kept, *shorter]
-        if len(piece.problems)
+    for batch in shorter:
+        replaced[batch.problems] = True
+    kept = [batch.take(np.flatnonzero(~replaced[batch.problems])) for batch in result.batches]
+    batches = (
+        replace(batch, converged=batch.converged & ~doubtful[batch.problems])
+        for batch in [*kept, *shorter]
+        if len(batch.problems)
     )
-    return MethodResult(tuple(pieces), result.iterations)
+    return MethodResult(tuple(batches), result.iterations)
 
 
 def _is_roundabout(
@@ -107,8 +107,8 @@ def _is_roundabout(
 ) -> NDArray[np.bool_]:
     """Which paths are so long, beside their chords, that a much shorter one may be."""
     length = np.empty(len(ends[0]))
-    for piece in result.pieces:
-        length[piece.problems] = piece.measured.corrected
+    for batch in result.batches:
+        length[batch.problems] = batch.length.corrected
     chord = np.empty_like(length)
     for first in range(0, len(chord), CHORDS):
         chunk = np.arange(first, min(first + CHORDS, len(chord)))
@@ -118,29 +118,29 @@ def _is_roundabout(
     return np.asarray(~(length <= ROUNDABOUT * chord))
 
 
-def is_outside(piece: Piece) -> NDArray[np.bool_]:
+def is_outside(batch: PathBatch) -> NDArray[np.bool_]:
     """Which paths leave their patch. Of those along edges, each leg was looked at by itself."""
-    if piece.contacts:
-        return np.zeros(len(piece.problems), bool)
-    return piece.space.leaves_patch(piece.values, OUTSIDE)
+    if batch.contacts:
+        return np.zeros(len(batch.problems), bool)
+    return batch.space.leaves_patch(batch.values, OUTSIDE)
 
 
-def _taken(result: MethodResult, place: NDArray[np.int64]) -> list[Piece]:
-    """The paths of some problems, given by their pieces and rows, numbered anew."""
+def _taken(result: MethodResult, place: NDArray[np.int64]) -> list[PathBatch]:
+    """The paths of some problems, given by their batches and rows, numbered anew."""
     numbers, rows = place
     return [
-        result.pieces[number]
+        result.batches[number]
         .take(rows[numbers == number])
         .renumbered(np.flatnonzero(numbers == number))
         for number in np.unique(numbers)
     ]
 
 
-def _known(pieces: list[Piece], good: NDArray[np.bool_]) -> Known:
+def _known(batches: list[PathBatch], good: NDArray[np.bool_]) -> KnownPaths:
     """Paths as the search wants them, and the lengths of those that are good."""
     times = np.linspace(0.0, 1.0, EDGES + 1)
     points, length = np.empty((len(good), EDGES + 1, 2)), np.empty(len(good))
-    for piece in pieces:
-        points[piece.problems] = piece.points(times)
-        length[piece.problems] = piece.measured.corrected
-    return Known(points, np.where(good, length, np.inf))
+    for batch in batches:
+        points[batch.problems] = batch.points(times)
+        length[batch.problems] = batch.length.corrected
+    return KnownPaths(points, np.where(good, length, np.inf))

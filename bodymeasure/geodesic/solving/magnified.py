@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
-from bodymeasure.geodesic.solving.protocol import Method, MethodResult, Piece
+from bodymeasure.geodesic.solving.protocol import Method, MethodResult, PathBatch
 from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE, Surface
 
 # Points closer than this in u and v are near: enough to lose no more than two digits beyond it.
@@ -91,7 +91,7 @@ def solve_near_and_far(method: Method, surface: Surface, start: Array, end: Arra
     near = span < NEAR
     if not near.any():
         return method.solve(surface, start, end)
-    pieces: list[Piece] = []
+    batches: list[PathBatch] = []
     iterations = np.zeros(len(start), np.int64)
     for rows in (np.flatnonzero(~near), np.flatnonzero(near)):
         if len(rows) == 0:
@@ -101,9 +101,9 @@ def solve_near_and_far(method: Method, surface: Surface, start: Array, end: Arra
             result = _magnified(method, part, start[rows], end[rows])
         else:
             result = method.solve(part, start[rows], end[rows])
-        pieces += [piece.renumbered(rows[piece.problems]) for piece in result.pieces]
+        batches += [batch.renumbered(rows[batch.problems]) for batch in result.batches]
         iterations[rows] = result.iterations
-    return MethodResult(tuple(pieces), iterations)
+    return MethodResult(tuple(batches), iterations)
 
 
 def _magnified(method: Method, surface: Surface, start: Array, end: Array) -> MethodResult:
@@ -112,15 +112,15 @@ def _magnified(method: Method, surface: Surface, start: Array, end: Array) -> Me
     magnified = MagnifiedSurface(surface, start, extent, unit)
     middle = np.full_like(start, MIDDLE)
     result = method.solve(magnified, middle, MIDDLE + np.ldexp(move, -extent))
-    pieces = []
-    for piece in result.pieces:
-        rows = piece.problems
-        places = magnified.take(rows).parameters(piece.values.transpose(0, 2, 1))
+    batches = []
+    for batch in result.batches:
+        rows = batch.problems
+        places = magnified.take(rows).parameters(batch.values.transpose(0, 2, 1))
         values = places.transpose(0, 2, 1)
         values[:, :, -1] = end[rows]
-        measured = piece.measured.scaled(np.ldexp(1.0, unit[rows]))
-        pieces.append(replace(piece, values=values, measured=measured))
-    return MethodResult(tuple(pieces), result.iterations)
+        length = batch.length.scaled(np.ldexp(1.0, unit[rows]))
+        batches.append(replace(batch, values=values, length=length))
+    return MethodResult(tuple(batches), result.iterations)
 
 
 def _sizes(

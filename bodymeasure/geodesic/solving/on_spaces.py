@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.solving.newton import MAX_ITERATIONS, NewtonResult, newton
-from bodymeasure.geodesic.solving.protocol import MethodResult, Piece
+from bodymeasure.geodesic.solving.protocol import MethodResult, PathBatch
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
@@ -61,7 +61,7 @@ def solve_on_spaces(
     start, end = ends
     iterations = np.zeros(len(start), np.int64)
     is_open = np.ones(len(start), bool)
-    pieces: list[Piece] = []
+    batches: list[PathBatch] = []
     guess: TrialSpace | None = None
     paths = np.empty((len(start), 2, 0))
     for number, make_space in enumerate(spaces, start=1):
@@ -76,15 +76,15 @@ def solve_on_spaces(
             part = surface.take(chunk)
             found = solver(part, space, values[chunk], max_iterations=limit)
             iterations[chunk] += found.iterations
-            piece = _measured(part, space, chunk, found, tolerance)
-            done = piece.converged | (is_last or is_far_outside(piece, found.converged))
+            batch = _measured(part, space, chunk, found, tolerance)
+            done = batch.converged | (is_last or is_far_outside(batch, found.converged))
             values[chunk] = np.where(found.converged[:, None, None], found.values, np.nan)
             is_open[chunk] = ~done
-            pieces.append(piece.take(np.flatnonzero(done)))
+            batches.append(batch.take(np.flatnonzero(done)))
         paths, guess = values, space
         if not is_open.any():
             break
-    return MethodResult(tuple(piece for piece in pieces if len(piece.problems)), iterations)
+    return MethodResult(tuple(batch for batch in batches if len(batch.problems)), iterations)
 
 
 def _measured(
@@ -93,20 +93,20 @@ def _measured(
     problems: NDArray[np.int64],
     found: NewtonResult,
     tolerance: float,
-) -> Piece:
-    measured = measure_length(surface, space, found.values)
-    converged = found.converged & measured.is_known_to(tolerance)
-    return Piece(problems, space, found.values, measured, converged, found.singular)
+) -> PathBatch:
+    length = measure_length(surface, space, found.values)
+    converged = found.converged & length.is_known_to(tolerance)
+    return PathBatch(problems, space, found.values, length, converged, found.singular)
 
 
-def is_far_outside(piece: Piece, solved: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def is_far_outside(batch: PathBatch, solved: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Which paths leave their patch so clearly that more functions would not bring them back.
 
     They have no length on the patch, and the polynomial that continues it out there may be wild.
     """
-    result = np.zeros(len(piece.problems), bool)
-    rows = np.flatnonzero(~piece.converged & solved)
-    result[rows] = piece.space.leaves_patch(piece.values[rows], FAR_OUTSIDE)
+    result = np.zeros(len(batch.problems), bool)
+    rows = np.flatnonzero(~batch.converged & solved)
+    result[rows] = batch.space.leaves_patch(batch.values[rows], FAR_OUTSIDE)
     return result
 
 

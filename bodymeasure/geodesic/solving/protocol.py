@@ -30,7 +30,7 @@ class EdgeContact:
 
 
 @dataclass(frozen=True)
-class Piece:
+class PathBatch:
     """Paths of those problems that ended on one trial space.
 
     Parameters
@@ -39,11 +39,11 @@ class Piece:
     space : TrialSpace
     values : ndarray, shape (k, 2, n + 1)
         u and v at the space's nodes.
-    measured : Length
+    length : Length
         Of shape (k,).
     converged, singular : ndarray of bool, shape (k,)
     contacts : tuple of EdgeContact
-        The edges of its patch that the path runs along; only a piece of one problem has any.
+        The edges of its patch that the path runs along; only a batch of one problem has any.
     speed : ndarray, shape (k, points), optional
         At the points of the space's quadrature, where it is not constant: then t is not the part of
         the length that lies behind.
@@ -52,19 +52,19 @@ class Piece:
     problems: NDArray[np.int64]
     space: TrialSpace
     values: NDArray[np.float64]
-    measured: Length
+    length: Length
     converged: NDArray[np.bool_]
     singular: NDArray[np.bool_]
     contacts: tuple[EdgeContact, ...] = ()
     speed: NDArray[np.float64] | None = None
 
-    def take(self, rows: NDArray[np.int64]) -> "Piece":
-        """Some of the problems, by their place in this piece."""
-        return Piece(
+    def take(self, rows: NDArray[np.int64]) -> "PathBatch":
+        """Some of the problems, by their place in this batch."""
+        return PathBatch(
             self.problems[rows],
             self.space,
             self.values[rows],
-            self.measured.take(rows),
+            self.length.take(rows),
             self.converged[rows],
             self.singular[rows],
             self.contacts,
@@ -83,7 +83,7 @@ class Piece:
         points[:, parts == 1.0] = self.values[:, None, :, -1]
         return points
 
-    def renumbered(self, problems: NDArray[np.int64]) -> "Piece":
+    def renumbered(self, problems: NDArray[np.int64]) -> "PathBatch":
         """The same paths under other problem numbers."""
         return replace(self, problems=problems)
 
@@ -94,12 +94,12 @@ class MethodResult:
 
     Parameters
     ----------
-    pieces : tuple of Piece
+    batches : tuple of PathBatch
         Every problem is in exactly one.
     iterations : ndarray of int, shape (problems,)
     """
 
-    pieces: tuple[Piece, ...]
+    batches: tuple[PathBatch, ...]
     iterations: NDArray[np.int64]
 
 

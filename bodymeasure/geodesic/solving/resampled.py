@@ -7,7 +7,7 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.solving.on_spaces import straight
-from bodymeasure.geodesic.solving.protocol import Piece
+from bodymeasure.geodesic.solving.protocol import PathBatch
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
@@ -24,7 +24,7 @@ def resampled(
     ends: tuple[Array, Array],
     *,
     tolerance: float,
-) -> tuple[Piece, ...]:
+) -> tuple[PathBatch, ...]:
     """Polynomials through paths, of the degree at which the length is best known.
 
     The lowest degree whose length is known to the tolerance is taken, and if there is none, that
@@ -45,7 +45,7 @@ def resampled(
     least = np.full(len(paths), np.inf)
     chosen = np.zeros(len(paths), np.int64)
     is_open = np.ones(len(paths), bool)
-    pieces: list[Piece] = []
+    batches: list[PathBatch] = []
     for number, degree in enumerate(DEGREES):
         rest = np.flatnonzero(is_open)
         if len(rest) == 0:
@@ -62,17 +62,17 @@ def resampled(
             values += (target[rest] - values[:, :, place])[:, :, None] * weights
             values[:, :, place] = target[rest]
         part = surface.take(rest)
-        measured = measure_length(part, space, values)
-        good = measured.is_known_to(tolerance) & ~failed[rest]
-        pieces.append(Piece(rest, space, values, measured, good, np.zeros(len(rest), bool)))
-        relative = measured.error / measured.raw
+        length = measure_length(part, space, values)
+        good = length.is_known_to(tolerance) & ~failed[rest]
+        batches.append(PathBatch(rest, space, values, length, good, np.zeros(len(rest), bool)))
+        relative = length.error / length.raw
         better = good | (relative < least[rest]) | (number == 0)
         chosen[rest[better]] = number
         least[rest[better]] = relative[better]
         is_open[rest[good]] = False
         is_open[failed] = False
     picked = (
-        piece.take(np.flatnonzero(chosen[piece.problems] == number))
-        for number, piece in enumerate(pieces)
+        batch.take(np.flatnonzero(chosen[batch.problems] == number))
+        for number, batch in enumerate(batches)
     )
-    return tuple(piece for piece in picked if len(piece.problems))
+    return tuple(batch for batch in picked if len(batch.problems))

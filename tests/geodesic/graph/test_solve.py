@@ -82,11 +82,11 @@ def solved(nets: Any, start: Array, end: Array) -> MethodResult:
 
 def lengths(result: MethodResult, count: int) -> Array:
     length = np.full(count, np.nan)
-    for piece in result.pieces:
-        length[piece.problems] = piece.measured.corrected
+    for batch in result.batches:
+        length[batch.problems] = batch.length.corrected
         # Only what has been judged good comes out, or what is far outside the patch.
-        inside = ~piece.space.leaves_patch(piece.values, 0.02)
-        assert piece.converged[inside].all()
+        inside = ~batch.space.leaves_patch(batch.values, 0.02)
+        assert batch.converged[inside].all()
     return length
 
 
@@ -118,7 +118,7 @@ def test_what_is_not_across_is_left() -> None:
     start = np.array([[0.2, 0.1], [0.3, 0.3], [0.0, 0.0]])
     end = np.array([[0.2, 0.9], [0.9, 0.3], [1.0, 1.0]])
     result = solved(np.stack([ENNEPER] * 3), start, end)
-    assert np.concatenate([piece.problems for piece in result.pieces]).tolist() == [2]
+    assert np.concatenate([batch.problems for batch in result.batches]).tolist() == [2]
 
 
 def test_degenerate_patches_are_left(rng: np.random.Generator) -> None:
@@ -128,7 +128,7 @@ def test_degenerate_patches_are_left(rng: np.random.Generator) -> None:
     nets[1, ..., 2] = 0.0
     corners = np.zeros((3, 2)), np.ones((3, 2))
     result = solved(nets, *corners)
-    assert np.concatenate([piece.problems for piece in result.pieces]).tolist() == [2]
+    assert np.concatenate([batch.problems for batch in result.batches]).tolist() == [2]
 
 
 @pytest.mark.parametrize("surface", SURFACES, ids=lambda surface: surface.name)
@@ -144,7 +144,7 @@ def test_both_forms_agree(surface: Any) -> None:
 
 def test_paths_run_at_constant_speed() -> None:
     solution = bm.solve_geodesic(PH_CYLINDER, (0.0, 0.0), (1.0, 1.0))
-    assert solution.pieces[0].speed is not None
+    assert solution.batches[0].speed is not None
     # On the cylinder, at constant speed: 3 u + u^3 = 4 t, v = t.
     t = np.linspace(0.0, 1.0, 41)
     path = solution.path(t)
@@ -160,7 +160,7 @@ def test_the_path_that_is_told_is_the_one_that_was_measured(
     method = bm.RBFCollocation(kernel, 6, tolerance=1.0)
     nets = reference.mild_patches(rng, 20, 0.3)
     solution = bm.solve_geodesic(nets, (0.05, 0.1), (0.9, 1.0), method=method)
-    assert all(piece.speed is not None for piece in solution.pieces)
+    assert all(batch.speed is not None for batch in solution.batches)
     # Enough is left to correct that another path would have another length.
     assert np.median(solution.raw_length / solution.length - 1.0) > 1e-10
     places = evaluate(nets, solution.path(np.linspace(0.0, 1.0, 1025)))

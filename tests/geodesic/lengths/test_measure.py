@@ -26,10 +26,10 @@ FINE = RBFCollocation(functions=20, tolerance=1e-9)
 
 def geodesic(surface: Surface) -> Array:
     """Nodal values of a geodesic that is resolved to rounding."""
-    (piece,) = solve_geodesic(
+    (batch,) = solve_geodesic(
         surface.control_points, surface.start, surface.end, method=FINE
-    ).pieces
-    return np.asarray(piece.values[0])
+    ).batches
+    return np.asarray(batch.values[0])
 
 
 def bows(count: int, rng: np.random.Generator) -> Array:
@@ -161,12 +161,12 @@ def test_a_minimum_is_what_the_second_variation_says() -> None:
             {(i, j): height * a * b for i, a in ((1, 4), (2, -4)) for j, b in ((1, 4), (2, -4))},
         )
         solution = from_straight_line(net, (0.0, 0.5), (1.0, 0.5), method=FINE, on_failure="status")
-        (piece,) = solution.pieces
+        (batch,) = solution.batches
         if not np.isfinite(solution.error_estimate) or solution.residual > 1e-3:
             continue
         # By symmetry the way straight over the top is a geodesic.
-        assert np.abs(piece.values[0, 1] - 0.5).max() < 1e-9
-        eigenvalue, positive = jacobi_eigenvalue(net, piece.values[0])
+        assert np.abs(batch.values[0, 1] - 0.5).max() < 1e-9
+        eigenvalue, positive = jacobi_eigenvalue(net, batch.values[0])
         if abs(eigenvalue) < 0.02:
             continue
         assert solution.local_minimum == (eigenvalue > 0.0)

@@ -18,7 +18,7 @@ import bodymeasure as bm
 from bodymeasure._typing import Array
 from bodymeasure.geodesic import Method, Relaxation, Shooting
 from bodymeasure.geodesic.lengths.functionals import Functional, expand
-from bodymeasure.geodesic.solving.protocol import Piece
+from bodymeasure.geodesic.solving.protocol import PathBatch
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.geodesic.surfaces.protocol import JET
@@ -49,15 +49,15 @@ def mild_patches(rng: np.random.Generator, count: int) -> Array:
     return nets
 
 
-def solved(method: Method, surface: Surface) -> Piece:
+def solved(method: Method, surface: Surface) -> PathBatch:
     """What the method itself finds, before any search for a shorter path."""
     ends = (np.array([end], dtype=np.float64) for end in (surface.start, surface.end))
-    (piece,) = method.solve(BezierSurfaces(surface.control_points[None]), *ends).pieces
-    return piece
+    (batch,) = method.solve(BezierSurfaces(surface.control_points[None]), *ends).batches
+    return batch
 
 
 def raw_error(method: Method, surface: Surface) -> float:
-    return abs(float(solved(method, surface).measured.raw[0]) / surface.length - 1.0)
+    return abs(float(solved(method, surface).length.raw[0]) / surface.length - 1.0)
 
 
 @every_method
@@ -199,8 +199,7 @@ def test_more_terms_of_v_of_u_give_no_longer_path() -> None:
     # Each space holds the one before, and the least length over it is what Ritz's method wants.
     orders = range(2, 13)
     lengths = [
-        solved(bm.Ritz(n, parametrization="u", tolerance=ANY), CURVED).measured.raw[0]
-        for n in orders
+        solved(bm.Ritz(n, parametrization="u", tolerance=ANY), CURVED).length.raw[0] for n in orders
     ]
     assert (np.diff(lengths) <= 1e-14 * CURVED.length).all()
     assert min(lengths) >= CURVED.length * (1.0 - 1e-14)
@@ -214,9 +213,9 @@ def test_relaxed_paths_are_of_second_order_and_their_lengths_of_fourth() -> None
     path, length = [], []
     widths = 1.0 / np.array([16, 24, 32])
     for points in (17, 25, 33):
-        piece = solved(Relaxation(points, tolerance=NEVER), CURVED)
-        path.append(np.abs(piece.values @ piece.space.matrices(t)[0].T - there).max())
-        length.append(piece.measured.raw[0] / CURVED.length - 1.0)
+        batch = solved(Relaxation(points, tolerance=NEVER), CURVED)
+        path.append(np.abs(batch.values @ batch.space.matrices(t)[0].T - there).max())
+        length.append(batch.length.raw[0] / CURVED.length - 1.0)
     assert abs(np.polyfit(np.log(widths), np.log(path), 1)[0] - 2.0) < 0.1
     assert abs(np.polyfit(np.log(widths), np.log(length), 1)[0] - 4.0) < 0.2
 
@@ -227,8 +226,8 @@ def test_shooting_follows_its_tolerance() -> None:
     there = exact.values @ exact.space.matrices(t)[0].T
     # Polynomials of degree 12, through which the path is put, leave 1.4e-6.
     for rtol in (1e-2, 1e-3, 1e-4):
-        piece = solved(Shooting(rtol=rtol, tolerance=NEVER), CURVED)
-        error = np.abs(piece.values @ piece.space.matrices(t)[0].T - there).max()
+        batch = solved(Shooting(rtol=rtol, tolerance=NEVER), CURVED)
+        error = np.abs(batch.values @ batch.space.matrices(t)[0].T - there).max()
         assert error < 3.0 * rtol
 
 
@@ -268,7 +267,7 @@ def test_a_path_that_turns_back_in_u_is_no_function_of_u() -> None:
     assert not solved(bm.Ritz(parametrization="u"), surface).converged[0]
     found = solved(bm.Ritz(), surface)
     assert found.converged[0]
-    length = found.measured.raw[0] - found.measured.correction[0]
+    length = found.length.raw[0] - found.length.correction[0]
     assert abs(length / surface.length - 1.0) < 1e-13
 
 

@@ -7,7 +7,7 @@ from bodymeasure._typing import Array
 from bodymeasure.geodesic.shortest.box_steps import box_steps
 from bodymeasure.geodesic.shortest.descent import descend
 from bodymeasure.geodesic.shortest.polygon_energy import polygon_energy, polygon_lengths
-from bodymeasure.geodesic.shortest.saddles import ways_off
+from bodymeasure.geodesic.shortest.saddles import descent_directions
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 
 START, END = np.zeros(2), np.ones(2)
@@ -93,7 +93,7 @@ def test_problems_do_not_mind_their_neighbors(rng: np.random.Generator) -> None:
 def test_a_saddle_is_known_and_left_across_the_ridge() -> None:
     over = descend(ridge(), lines(1))
     assert over[0, :, 0] == pytest.approx(over[0, :, 1], abs=1e-4)
-    saddles, direction = ways_off(ridge(), over)
+    saddles, direction = descent_directions(ridge(), over)
     assert saddles.tolist() == [0]
     assert np.abs(direction).max() == pytest.approx(1.0)
     # Off the ridge's top is to the side: u one way, v the other.
@@ -102,18 +102,18 @@ def test_a_saddle_is_known_and_left_across_the_ridge() -> None:
     for sign in (-1.0, 1.0):
         beside = descend(ridge(), over + 0.05 * sign * direction)
         assert polygon_lengths(ridge(), beside) < 0.95 * top
-        assert len(ways_off(ridge(), beside)[0]) == 0
+        assert len(descent_directions(ridge(), beside)[0]) == 0
 
 
 def test_a_minimum_is_no_saddle(rng: np.random.Generator) -> None:
     flat = heights(np.zeros((3, 4, 4)))
-    saddles, direction = ways_off(flat, descend(flat, lines(3)))
+    saddles, direction = descent_directions(flat, descend(flat, lines(3)))
     assert len(saddles) == 0
     assert direction.shape == (0, 33, 2)
     # Held by the edge u = 0 against a pull outwards: at rest, though its Hessian may be indefinite.
     mild = heights(0.3 * rng.random((10, 4, 4)))
     along_edge = lines(10) * (0.0, 1.0)
-    assert len(ways_off(mild, descend(mild, along_edge))[0]) == 0
+    assert len(descent_directions(mild, descend(mild, along_edge))[0]) == 0
 
 
 def test_a_step_is_to_the_minimum_of_the_model_in_the_box(rng: np.random.Generator) -> None:

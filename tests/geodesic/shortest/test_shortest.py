@@ -196,7 +196,7 @@ def test_an_arc_of_one_point_does_not_run_backwards(x: float, clear: bool) -> No
     if clear:
         # The pattern was read anew, and the chord found.
         assert path.contacts == ()
-        assert path.measured.corrected[0] == pytest.approx(0.4, rel=1e-9)
+        assert path.length.corrected[0] == pytest.approx(0.4, rel=1e-9)
     else:
         assert path.contacts[0].start < path.contacts[0].end
 
@@ -257,7 +257,7 @@ def test_an_edge_presses_where_it_is_in_the_way(bulge: float) -> None:
     assert arc.is_pressed == (bulge > 0.0)
     t = np.linspace(0.2, 0.9, 20001)
     along = np.hypot(np.diff(bulge * t * (1.0 - t)), np.diff(t)).sum()
-    assert arc.solved.measured.raw[0] == pytest.approx(along, rel=1e-8)
+    assert arc.solved.length.raw[0] == pytest.approx(along, rel=1e-8)
 
 
 def test_a_straight_edge_presses_nothing_and_is_not_refused(rng: np.random.Generator) -> None:
@@ -267,7 +267,7 @@ def test_a_straight_edge_presses_nothing_and_is_not_refused(rng: np.random.Gener
         begin[axis] = end[axis] = value
         arc = edge_arc(surface, Contact(axis, value), begin, end)
         assert arc.is_pressed
-        assert arc.solved.measured.raw[0] == pytest.approx(np.abs(end - begin).sum(), rel=1e-14)
+        assert arc.solved.length.raw[0] == pytest.approx(np.abs(end - begin).sum(), rel=1e-14)
 
 
 @pytest.mark.parametrize("search", ["quick", "thorough"])
@@ -322,7 +322,7 @@ def test_a_joint_in_the_wrong_place_is_told(off: float) -> None:
     def whole(t: float) -> float:
         arc = edge_arc(surface, Contact(0, 0.0), corner, np.array([0.0, t]))
         chord = np.linalg.norm(target - on_edge(t))
-        return float(arc.solved.measured.raw[0] + chord)
+        return float(arc.solved.length.raw[0] + chord)
 
     surface = BezierSurfaces(bent_plane()[None])
     right = 1.0 - np.sqrt(0.3 / 2.4)  # where the tangent of the edge meets (0.3, 1)
