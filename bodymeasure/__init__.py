@@ -17,34 +17,48 @@ __all__ = [
     "AtlasPoint",
     "Axes",
     "BodymeasureError",
+    "BoundaryLengths",
+    "Chart",
     "ClosedPath",
     "ConvergenceError",
+    "Definitions",
+    "Derived",
     "Drop",
     "EdgeContact",
+    "ExtremeGirth",
+    "Extremum",
     "Finding",
+    "FindingKind",
     "GeodesicSolution",
     "Girth",
+    "HasDerivatives",
     "InputError",
     "Kernel",
     "Location",
     "LoopKind",
+    "Measured",
     "MeshPath",
+    "Method",
     "MissingExtraError",
+    "Outcome",
     "Plane",
     "PolynomialCollocation",
     "RBFCollocation",
     "Ritz",
     "SeamCrossing",
+    "Severity",
     "Status",
     "Survey",
     "TautStatus",
     "TautTape",
+    "Tessellation",
     "Unit",
     "body_girth",
     "boundary_lengths",
     "check_atlas",
     "closed_geodesic",
     "contract",
+    "derive_landmarks",
     "diagonals",
     "extreme_girth",
     "fork_point",
@@ -68,8 +82,10 @@ __all__ = [
     "tessellate",
     "vertical_drop",
     "write_atlas",
+    "write_chart",
     "write_glb",
     "write_population",
+    "write_report",
 ]
 
 
@@ -87,6 +103,7 @@ _HOMES = (
     "mesh",
     "measure",
     "chart",
+    "report",
 )
 
 if TYPE_CHECKING:
@@ -95,13 +112,25 @@ if TYPE_CHECKING:
         AtlasPoint,
         Axes,
         Finding,
+        FindingKind,
         Location,
+        Severity,
+        Tessellation,
         Unit,
         check_atlas,
         tessellate,
     )
     from bodymeasure.bezier import homogeneous
-    from bodymeasure.chart import load_definitions, measure_chart
+    from bodymeasure.chart import (
+        Chart,
+        Definitions,
+        Derived,
+        Measured,
+        Outcome,
+        derive_landmarks,
+        load_definitions,
+        measure_chart,
+    )
     from bodymeasure.errors import (
         BodymeasureError,
         ConvergenceError,
@@ -118,8 +147,10 @@ if TYPE_CHECKING:
         ClosedPath,
         EdgeContact,
         GeodesicSolution,
+        HasDerivatives,
         Kernel,
         LoopKind,
+        Method,
         PolynomialCollocation,
         RBFCollocation,
         Ritz,
@@ -132,7 +163,10 @@ if TYPE_CHECKING:
         solve_geodesic,
     )
     from bodymeasure.measure import (
+        BoundaryLengths,
         Drop,
+        ExtremeGirth,
+        Extremum,
         Girth,
         Survey,
         body_girth,
@@ -147,8 +181,11 @@ if TYPE_CHECKING:
         vertical_drop,
     )
     from bodymeasure.mesh import MeshPath, measure_mesh, path_to_trimesh, write_glb
+    from bodymeasure.report import write_chart, write_report
     from bodymeasure.samples import load_sample, sample_names
-    from bodymeasure.section import Plane
+    from bodymeasure.section import (
+        Plane,
+    )
     from bodymeasure.taut import TautStatus, TautTape, taut_tape
 else:
 

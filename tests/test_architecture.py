@@ -43,7 +43,7 @@ LAYERS = (
 # groups do not import from there.
 ORDERS = {
     "bench": "problems · entrants · size · records · timing · summary · figure",
-    "cli": "console · options · atlases, landmarks, measuring, study · main",
+    "cli": "console · options · atlases, docs, landmarks, measuring, study · main",
     "formats": "groups, json_faults, options, patches, spline_patches, text · atlas_json, bez, bpt,"
     " foreign, geomdl, mesh_vertices, npz, obj · registry",
     "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"
@@ -72,6 +72,7 @@ RESERVED = {
     "threadpoolctl": {"bench"},
     "jinja2": {"report", "paper"},
     "click": {"cli"},
+    "markdown_it": {"cli"},
     "rich": {"cli"},
 }
 # What `import bodymeasure` must not load.

@@ -17,6 +17,7 @@ from bodymeasure.cli.atlases.convert import convert
 from bodymeasure.cli.atlases.info import info
 from bodymeasure.cli.atlases.samples import samples
 from bodymeasure.cli.console import print_error, print_note
+from bodymeasure.cli.docs import docs
 from bodymeasure.cli.landmarks.group import landmarks
 from bodymeasure.cli.measuring.chart import chart
 from bodymeasure.cli.measuring.compare import compare
@@ -136,6 +137,7 @@ COMMANDS = (
     samples,
     bench,
     paper,
+    docs,
 )
 for command in COMMANDS:
     app.add_command(command)

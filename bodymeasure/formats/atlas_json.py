@@ -70,7 +70,8 @@ def read(content: bytes, source: str) -> Atlas:
         record = msgspec.json.decode(content, type=_AtlasRecord)
     except msgspec.ValidationError as error:
         place = _place_of_misfit(content) or str(error)
-        raise InputError(f"{source}: {place}; README.md describes the {FORMAT} format") from None
+        remedy = "`bodymeasure docs atlas_format` describes the format"
+        raise InputError(f"{source}: {place}; {remedy}") from None
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
         raise InputError(f"{source}{place_of_fault(content, str(error))}") from None
     try:

@@ -87,7 +87,7 @@ def read_atlas(
     Parameters
     ----------
     path : path-like
-        README.md lists the formats.
+        `bodymeasure docs formats` lists the formats.
     unit : Unit or str, optional
         Of the file's coordinates, for formats that say none; never guessed.
     up, front : str, optional
@@ -161,8 +161,8 @@ def write_atlas(
 ) -> None:
     """Write an atlas to a file; the extension tells the format.
 
-    Coordinates are written without loss. What else a format has room for, README.md lists:
-    ``.atlas`` and ``.npz`` keep everything, the others have no unit.
+    Coordinates are written without loss. `bodymeasure docs formats` lists what else each format has
+    room for: ``.atlas`` and ``.npz`` keep everything, the others have no unit.
 
     Parameters
     ----------

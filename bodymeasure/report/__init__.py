@@ -1,8 +1,9 @@
-"""What a survey found, for people (``report.html``) and for programs (JSON, CSV).
+"""What a survey or a chart found, for people (HTML pages) and for programs (JSON, CSV).
 
 Importing this package does not load jinja2; rendering a page does.
 """
 
+from bodymeasure.report.body.outputs import write_chart
 from bodymeasure.report.patches.from_survey import measurement_records, survey_document
 from bodymeasure.report.patches.outputs import write_report
 from bodymeasure.report.patches.page import Pictures, render_html
@@ -22,5 +23,6 @@ __all__ = [
     "survey_document",
     "to_csv",
     "to_json",
+    "write_chart",
     "write_report",
 ]

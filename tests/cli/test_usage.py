@@ -21,6 +21,8 @@ COMMANDS = (
     "view",
     "samples",
     "bench",
+    "paper",
+    "docs",
 )
 
 

@@ -206,7 +206,7 @@ def test_a_fault_is_named_with_its_place(
         (b"[" * 100_000, "body.atlas: "),
         (b'{"format": ' + b"[" * 100_000, "body.atlas: "),
         (b'{"ignored": ' + b"[" * 100_000, "body.atlas: is nested too deeply"),
-        (b"[]", "body.atlas: Expected `object`, got `array`; README.md describes"),
+        (b"[]", "body.atlas: Expected `object`, got `array`; `bodymeasure docs atlas_format`"),
         (b"null", "body.atlas: Expected `object`, got `null`"),
         (b"o body\nv 0 0 0\n", "body.atlas, line 1: is not valid JSON"),
     ],

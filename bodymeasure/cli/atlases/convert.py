@@ -70,7 +70,7 @@ def convert(
     """Read ATLAS and write it in another format.
 
     B-splines become Bezier patches, loose patches are joined, and of a mesh of polygons each quad
-    becomes a patch of its Catmull-Clark surface; README.md lists the formats.
+    becomes a patch of its Catmull-Clark surface; `bodymeasure docs formats` lists the formats.
     """
     target = format_of(output, target_format)
     require_writable(output)
