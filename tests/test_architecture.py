@@ -43,7 +43,8 @@ LAYERS = (
 # groups do not import from there.
 ORDERS = {
     "bench": "problems · entrants · size · records · timing · summary · figure",
-    "cli": "console · options · atlases, docs, landmarks, measuring, study · main",
+    "cli": "console, tables · options · atlases, docs, landmarks, measuring, study · main",
+    "compare": "names, records · readings · iso20685, read, shown · comparison, page",
     "formats": "groups, json_faults, options, patches, spline_patches, text · atlas_json, bez, bpt,"
     " foreign, geomdl, mesh_vertices, npz, obj · registry",
     "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"

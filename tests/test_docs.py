@@ -59,8 +59,11 @@ def test_every_command_that_is_named_is_there_with_its_options(file: Path) -> No
     for line in lines:
         for words in _commands(shlex.split(line)):
             command: click.Command = app
-            while isinstance(command, click.Group) and words and words[0] in command.commands:
-                command = command.commands[words.pop(0)]
+            while isinstance(command, click.Group) and words:
+                inner = command.get_command(click.Context(command), words[0])
+                if inner is None:
+                    break
+                command, words = inner, words[1:]
             known = {option for each in command.params for option in each.opts} | {"--help"}
             if isinstance(command, click.Group):
                 assert command is not app, line

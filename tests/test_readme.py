@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import bodymeasure as bm
-from bodymeasure.cli.main import app
+from bodymeasure.cli.main import COMMANDS
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
 
@@ -29,4 +29,4 @@ def test_the_python_example_runs(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_every_command_is_listed_and_every_listed_command_exists() -> None:
     listed = set(re.findall(r"^\| `bodymeasure (\w+)", README, flags=re.MULTILINE))
-    assert listed == set(app.commands)
+    assert listed == set(COMMANDS)

@@ -1,10 +1,12 @@
-"""Where words go: results to stdout, progress and errors to stderr."""
+"""Printing: results go to stdout, progress and errors to stderr."""
 
 import errno
 import io
+import itertools
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -14,12 +16,12 @@ from rich.text import Text
 if TYPE_CHECKING:
     from rich.table import Table
 
-# Columns of a table that is not for a terminal: enough that no line of it is broken.
+# The width of a table that is not for a terminal, at which no line of it is broken.
 UNBROKEN = 10_000
 
 
 class _Console(Console):
-    """Leaves a closed pipe to `main`: the one of rich's own ends the process with code 1."""
+    """Leaves a closed pipe to `main`; rich's own console ends the process with code 1."""
 
     def on_broken_pipe(self) -> None:
         raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE))
@@ -40,19 +42,25 @@ def print_table(table: "Table") -> None:
         click.echo(line.rstrip())
 
 
+def print_files(files: Iterable[Path]) -> None:
+    """Print the names of written files, the first of which is what people look at."""
+    for number, path in enumerate(files):
+        RESULTS.print(Text(str(path), "" if number else "bold"), soft_wrap=True)
+
+
 def print_note(text: str, *, style: str = "yellow") -> None:
-    """Print a remark to stderr; long lines are the terminal's to break."""
+    """Print a remark to stderr; the terminal breaks long lines."""
     ERRORS.print(Text(text, style), soft_wrap=True)
 
 
 def print_error(text: str) -> None:
-    """Print what was wrong to stderr, as the command line library prints wrong usage."""
+    """Print an error to stderr, in the way in which click prints wrong usage."""
     ERRORS.print(Text.assemble(("Error:", "bold red"), " ", text), soft_wrap=True)
 
 
 @contextmanager
 def progress_bar(label: str, total: int) -> Iterator[Callable[[int], None]]:
-    """A bar on stderr, quiet when that is not a terminal; call it with how many are done."""
+    """Show a bar on stderr, if that is a terminal; it is called with how many steps are done."""
     if not ERRORS.is_terminal:
         yield lambda _done: None
         return
@@ -69,3 +77,9 @@ def progress_bar(label: str, total: int) -> Iterator[Callable[[int], None]]:
     with Progress(*columns, TimeElapsedColumn(), console=ERRORS, transient=True) as progress:
         task = progress.add_task(label, total=total)
         yield lambda done: progress.update(task, completed=done)
+
+
+def count_calls(progress: Callable[[int], None]) -> Callable[[object], None]:
+    """Return a function that tells a progress bar how often it has been called."""
+    calls = itertools.count(1)
+    return lambda _what: progress(next(calls))

@@ -5,10 +5,11 @@ import tempfile
 from pathlib import Path
 
 import click
-from rich.table import Table
+from rich.text import Text
 
 from bodymeasure.cli.console import RESULTS, print_note, print_table
 from bodymeasure.cli.options import EXIT_CODES
+from bodymeasure.cli.tables import new_table
 from bodymeasure.errors import InputError
 from bodymeasure.wording import hint
 
@@ -57,11 +58,9 @@ def docs(page: str | None, opens: bool) -> None:
         print_note(f"Opening {index}", style="")
         click.launch(str(index))
     elif page is None:
-        table = Table(box=None, pad_edge=False)
-        table.add_column("page", style="bold", no_wrap=True)
-        table.add_column("title")
+        table = new_table("page", "title", words=("title",))
         for name in PAGES:
-            table.add_row(name, _title(_text(name)))
+            table.add_row(Text(name, "bold"), Text(_title(_text(name))))
         print_table(table)
     elif RESULTS.is_terminal:
         # Slow to load, and not needed where the text goes into a pipe.

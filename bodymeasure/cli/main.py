@@ -1,6 +1,7 @@
 """The command `bodymeasure`, and how it ends."""
 
 import errno
+import importlib
 import importlib.metadata
 import io
 import os
@@ -12,35 +13,39 @@ from typing import Any
 
 import click
 
-from bodymeasure.cli.atlases.check import check
-from bodymeasure.cli.atlases.convert import convert
-from bodymeasure.cli.atlases.info import info
-from bodymeasure.cli.atlases.samples import samples
 from bodymeasure.cli.console import print_error, print_note
-from bodymeasure.cli.docs import docs
-from bodymeasure.cli.landmarks.group import landmarks
-from bodymeasure.cli.measuring.chart import chart
-from bodymeasure.cli.measuring.compare import compare
-from bodymeasure.cli.measuring.diagonals import diagonals
-from bodymeasure.cli.measuring.report import report
-from bodymeasure.cli.measuring.view import view
 from bodymeasure.cli.options import EXIT_CODES
-from bodymeasure.cli.study.bench import bench
-from bodymeasure.cli.study.paper import paper
 from bodymeasure.errors import BodymeasureError
 
+# The commands in the order of the help, the main one first, and the module in this package that
+# defines a command of that name. A command is added by its module and one line.
+COMMANDS = {
+    "report": "measuring.report",
+    "chart": "measuring.chart",
+    "compare": "measuring.compare",
+    "landmarks": "landmarks.group",
+    "diagonals": "measuring.diagonals",
+    "check": "atlases.check",
+    "info": "atlases.info",
+    "convert": "atlases.convert",
+    "view": "measuring.view",
+    "samples": "atlases.samples",
+    "bench": "study.bench",
+    "paper": "study.paper",
+    "docs": "docs",
+}
+
 EXIT_BAD_INPUT = 2
-# As a shell reports a command that a signal ended: 128 + SIGINT, 128 + SIGPIPE.
+# The exit codes of a command that a signal ended, as shells have them: 128 + SIGINT or SIGPIPE.
 EXIT_INTERRUPTED = 130
 EXIT_BROKEN_PIPE = 141
 
-
-# What writing to a stream fails with; anything else is no fault of the stream's.
+# The errors of writing to a stream; any other has nothing to do with the stream.
 STREAM_ERRORS = (errno.EPIPE, errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 
 
 class _OutputError(Exception):
-    """Stdout could not be written; told apart from what the command line library would do then."""
+    """Stdout could not be written. Click would handle an `OSError` in its own way."""
 
     def __init__(self, cause: OSError) -> None:
         super().__init__(cause.strerror or str(cause))
@@ -52,17 +57,24 @@ def _output_errors() -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        # Files have names, and errors of their own.
+        # An error with the name of a file is about that file, not about the stream.
         if error.filename is not None or error.errno not in STREAM_ERRORS:
             raise
         raise _OutputError(error) from error
 
 
 class _Commands(click.Group):
-    """Lists the commands in the order in which they are added: the main one first."""
+    """The commands, each of which is imported when it is first asked for."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
-        return list(self.commands)
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
+        if cmd_name not in COMMANDS:
+            return None
+        module = importlib.import_module(f"bodymeasure.cli.{COMMANDS[cmd_name]}")
+        command: click.Command = getattr(module, cmd_name)
+        return command
 
     def make_context(self, *args: Any, **kwargs: Any) -> click.Context:
         with _output_errors():
@@ -71,7 +83,7 @@ class _Commands(click.Group):
     def invoke(self, ctx: click.Context) -> Any:
         with _output_errors():
             code = super().invoke(ctx)
-            # Here, not when Python ends and can only complain.
+            # A failure is handled here; when Python exits, it could only be reported.
             if sys.stdout is not None:
                 sys.stdout.flush()
             return code
@@ -124,29 +136,10 @@ def app(ctx: click.Context) -> int | None:
     return EXIT_BAD_INPUT
 
 
-COMMANDS = (
-    report,
-    chart,
-    compare,
-    landmarks,
-    diagonals,
-    check,
-    info,
-    convert,
-    view,
-    samples,
-    bench,
-    paper,
-    docs,
-)
-for command in COMMANDS:
-    app.add_command(command)
-
-
 def main(arguments: list[str] | None = None) -> None:
-    """Run the command line and exit with its code; errors of the user's go to stderr in words."""
+    """Run the command line and exit with its code; errors of input are printed to stderr."""
     if isinstance(sys.stdout, io.TextIOWrapper):
-        # A name that the terminal's encoding has no characters for is no reason to stop.
+        # A name whose characters the terminal's encoding lacks is no reason to stop.
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
         code = app.main(arguments, prog_name="bodymeasure", standalone_mode=False)
@@ -157,7 +150,7 @@ def main(arguments: list[str] | None = None) -> None:
         print_error(str(error))
         code = EXIT_BAD_INPUT
     except (KeyboardInterrupt, click.Abort):
-        # Whoever presses the keys twice does not want to see how Python ends.
+        # A second interrupt must not show a traceback while Python exits.
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         print_note("Interrupted; no half-written file is left.", style="")
         code = EXIT_INTERRUPTED

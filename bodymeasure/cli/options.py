@@ -19,16 +19,17 @@ from bodymeasure.samples import sample_names, sample_path
 from bodymeasure.wording import nearest
 
 DEFAULT_SAMPLE = "female_average"
-# How many faults an error message tells in full.
-TOLD = 3
-# Likeness of names from which one is taken for a misspelling of the other.
+# The number of errors that a message lists; the others are counted.
+LISTED = 3
+# Similarity of names from which on one is taken for a misspelling of the other.
 NEAR = 0.7
 EXIT_CODES = (
     "Exit codes: 0 done; 1 done, but with something to look at: the check found errors, a length "
     "disagrees with the mesh, a measurement could not be taken, or differences exceed what ISO "
     "20685-1 allows; 2 bad input or usage, and nothing written; 130 interrupted."
 )
-# What a feature needs: a name for it, the module, its package, and the extra that installs it.
+# The needs of features: a name for the feature, the module, its package, and the extra that
+# installs the package.
 COMPARISON = ("the comparison (--no-cross-check leaves it out)", "igl", "libigl", "oracle")
 PICTURES = ("drawing (--no-pictures leaves it out)", "matplotlib", "matplotlib", "report")
 PAGE = ("the HTML report", "jinja2", "jinja2", "report")
@@ -44,7 +45,7 @@ BENCHMARK_FIGURE = ("the benchmark's figure", "matplotlib", "matplotlib", "bench
 VIEWER = ("the viewer", "pyvista", "pyvista", "viewer")
 VIEWER_COLORS = ("the viewer", "matplotlib", "matplotlib", "viewer")
 
-# Where `load_atlas` finds the unit of the file that it is to read.
+# The key under which `load_atlas` finds the unit of the file that it is to read.
 _FILE_UNIT = f"{__name__}.file_unit"
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 
@@ -65,11 +66,11 @@ same_unit_option = _file_unit_option("--unit", help="The same as --file-unit.")
 
 
 def _of_atlas(**settings: Any) -> Callable[[_Command], _Command]:
-    """The argument ATLAS, and the option that says its unit; `load_atlas` is told of that."""
+    """Return the argument ATLAS together with the option for its unit, which `load_atlas` reads."""
     argument = click.argument("atlas", **settings)
     option = _file_unit_option(
         "--file-unit",
-        help="Unit of ATLAS's coordinates, if its format says none; never guessed.",
+        help="Unit of the coordinates of ATLAS, if its format has none; it is never guessed.",
     )
     return lambda command: argument(option(command))
 
@@ -86,14 +87,14 @@ unit_option = click.option(
 despite_errors_option = click.option(
     "--despite-errors",
     is_flag=True,
-    help="Measure an atlas in which the check finds errors; look at each status then.",
+    help="Measure an atlas in spite of errors that its check finds; look at each status then.",
 )
 definitions_option = click.option(
     "--set",
     "definitions",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Definitions of the measurements; the default set if not given.",
+    help="File of definitions of the measurements; the default set if not given.",
 )
 no_cross_check_option = click.option(
     "--no-cross-check",
@@ -111,16 +112,16 @@ processes_option = click.option(
 
 
 def available_cores() -> int:
-    """Cores that this process may use."""
+    """Return the number of cores that this process may use."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
 
 
 def load_atlas(name: str, **options: Any) -> Atlas:
-    """An atlas from a file, or a sample by its name if there is no such file.
+    """Return an atlas from a file, or a sample by its name if there is no such file.
 
-    `options` are those of `read_atlas`; the unit is what the user said of the file.
+    `options` are those of `read_atlas`; the unit is the one that the user gave for the file.
 
     Raises
     ------
@@ -128,11 +129,11 @@ def load_atlas(name: str, **options: Any) -> Atlas:
         If it is neither, or not a valid atlas.
     """
     path = Path(name)
-    # A folder may well have the name of the sample whose report it holds.
+    # A folder may have the name of the sample whose report it holds.
     if name in sample_names() and not _is_file(path):
         path = sample_path(name)
     elif len(path.parts) == 1 and not _exists(path):
-        # Whoever gives an extension means a file, unless it is nearly the name of a sample.
+        # A name with an extension means a file, unless it is nearly the name of a sample.
         near = nearest(path.stem, sample_names(), similarity=NEAR)
         hint = "`bodymeasure samples` lists the samples"
         if near:
@@ -147,7 +148,7 @@ def load_atlas(name: str, **options: Any) -> Atlas:
 
 @contextmanager
 def _notes() -> Iterator[None]:
-    """Tells what is noted when a file is read, in the command's own way."""
+    """Print the notes of reading a file as the command line prints notes."""
     show = warnings.showwarning
 
     def tell(message: Any, category: Any, *rest: Any, **others: Any) -> None:
@@ -174,7 +175,7 @@ def _is_file(path: Path) -> bool:
 
 
 def require(*needs: tuple[str, str, str, str]) -> None:
-    """Refuse before any work what would fail at its end for want of a package.
+    """Refuse, before any work, what would fail at its end because a package is missing.
 
     Raises
     ------
@@ -187,20 +188,20 @@ def require(*needs: tuple[str, str, str, str]) -> None:
 
 
 def load_sound_atlas(name: str, *, despite_errors: bool) -> Atlas:
-    """As `load_atlas`, and refuse an atlas whose check finds errors, unless told otherwise.
+    """Return an atlas as `load_atlas` does; refuse one whose check finds errors.
 
     Raises
     ------
     InputError
-        The errors found, by patch, and what to do.
+        If errors were found and `despite_errors` is false: the errors, and what to do.
     """
     atlas = load_atlas(name)
     if despite_errors:
         return atlas
     errors = [f"{f.kind}: {f.message}" for f in check_atlas(atlas) if f.severity == Severity.ERROR]
     if errors:
-        more = f"\n  and {len(errors) - TOLD} more" if len(errors) > TOLD else ""
-        listed = "".join(f"\n  {message}" for message in errors[:TOLD])
+        more = f"\n  and {len(errors) - LISTED} more" if len(errors) > LISTED else ""
+        listed = "".join(f"\n  {message}" for message in errors[:LISTED])
         raise InputError(
             f"{name}: the atlas has {len(errors)} error{'s' if len(errors) > 1 else ''}:{listed}"
             f"{more}\nRepair it (`bodymeasure check` lists all), or measure --despite-errors."

@@ -41,8 +41,8 @@ def test_what_is_lost_is_told(run: Run, tmp_path: Path) -> None:
     assert ran.code == 0
     sample = load_sample("female_average")
     assert ran.err == (
-        "a Wavefront OBJ file has no room for its unit (m) and axes, "
-        f"{len(sample.landmarks)} landmarks; these are not in it.\n"
+        "a Wavefront OBJ file cannot hold its unit (m) and axes, "
+        f"{len(sample.landmarks)} landmarks; the file lacks these.\n"
     )
     back = read_atlas(target, unit="m")
     assert back.digest == sample.digest

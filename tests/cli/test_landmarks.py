@@ -379,7 +379,7 @@ def test_a_symmetric_body_passes_the_check(run: Run) -> None:
     assert (ran.code, ran.err) == (0, "")
     assert "Mirror: the plane in which the surface is most nearly symmetric" in ran.out
     assert "with normal (1.0000, 0.0000, 0.0000)" in ran.out
-    assert "0 remarks; what is off by more than 0.50 cm is remarked on\n" in ran.out
+    assert "0 remarks; landmarks that are off by more than 0.50 cm get one\n" in ran.out
     across = run("landmarks", "check", "male_average", "--mirror", "axes", "--unit", "mm")
     assert "Mirror: the plane across the atlas's axes through its median landmarks" in across.out
     assert "more than 5.0 mm" in across.out

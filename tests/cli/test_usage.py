@@ -8,22 +8,7 @@ import pytest
 from helpers.command_line import Run, run_apart, start
 
 from bodymeasure import read_atlas, sample_names
-
-COMMANDS = (
-    "report",
-    "chart",
-    "compare",
-    "landmarks",
-    "diagonals",
-    "check",
-    "info",
-    "convert",
-    "view",
-    "samples",
-    "bench",
-    "paper",
-    "docs",
-)
+from bodymeasure.cli.main import COMMANDS
 
 
 def test_the_version_is_that_of_the_package(run: Run) -> None:

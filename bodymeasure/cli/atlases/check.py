@@ -12,13 +12,13 @@ EXIT_FOUND_ERRORS = 1
 COLORS = {Severity.ERROR: "bold red", Severity.WARNING: "yellow"}
 
 
-@click.command(short_help="Say what is wrong with an atlas.", epilog=EXIT_CODES)
+@click.command(short_help="List the faults of an atlas.", epilog=EXIT_CODES)
 @atlas_argument
 @same_unit_option
 def check(atlas: str) -> int:
-    """Say what is wrong with ATLAS: gaps in seams, folds, collapsed edges, kinks.
+    """List the faults of ATLAS: gaps in seams, folds, collapsed edges, kinks.
 
-    Errors spoil lengths, and end with exit code 1; warnings do not.
+    Errors make lengths wrong, and lead to exit code 1; warnings do not.
     """
     loaded = load_atlas(atlas)
     findings = check_atlas(loaded)

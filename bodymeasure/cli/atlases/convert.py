@@ -16,7 +16,7 @@ from bodymeasure.wording import counted
 _direction = click.Choice(DIRECTIONS)
 
 
-@click.command(short_help="Turn one kind of file into another.", epilog=EXIT_CODES)
+@click.command(short_help="Convert an atlas from one format to another.", epilog=EXIT_CODES)
 @atlas_argument
 @click.option(
     "-o",
@@ -24,12 +24,18 @@ _direction = click.Choice(DIRECTIONS)
     type=click.Path(path_type=Path),
     metavar="FILE",
     required=True,
-    help="File to write; its extension tells the format.",
+    help="File to write; its extension determines the format.",
 )
 @same_unit_option
-@click.option("--up", type=_direction, help="Which way is up, if the file does not say: +z.")
 @click.option(
-    "--front", type=_direction, help="Which way the body looks, if the file does not say: -y."
+    "--up",
+    type=_direction,
+    help="Direction of up, if the file has none; +z by default.",
+)
+@click.option(
+    "--front",
+    type=_direction,
+    help="Direction in which the body looks, if the file has none; -y by default.",
 )
 @click.option(
     "--group",
@@ -49,13 +55,13 @@ _direction = click.Choice(DIRECTIONS)
     "--from",
     "source_format",
     type=click.Choice(list(FORMATS)),
-    help="Format of ATLAS, instead of what its extension tells.",
+    help="Format of ATLAS, in place of the one of its extension.",
 )
 @click.option(
     "--format",
     "target_format",
     type=click.Choice([name for name, form in FORMATS.items() if form.write]),
-    help="Format of FILE, instead of what its extension tells.",
+    help="Format of FILE, in place of the one of its extension.",
 )
 def convert(
     atlas: str,
@@ -69,8 +75,9 @@ def convert(
 ) -> None:
     """Read ATLAS and write it in another format.
 
-    B-splines become Bezier patches, loose patches are joined, and of a mesh of polygons each quad
-    becomes a patch of its Catmull-Clark surface; `bodymeasure docs formats` lists the formats.
+    B-splines become Bezier patches, loose patches are joined, and each quad of a mesh of polygons
+    becomes a patch of its Catmull-Clark surface; `bodymeasure docs formats` lists the
+    formats.
     """
     target = format_of(output, target_format)
     require_writable(output)
@@ -93,11 +100,11 @@ def convert(
     )
     lost = _lost(loaded, target.keeps)
     if lost:
-        print_note(f"{target.title} has no room for {', '.join(lost)}; these are not in it.")
+        print_note(f"{target.title} cannot hold {', '.join(lost)}; the file lacks these.")
 
 
 def _lost(atlas: Atlas, keeps: frozenset[str]) -> list[str]:
-    """What an atlas has that a format does not hold."""
+    """Return what an atlas has that a format does not hold."""
     has_names = any(name != f"patch {i}" for i, name in enumerate(atlas.patch_names))
     there = {
         "unit": (f"its unit ({atlas.unit}) and axes", True),

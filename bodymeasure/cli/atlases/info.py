@@ -3,33 +3,25 @@
 from collections import Counter
 
 import click
-from rich.table import Table
 from rich.text import Text
 
 from bodymeasure.atlas import Atlas, Finding, Severity, check_atlas, summarize
 from bodymeasure.cli.console import print_table
 from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, same_unit_option
+from bodymeasure.cli.tables import facts_table
 from bodymeasure.wording import counted
 
-# Names that are listed; the rest is counted.
+# The number of names that are listed; the others are counted.
 LISTED = 8
 
 
-@click.command(short_help="Say what an atlas holds.", epilog=EXIT_CODES)
+@click.command(short_help="Describe an atlas.", epilog=EXIT_CODES)
 @atlas_argument
 @same_unit_option
 def info(atlas: str) -> None:
-    """Say what ATLAS holds: patches, size and unit, seams, landmarks, and how sound it is."""
+    """Describe ATLAS: its patches, size and unit, seams, landmarks and quality."""
     loaded = load_atlas(atlas)
-    table = Table(
-        title=Text(loaded.name or atlas),
-        title_justify="left",
-        title_style="bold",
-        show_header=False,
-    )
-    table.box, table.pad_edge = None, False
-    table.add_column(style="dim", no_wrap=True)
-    table.add_column(overflow="fold")
+    table = facts_table(loaded.name or atlas)
     for label, value in _rows(loaded, check_atlas(loaded)):
         table.add_row(label, Text(value))
     print_table(table)
@@ -73,11 +65,11 @@ def _listed(names: tuple[str, ...]) -> str:
 
 def _quality(findings: tuple[Finding, ...]) -> str:
     if not findings:
-        return "nothing to say"
+        return "nothing was found"
     errors = sum(finding.severity == Severity.ERROR for finding in findings)
     kinds = Counter(str(finding.kind) for finding in findings)
     listed = ", ".join(f"{kind} ({times})" for kind, times in kinds.items())
     return (
         f"{counted(errors, 'error')}, {counted(len(findings) - errors, 'warning')}: {listed}; "
-        "`bodymeasure check` tells more"
+        "`bodymeasure check` lists all"
     )

@@ -1,27 +1,26 @@
 """`bodymeasure samples`."""
 
 import click
-from rich.table import Table
 from rich.text import Text
 
 from bodymeasure.cli.console import print_table
+from bodymeasure.cli.tables import new_table
 from bodymeasure.samples import samples as all_samples
 
 
 @click.command(short_help="List the atlases that come with bodymeasure.")
-@click.option("--paths", is_flag=True, help="Print only the files, one a line.")
+@click.option("--paths", is_flag=True, help="Print only the paths of the files, one on each line.")
 def samples(paths: bool) -> None:
     """List the atlases that come with bodymeasure.
 
-    Every command takes such a name in place of a file.
+    Every command accepts such a name in place of a file.
     """
     if paths:
         for sample in all_samples():
             click.echo(sample.path)
         return
-    table = Table(box=None, pad_edge=False)
-    table.add_column("name", style="bold", no_wrap=True)
-    table.add_column("what it is", overflow="fold")
+    table = new_table("name", "what it is", words=("what it is",))
+    table.columns[0].no_wrap = True
     for sample in all_samples():
-        table.add_row(sample.name, Text(sample.description))
+        table.add_row(Text(sample.name, "bold"), Text(sample.description))
     print_table(table)

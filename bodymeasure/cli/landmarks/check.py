@@ -4,11 +4,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 import click
-from rich.table import Table
 from rich.text import Text
 
 from bodymeasure.cli.console import RESULTS, print_table
-from bodymeasure.cli.landmarks.list import DECIMALS, fixed, format_option
+from bodymeasure.cli.landmarks.list import format_option
 from bodymeasure.cli.options import (
     EXIT_CODES,
     atlas_argument,
@@ -16,9 +15,12 @@ from bodymeasure.cli.options import (
     load_atlas,
     unit_option,
 )
+from bodymeasure.cli.tables import new_table
 from bodymeasure.wording import counted
 
 if TYPE_CHECKING:
+    from rich.table import Table
+
     from bodymeasure.report.landmarks import SymmetryDocument
 
 EXIT_FOUND = 1
@@ -37,14 +39,14 @@ MIRRORS = {
     type=click.Choice(list(MIRRORS)),
     default="fitted",
     show_default=True,
-    help="The plane in which the surface is most nearly symmetric, or the one across the atlas's "
-    "axes, from front to back, through the median landmarks.",
+    help="The mirror: the plane in which the surface is most nearly symmetric, or the one across "
+    "the atlas's axes, from front to back, through the median landmarks.",
 )
 @click.option(
     "--within",
     type=click.FloatRange(min=0.0),
     metavar="LENGTH",
-    help="What counts as symmetric, in --unit.  [default: 5 mm]",
+    help="Largest distance that counts as symmetric, in --unit.  [default: 5 mm]",
 )
 @format_option
 @unit_option
@@ -59,9 +61,9 @@ def check_landmarks(
 ) -> int:
     """Check that the left landmarks of ATLAS are mirror images of the right ones.
 
-    Told are the distance of each mirrored left landmark from its partner, landmarks without a
-    partner, those without a side that lie off the mirror, and names that look like misspelled ones
-    of ISO 8559-1 or of --set. Anything of these ends with exit code 1.
+    It lists the distance of each mirrored left landmark from its partner, landmarks without a
+    partner, landmarks without a side that lie off the mirror, and names that look like misspelled
+    ones of ISO 8559-1 or of --set. Any remark leads to exit code 1.
     """
     from bodymeasure.chart import load_definitions
     from bodymeasure.report.landmarks import symmetry_document, symmetry_to_csv
@@ -82,31 +84,34 @@ def check_landmarks(
     return EXIT_FOUND if document.to_look_at else 0
 
 
-def _table(document: "SymmetryDocument") -> Table:
-    table = Table(box=None, pad_edge=False)
-    table.add_column("landmark", overflow="fold")
-    table.add_column("checked", no_wrap=True)
-    table.add_column(f"off by/{document.unit}", justify="right", no_wrap=True)
-    table.add_column("remark", overflow="fold")
+def _table(document: "SymmetryDocument") -> "Table":
+    from bodymeasure.report.numbers import fixed
+    from bodymeasure.report.units import POSITION_DECIMALS
+
+    headings = ("landmark", "checked", f"off by/{document.unit}", "remark")
+    table = new_table(*headings, words=("checked", "remark"))
     for record in document.landmarks:
         distance = record.distance
         table.add_row(
             Text(record.name),
             record.checked,
-            "" if distance is None else fixed(distance, DECIMALS[document.unit]),
+            "" if distance is None else fixed(distance, POSITION_DECIMALS[document.unit]),
             Text(record.remark, "yellow"),
         )
     return table
 
 
 def _summary(document: "SymmetryDocument") -> str:
-    unit, decimals = document.unit, DECIMALS[document.unit]
+    from bodymeasure.report.numbers import fixed
+    from bodymeasure.report.units import POSITION_DECIMALS
+
+    unit, decimals = document.unit, POSITION_DECIMALS[document.unit]
     place = ", ".join(fixed(x, decimals) for x in document.mirror_point)
     normal = ", ".join(fixed(x, 4) for x in document.mirror_normal)
     return (
         f"Mirror: {MIRRORS[document.mirror]}, through ({place}) {unit} with normal ({normal}); the "
         f"surface deviates from its mirror image by {fixed(document.deviation, decimals)} {unit} "
         "(root mean square).\n"
-        f"{counted(document.to_look_at, 'remark')}; what is off by more than "
-        f"{fixed(document.within, decimals)} {unit} is remarked on"
+        f"{counted(document.to_look_at, 'remark')}; landmarks that are off by more than "
+        f"{fixed(document.within, decimals)} {unit} get one"
     )

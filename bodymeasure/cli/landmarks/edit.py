@@ -45,15 +45,16 @@ def _output_options(command: _Command) -> _Command:
     type=float,
     nargs=3,
     metavar="X Y Z",
-    help="The closest point to a position; needs --unit.",
+    help="Take the closest point to a position; needs --unit.",
 )
-@click.option("--patch", metavar="NAME", help="A point of this patch; needs --uv.")
-@click.option("--uv", type=float, nargs=2, metavar="U V", help="Its parameters, from 0 to 1.")
+@click.option("--patch", metavar="NAME", help="Take a point of this patch; needs --uv.")
+@click.option("--uv", type=float, nargs=2, metavar="U V", help="Parameters, from 0 to 1.")
 @click.option(
     "--mesh",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="The closest point to a vertex of this OBJ, OFF or PLY file; needs --vertex and --unit.",
+    help="Take the closest point to a vertex of this OBJ, OFF or PLY file; needs --vertex and "
+    "--unit.",
 )
 @click.option(
     "--vertex",
@@ -71,8 +72,8 @@ def _output_options(command: _Command) -> _Command:
     "source",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Several at once: the closest points to positions in a CSV file with the columns name, "
-    "x, y, z; needs --unit.",
+    help="Take several at once: the closest points to positions in a CSV file with the columns "
+    "name, x, y, z; needs --unit.",
 )
 @click.option(
     "--unit",
@@ -90,10 +91,10 @@ def add(
     replacing: bool,
     **places: Any,
 ) -> None:
-    """Add a landmark of that NAME to ATLAS, and write it to a file; or several, with --from.
+    """Add a landmark called NAME to ATLAS, and write the atlas to a file; or several, with --from.
 
-    Where it is, is told in one of four ways: by --at, --patch and --uv, --mesh and --vertex, or
-    --from.
+    The place is given in one of four ways: by --at, by --patch and --uv, by --mesh and --vertex, or
+    by --from.
     """
     from bodymeasure.chart.picks.picking import with_landmarks
 
@@ -103,8 +104,8 @@ def add(
     changed = with_landmarks(loaded, picks, replacing=replacing)
     write_atlas(changed, target)
     for pick in picks:
-        _tell(loaded, pick, places["unit"])
-    _tell_written(changed, target)
+        _print_pick(loaded, pick, places["unit"])
+    _print_written(changed, target)
 
 
 @click.command(short_help="Remove landmarks.", epilog=EXIT_CODES)
@@ -112,17 +113,17 @@ def add(
 @click.argument("names", nargs=-1, required=True, metavar="NAME...")
 @_output_options
 def remove(atlas: str, names: tuple[str, ...], output: Path | None, in_place: bool) -> None:
-    """Remove the landmarks of those NAMEs from ATLAS, and write it to a file."""
+    """Remove the landmarks called NAME from ATLAS, and write the atlas to a file."""
     from bodymeasure.chart.picks.picking import without_landmarks
 
     target = _target(atlas, output, in_place=in_place)
     changed = without_landmarks(load_atlas(atlas), names)
     write_atlas(changed, target)
-    _tell_written(changed, target)
+    _print_written(changed, target)
 
 
 def _target(atlas: str, output: Path | None, *, in_place: bool) -> Path:
-    """Where to write to, known before any work."""
+    """Return the file to write to, or refuse it before any work."""
     if (output is not None) == in_place:
         raise click.UsageError("Give either -o FILE or --in-place: where to write the atlas to.")
     if output is None and atlas in sample_names() and not Path(atlas).is_file():
@@ -183,9 +184,10 @@ def _check_usage(
 ) -> None:
     given = [way for way, value in ways.items() if value is not None]
     if len(given) != 1:
-        told = " and ".join(given) if given else "none"
+        found = " and ".join(given) if given else "none"
         raise click.UsageError(
-            f"Say where the landmark is in one way of --at, --patch, --mesh and --from; got {told}."
+            f"Say where the landmark is in one way of --at, --patch, --mesh and --from; "
+            f"got {found}."
         )
     for option, (value, partner, there) in pairs.items():
         if (value is None) != (there is None):
@@ -219,7 +221,7 @@ def _vertex(path: Path, number: int, *, from_one: bool) -> list[float]:
     return position
 
 
-def _tell(atlas: Atlas, pick: "Pick", unit: str | None) -> None:
+def _print_pick(atlas: Atlas, pick: "Pick", unit: str | None) -> None:
     from bodymeasure.chart import load_definitions
     from bodymeasure.chart.kinds.needed import names_in
     from bodymeasure.chart.landmarks.names import suggested_name
@@ -235,5 +237,5 @@ def _tell(atlas: Atlas, pick: "Pick", unit: str | None) -> None:
         print_note(f"{pick.name!r} is no name that measurements use; did you mean {suggested!r}?")
 
 
-def _tell_written(atlas: Atlas, target: Path) -> None:
+def _print_written(atlas: Atlas, target: Path) -> None:
     RESULTS.print(Text(f"{target}: {counted(len(atlas.landmarks), 'landmark')}"), soft_wrap=True)

@@ -11,7 +11,7 @@ DEFAULT = "list"
 
 
 class _ListsByDefault(click.Group):
-    """A group whose first argument may be left out: then it lists."""
+    """A group that lists the landmarks if no command is given."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         if not args or (args[0] not in self.commands and args[0] not in ctx.help_option_names):
@@ -37,7 +37,7 @@ def landmarks() -> None:
       bodymeasure landmarks add body.atlas "bust point left" --at 9.1 -16.0 116.4 --unit cm -o new.atlas
       bodymeasure landmarks add body.atlas "wrist point left" --mesh body.obj --vertex 4711 --unit m --in-place
       bodymeasure landmarks check body.atlas
-    """  # noqa: D301, E501  (click wants the character itself, and lines as they are typed)
+    """  # noqa: D301, E501  (click needs the character itself, and lines as they are typed)
 
 
 for command in (list_landmarks, add, remove, check_landmarks):

@@ -4,7 +4,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
-from rich.table import Table
 from rich.text import Text
 
 from bodymeasure.cli.console import RESULTS, print_table
@@ -16,12 +15,13 @@ from bodymeasure.cli.options import (
     load_sound_atlas,
     unit_option,
 )
+from bodymeasure.cli.tables import new_table
 
 if TYPE_CHECKING:
+    from rich.table import Table
+
     from bodymeasure.report.landmarks import LandmarkRecord, LandmarksDocument
 
-# Decimals of positions and distances in tables: to a tenth of a millimeter or finer.
-DECIMALS = {"m": 4, "cm": 2, "mm": 1, "inch": 3}
 PARAMETER_DECIMALS = 4
 
 format_option = click.option(
@@ -30,7 +30,7 @@ format_option = click.option(
     type=click.Choice(["table", "csv", "json"]),
     default="table",
     show_default=True,
-    help="How to print; csv and json have all digits.",
+    help="Format of the output; csv and json have all digits.",
 )
 
 
@@ -45,10 +45,10 @@ format_option = click.option(
 def list_landmarks(
     atlas: str, form: str, unit: str, definitions: Path | None, despite_errors: bool
 ) -> None:
-    """List the landmarks of ATLAS: those that were picked, and those that follow by rule.
+    """List the landmarks of ATLAS: those that were picked, and those that a rule gives.
 
-    Then those that no rule could give, why, and which measurements lack them. Rules and
-    measurements are those of --set.
+    After them come the landmarks that no rule could give, with the reasons, and the measurements
+    that lack them. Rules and measurements are those of --set.
     """
     # Not needed by `--help` and the like, and slow to load.
     from bodymeasure.chart import load_definitions
@@ -58,7 +58,7 @@ def list_landmarks(
     loaded_definitions = load_definitions(definitions)
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
     document = landmarks_document(loaded, loaded_definitions, unit, name=atlas)
-    # As bytes: these are UTF-8 whatever the terminal speaks.
+    # Bytes are UTF-8, whatever the encoding of the terminal.
     if form == "json":
         click.echo(to_json(document), nl=False)
     elif form == "csv":
@@ -85,24 +85,18 @@ def _print(document: "LandmarksDocument") -> None:
             RESULTS.print(line, soft_wrap=True)
 
 
-def _table(records: "list[LandmarkRecord]", unit: str) -> Table:
-    table = Table(box=None, pad_edge=False)
-    table.add_column("landmark", overflow="fold")
-    table.add_column("patch", overflow="fold")
-    for heading in ("u", "v", f"x/{unit}", f"y/{unit}", f"z/{unit}"):
-        table.add_column(heading, justify="right", no_wrap=True)
-    table.add_column("origin", overflow="fold")
+def _table(records: "list[LandmarkRecord]", unit: str) -> "Table":
+    from bodymeasure.report.numbers import fixed
+    from bodymeasure.report.units import POSITION_DECIMALS
+
+    headings = ("landmark", "patch", "u", "v", f"x/{unit}", f"y/{unit}", f"z/{unit}", "origin")
+    table = new_table(*headings, words=("patch", "origin"))
     for record in records:
         table.add_row(
             Text(record.name),
             Text(record.patch),
             *(fixed(value, PARAMETER_DECIMALS) for value in (record.u, record.v)),
-            *(fixed(value, DECIMALS[unit]) for value in (record.x, record.y, record.z)),
+            *(fixed(value, POSITION_DECIMALS[unit]) for value in (record.x, record.y, record.z)),
             Text(record.rule or record.origin),
         )
     return table
-
-
-def fixed(value: float, decimals: int) -> str:
-    """A number with so many decimals; never minus zero."""
-    return f"{round(value, decimals) + 0.0:.{decimals}f}"

@@ -5,10 +5,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
-from rich.table import Table
 from rich.text import Text
 
-from bodymeasure.cli.console import RESULTS, print_note, print_table, progress_bar
+from bodymeasure.cli.console import (
+    RESULTS,
+    count_calls,
+    print_files,
+    print_note,
+    print_table,
+    progress_bar,
+)
 from bodymeasure.cli.options import (
     CHART_PAGE,
     CHART_PICTURES,
@@ -21,19 +27,22 @@ from bodymeasure.cli.options import (
     require,
     unit_option,
 )
+from bodymeasure.cli.tables import facts_table, new_table
 from bodymeasure.errors import InputError
 from bodymeasure.files import output_folder
 
 if TYPE_CHECKING:
+    from rich.table import Table
+
     from bodymeasure.atlas import Atlas
     from bodymeasure.chart import Chart, Definitions
     from bodymeasure.report.body import ChartDocument, TapePictures
 
 EXIT_NOT_MEASURED = 1
-# What an atlas without a landmark leads to. Of the default set, no body has all.
+# Outcomes of measurements that lack a landmark. No body has all landmarks of the default set.
 ABSENT = ("missing landmark", "missing operand")
 SIDES = 4
-# Of what could not be measured; the page has all.
+# The number of names that are listed of what could not be measured; the page has all.
 NAMED = 6
 
 
@@ -62,7 +71,7 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) ->
     "--format",
     "form",
     type=click.Choice(["table", "csv", "json"]),
-    help="How to print the chart where no folder is given.  [default: table]",
+    help="Format of the chart where it is printed.  [default: table]",
 )
 @click.option(
     "--print-set",
@@ -70,7 +79,7 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) ->
     is_eager=True,
     expose_value=False,
     callback=_print_set,
-    help="Print the default set, to be copied and changed, and exit.",
+    help="Print the default set, which may be copied and changed, and exit.",
 )
 @unit_option
 @click.option("--no-pictures", is_flag=True, help="Leave out the pictures.")
@@ -86,14 +95,14 @@ def chart(
 ) -> int:
     """Take the body measurements of ATLAS: girths, lengths over the skin, heights.
 
-    Along the smooth surface across its patches, with the tape drawn taut where that is asked for.
-    ATLAS is the average female sample if not given.
+    They follow the smooth surface across its patches, and the tape is drawn taut where that is
+    asked for. ATLAS is the average female sample if not given.
 
-    What is measured is data: the default set (--print-set), or a file of yours. Where both
-    sides are measured, the files for pattern programs hold the wearer's right one.
+    The measurements are defined by a file: the default set (--print-set), or one of yours. Where
+    both sides are measured, the files for pattern programs hold the wearer's right one.
 
-    Of the default set, what lacks a landmark is told, but is no fault (exit code 0) unless nothing
-    is left; of a set of yours, it is (1).
+    Measurements of the default set that lack a landmark are listed, but the exit code stays 0
+    unless nothing is left; in a set of yours, they lead to exit code 1.
     """
     if output is not None and form is not None:
         raise click.UsageError("--format is for printing; with -o, all formats are written.")
@@ -122,9 +131,7 @@ def chart(
         files = write_chart(measured, output, unit=unit, stem=stem, pictures=pictures or False)
     document = chart_document(measured, unit)
     print_table(_summary(document, time.perf_counter() - begin))
-    for path in files:
-        style = "bold" if path.suffix == ".html" else ""
-        RESULTS.print(Text(str(path), style), soft_wrap=True)
+    print_files(files)
     if pictures is not None and pictures.note:
         print_note(pictures.note)
     code = _exit_code(document, definitions)
@@ -156,21 +163,14 @@ def _pictures(chart: "Chart") -> "TapePictures":
     drawn = [item for item in chart.measured if item.tapes]
     # Not all sides of all groups are drawn, so the bar may end early.
     most = SIDES * len({item.definition.group for item in drawn}) + len(drawn)
-    done = 0
     with progress_bar("drawing", most) as progress:
-
-        def advance(_name: str) -> None:
-            nonlocal done
-            done += 1
-            progress(done)
-
-        return tape_pictures(chart, advance=advance)
+        return tape_pictures(chart, advance=count_calls(progress))
 
 
 def _exit_code(document: "ChartDocument", definitions: Path | None) -> int:
-    """1 if a measurement could not be taken though its landmarks are there, or none was taken.
+    """Return 1 if a measurement failed although its landmarks are there, or if none was taken.
 
-    Whoever gives a set of their own asked for all of it.
+    A user's own set of definitions asks for all of its measurements.
     """
     outcomes = [record.outcome for record in document.measurements]
     harmless = ("measured", *(ABSENT if definitions is None else ()))
@@ -182,7 +182,7 @@ def _print(document: "ChartDocument", form: str) -> None:
     from bodymeasure.report.body import chart_to_csv
     from bodymeasure.report.serial import to_json
 
-    # As bytes: these are UTF-8 whatever the terminal speaks.
+    # Bytes are UTF-8, whatever the encoding of the terminal.
     if form == "json":
         click.echo(to_json(document), nl=False)
     elif form == "csv":
@@ -196,18 +196,12 @@ def _print(document: "ChartDocument", form: str) -> None:
             RESULTS.print(Text("\n".join(["", *reasons])), soft_wrap=True)
 
 
-def _table(document: "ChartDocument") -> Table:
+def _table(document: "ChartDocument") -> "Table":
     from bodymeasure.report.body import tailor_inches, tape_text
 
     inches = document.unit == "inch"
-    table = Table(box=None, pad_edge=False)
-    table.add_column("measurement", overflow="fold")
-    table.add_column(document.unit, justify="right", no_wrap=True)
-    if inches:
-        table.add_column("fraction", justify="right", no_wrap=True)
-    for heading in ("along skin", "taut", "error"):
-        table.add_column(heading, justify="right", no_wrap=True)
-    table.add_column("status", overflow="fold")
+    lengths = (document.unit, *(("fraction",) if inches else ()), "along skin", "taut", "error")
+    table = new_table("measurement", *lengths, "status", words=("status",))
     group = ""
     for record in document.measurements:
         if record.group != group:
@@ -234,16 +228,11 @@ def _table(document: "ChartDocument") -> Table:
     return table
 
 
-def _summary(document: "ChartDocument", seconds: float) -> Table:
-    """What a reader wants to know first."""
+def _summary(document: "ChartDocument", seconds: float) -> "Table":
+    """Return the facts that a reader wants to know first."""
     from bodymeasure.report.body import FREESEWING_KEYS, missing_freesewing
 
-    table = Table(
-        title=Text(document.name), title_justify="left", title_style="bold", show_header=False
-    )
-    table.box = None
-    table.add_column(style="dim")
-    table.add_column(overflow="fold")
+    table = facts_table(document.name)
     total, measured = len(document.measurements), document.outcomes.get("measured", 0)
     table.add_row("set", Text(document.definitions))
     table.add_row(
@@ -269,7 +258,7 @@ def _named(document: "ChartDocument", outcome: str) -> str:
 
 
 def _first(names: list[str]) -> str:
-    """Some names, and how many more there are."""
+    """Return the first names, and how many more there are."""
     more = len(names) - NAMED
     # Names have commas in them.
     return "; ".join(names[:NAMED]) + (f"; and {more} more" if more > 0 else "")

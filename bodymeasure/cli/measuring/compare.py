@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
-from rich.table import Table
 from rich.text import Text
 
 from bodymeasure.atlas import Unit
@@ -21,17 +20,20 @@ from bodymeasure.cli.options import (
     load_sound_atlas,
     require,
 )
+from bodymeasure.cli.tables import new_table
 from bodymeasure.errors import InputError
 from bodymeasure.files import require_writable, write_bytes
 
 if TYPE_CHECKING:
+    from rich.table import Table
+
     from bodymeasure.chart import Definitions
     from bodymeasure.compare import Comparison, Readings
 
 EXIT_EXCEEDS = 1
-# Of ISO 20685-1, without loading the comparison for it; a test holds the two together.
+# As in `bodymeasure.compare`, which is slow to load; a test holds the two together.
 MINIMUM_SUBJECTS = 40
-# Files that are read as they are; anything else is an atlas.
+# Suffixes of files of values; any other file is an atlas.
 READ_SUFFIXES = (".csv", ".json")
 WRITTEN_SUFFIXES = (".csv", ".json", ".html")
 COLORS = {"within": "green", "exceeds": "red", "too few subjects": "yellow"}
@@ -61,7 +63,7 @@ COLORS = {"within": "green", "exceeds": "red", "too few subjects": "yellow"}
     metavar="N",
     default=MINIMUM_SUBJECTS,
     show_default=True,
-    help="Subjects that a verdict takes; the default is ISO 20685-1's.",
+    help="Number of subjects from which on there is a verdict; the default is ISO 20685-1's.",
 )
 @despite_errors_option
 def compare(
@@ -75,11 +77,11 @@ def compare(
 ) -> int:
     """Compare the measurements of A with those of B; a difference is A - B.
 
-    Each is an atlas or a sample, which is measured; a chart's measurements.json or
+    Each of the two is an atlas or a sample, which is measured; a chart's measurements.json or
     measurements.csv; or a CSV file typed by hand, with the columns measurement (key or name),
     value, unit (m, cm, mm, inch, deg) and, if there are several, subject.
 
-    Of several subjects, the mean difference of each measurement is judged as ISO 20685-1 asks: its
+    With several subjects, the mean difference of each measurement is assessed by ISO 20685-1: its
     95 % confidence interval has to lie within the maximum allowable error.
     """
     writer = _writer(output)
@@ -93,7 +95,7 @@ def compare(
     loaded = load_definitions(definitions)
     readings = [_readings(name, loaded, despite_errors=despite_errors) for name in (first, second)]
     if readings[0].name == readings[1].name:
-        # Two charts of one body, say: then their files tell them apart.
+        # Two charts of one body, say, are told apart by their files.
         readings = [
             replace(each, name=name) for each, name in zip(readings, (first, second), strict=True)
         ]
@@ -113,7 +115,7 @@ def compare(
 
 
 def _writer(output: Path | None) -> "Callable[[Comparison], bytes]":
-    """What makes the file's content; refuses what could not be written, before the work."""
+    """Return what makes the content of a file; refuse first a file that cannot be written."""
     if output is not None:
         suffix = output.suffix.lower()
         if suffix not in WRITTEN_SUFFIXES:
@@ -169,23 +171,12 @@ def _print(comparison: "Comparison") -> None:
         print_note(note)
 
 
-def _new_table(*columns: str) -> Table:
-    table = Table(box=None, pad_edge=False)
-    for number, column in enumerate(columns):
-        table.add_column(
-            column, justify="right" if number else "left", overflow="fold", no_wrap=number > 0
-        )
-    return table
-
-
-def _differences(comparison: "Comparison") -> Table:
+def _differences(comparison: "Comparison") -> "Table":
     from bodymeasure.compare.shown import error_text, signed
     from bodymeasure.report.body import tape_text
     from bodymeasure.report.numbers import percent
 
-    table = _new_table(
-        *("measurement", "A", "B", "A - B", "relative", "combined error"),
-    )
+    table = new_table("measurement", "A", "B", "A - B", "relative", "combined error")
     for each in comparison.differences:
         degrees = "°" if each.unit == "deg" else ""
         table.add_row(
@@ -199,12 +190,11 @@ def _differences(comparison: "Comparison") -> Table:
     return table
 
 
-def _agreements(comparison: "Comparison") -> Table:
+def _agreements(comparison: "Comparison") -> "Table":
     from bodymeasure.compare.shown import interval, signed
 
-    table = _new_table(
-        *("measurement", "subjects", "mean A - B", "95 % interval", "largest", "class", "verdict"),
-    )
+    spread = ("subjects", "mean A - B", "95 % interval", "largest")
+    table = new_table("measurement", *spread, "class", "verdict")
     for each in comparison.agreements:
         table.add_row(
             Text(each.name),
@@ -218,10 +208,10 @@ def _agreements(comparison: "Comparison") -> Table:
     return table
 
 
-def _classes(comparison: "Comparison") -> Table:
+def _classes(comparison: "Comparison") -> "Table":
     from bodymeasure.compare.shown import signed
 
-    table = _new_table("class", f"allowed, {comparison.unit}", "measurements", "within", "verdict")
+    table = new_table("class", f"allowed, {comparison.unit}", "measurements", "within", "verdict")
     for each in comparison.classes:
         table.add_row(
             each.accuracy_class,

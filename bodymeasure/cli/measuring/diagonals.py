@@ -3,7 +3,6 @@
 from typing import TYPE_CHECKING
 
 import click
-from rich.table import Table
 from rich.text import Text
 
 from bodymeasure.cli.console import RESULTS, print_table
@@ -14,12 +13,12 @@ from bodymeasure.cli.options import (
     load_sound_atlas,
     unit_option,
 )
+from bodymeasure.cli.tables import new_table
 
 if TYPE_CHECKING:
-    from bodymeasure.report.patches.records import Document
+    from rich.table import Table
 
-# Decimals of lengths in the table: to a micrometer; json and csv have all.
-DECIMALS = {"m": 6, "cm": 4, "mm": 3, "inch": 5}
+    from bodymeasure.report.patches.records import Document
 
 
 @click.command(short_help="Print both diagonals of every patch.", epilog=EXIT_CODES)
@@ -30,14 +29,14 @@ DECIMALS = {"m": 6, "cm": 4, "mm": 3, "inch": 5}
     type=click.Choice(["table", "csv", "json"]),
     default="table",
     show_default=True,
-    help="How to print the lengths; json has the layout of a report's measurements.json.",
+    help="Format of the output; json has the layout of a report's measurements.json.",
 )
 @unit_option
 @despite_errors_option
 def diagonals(atlas: str, form: str, unit: str, despite_errors: bool) -> None:
     """Print both diagonal geodesics of every patch of ATLAS.
 
-    A diagonal without a good length has none; its status says why.
+    A diagonal whose length cannot be trusted has none; its status says why.
     """
     # Not needed by `--help` and the like, and slow to load.
     from bodymeasure.measure import measure_atlas
@@ -46,7 +45,7 @@ def diagonals(atlas: str, form: str, unit: str, despite_errors: bool) -> None:
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
     survey = measure_atlas(loaded, compare=False)
     document = survey_document(survey, unit, kinds=("diagonal",))
-    # As bytes: these are UTF-8 whatever the terminal speaks.
+    # Bytes are UTF-8, whatever the encoding of the terminal.
     if form == "json":
         click.echo(to_json(document), nl=False)
     elif form == "csv":
@@ -56,13 +55,11 @@ def diagonals(atlas: str, form: str, unit: str, despite_errors: bool) -> None:
         _explain(document)
 
 
-def _table(document: "Document") -> Table:
-    table = Table(box=None, pad_edge=False)
-    table.add_column("diagonal", overflow="fold")
-    table.add_column(document.unit, justify="right", no_wrap=True)
-    table.add_column("error", justify="right", no_wrap=True)
-    table.add_column("status", overflow="fold")
-    decimals = DECIMALS[document.unit]
+def _table(document: "Document") -> "Table":
+    from bodymeasure.report.units import FINE_DECIMALS
+
+    table = new_table("diagonal", document.unit, "error", "status", words=("status",))
+    decimals = FINE_DECIMALS[document.unit]
     for record in document.measurements:
         length, error = record.length, record.error_estimate
         measured = length is not None
@@ -76,7 +73,7 @@ def _table(document: "Document") -> Table:
 
 
 def _explain(document: "Document") -> None:
-    """Say in a sentence what each status but the usual one means."""
+    """Print a sentence on each status that occurs, except for the usual one."""
     for status, sentence in document.statuses.items():
         if status != "converged":
             RESULTS.print(Text(f"\n{status.replace('_', ' ')}: {sentence}"), soft_wrap=True)

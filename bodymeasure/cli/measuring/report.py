@@ -5,10 +5,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
-from rich.table import Table
 from rich.text import Text
 
-from bodymeasure.cli.console import RESULTS, print_note, print_table, progress_bar
+from bodymeasure.cli.console import count_calls, print_files, print_note, print_table, progress_bar
 from bodymeasure.cli.options import (
     COMPARISON,
     EXIT_CODES,
@@ -22,16 +21,19 @@ from bodymeasure.cli.options import (
     require,
     unit_option,
 )
+from bodymeasure.cli.tables import facts_table
 from bodymeasure.files import output_folder
 from bodymeasure.measure import Survey, measure_atlas
 from bodymeasure.wording import counted
 
 if TYPE_CHECKING:
+    from rich.table import Table
+
     from bodymeasure.report import Pictures
     from bodymeasure.report.patches.records import Document
 
 EXIT_DISAGREES = 1
-# Verdicts in the words of the table, and their colors. Under the red ones a length and the mesh
+# Verdicts in the words of the table, and their colors. Red ones mean that a length and the mesh
 # contradict each other.
 VERDICTS = {
     "agrees": ("agree", "green"),
@@ -39,7 +41,7 @@ VERDICTS = {
     "longer": ("longer than the mesh distance", "red"),
     "shorter": ("shorter than the mesh distance", "red"),
 }
-# Statuses with a length that deserve a word.
+# Statuses of diagonals that have a length all the same, in words.
 STATUSES = {"on_boundary": "of them run along an edge of their patch"}
 BODY_PICTURES = 4
 
@@ -94,9 +96,7 @@ def report(
         pictures = None if no_pictures else _pictures(survey, closeup_patches(document))
         files = write_report(survey, output, unit=unit, pictures=pictures or False)
     print_table(_table(document, time.perf_counter() - begin))
-    for path in files:
-        style = "bold" if path.suffix == ".html" else ""
-        RESULTS.print(Text(str(path), style), soft_wrap=True)
+    print_files(files)
     if pictures is not None and pictures.note:
         print_note(pictures.note)
     wrong = disagreements(document)
@@ -109,26 +109,14 @@ def report(
 def _pictures(survey: Survey, closeups: tuple[int, ...]) -> "Pictures":
     from bodymeasure.scene import pictures as draw
 
-    done = 0
     with progress_bar("drawing", BODY_PICTURES + len(closeups)) as progress:
-
-        def advance(_name: str) -> None:
-            nonlocal done
-            done += 1
-            progress(done)
-
-        return draw(survey, closeups, advance=advance)
+        return draw(survey, closeups, advance=count_calls(progress))
 
 
-def _table(document: "Document", seconds: float) -> Table:
-    """What a reader wants to know first."""
+def _table(document: "Document", seconds: float) -> "Table":
+    """Return the facts that a reader wants to know first."""
     summary, unit = document.summary, document.unit
-    table = Table(
-        title=Text(document.name), title_justify="left", title_style="bold", show_header=False
-    )
-    table.box = None
-    table.add_column(style="dim")
-    table.add_column(overflow="fold")
+    table = facts_table(document.name)
     table.add_row("patches", f"{summary.patches:,}")
     color = "green" if summary.measured == summary.diagonals else "yellow"
     measured = f"{summary.measured:,} of {summary.diagonals:,}"

@@ -5,14 +5,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
-from rich.table import Table
 from rich.text import Text
 
-from bodymeasure.cli.console import RESULTS, print_note, print_table, progress_bar
+from bodymeasure.cli.console import RESULTS, print_files, print_note, print_table, progress_bar
 from bodymeasure.cli.options import BENCHMARK, BENCHMARK_FIGURE, EXIT_CODES, require
+from bodymeasure.cli.tables import new_table
 from bodymeasure.files import output_folder
 
 if TYPE_CHECKING:
+    from rich.table import Table
+
     from bodymeasure.bench.records import BenchDocument, SetRecord
 
 
@@ -25,13 +27,18 @@ if TYPE_CHECKING:
     help="Folder for bench.json, bench.csv and error_against_time.svg; made if it is not there. "
     "Without it, the tables are printed and nothing is written.",
 )
-@click.option("--quick", is_flag=True, help="Few problems and repeats: half a minute, not five.")
+@click.option(
+    "--quick",
+    is_flag=True,
+    help="Take few problems and repeats: half a minute, not five.",
+)
 def bench(output: Path | None, quick: bool) -> None:
     """Compare methods side by side, in processor time on one thread.
 
     bodymeasure's methods, scipy's solve_bvp, libigl, potpourri3d and pygeodesic measure diagonals
-    of mild and wild random patches and of a body; errors are against an independent method. Then:
-    how time and memory grow with the number of patches, and where the time goes.
+    of mild and wild random patches and of a body; errors are against an independent method.
+    Further tables show how time and memory grow with the number of patches, and where the time
+    goes.
     """
     require(*BENCHMARK, *((BENCHMARK_FIGURE,) if output else ()))
     with output_folder(output) if output else nullcontext():
@@ -46,9 +53,7 @@ def bench(output: Path | None, quick: bool) -> None:
     _print(document)
     if "pygeodesic" not in document.versions:
         print_note("pygeodesic is not installed, and takes no part.")
-    for path in files:
-        style = "bold" if path.suffix == ".svg" else ""
-        RESULTS.print(Text(str(path), style), soft_wrap=True)
+    print_files(files)
 
 
 def _print(document: "BenchDocument") -> None:
@@ -59,34 +64,17 @@ def _print(document: "BenchDocument") -> None:
     print_table(_figures(document))
     threads = document.threads
     libraries = ", ".join(threads.pools) or "no library with threads found"
-    _say(
+    text = (
         f"One thread ({libraries} held to {threads.limit}); other threads took "
         f"{threads.others:.1%} of {document.processor_seconds:.0f} s of processor time. "
         + ", ".join(f"{name} {version}" for name, version in document.versions.items())
         + f"; {document.machine.system} {document.machine.architecture}, "
         f"{document.machine.cores} cores."
     )
-
-
-def _say(text: str) -> None:
     RESULTS.print(Text(text), soft_wrap=True)
 
 
-def _new_table(title: str, *columns: str) -> Table:
-    """A table whose first column is words and whose others are numbers."""
-    table = Table(
-        title=Text(f"\n{title}"),
-        title_justify="left",
-        title_style="bold",
-        box=None,
-        pad_edge=False,
-    )
-    for number, column in enumerate(columns):
-        table.add_column(column, justify="right" if number else "left", no_wrap=number > 0)
-    return table
-
-
-def _comparison(document: "BenchDocument", record: "SetRecord") -> Table:
+def _comparison(document: "BenchDocument", record: "SetRecord") -> "Table":
     left_out = [
         f"{count} {why}"
         for count, why in (
@@ -98,18 +86,8 @@ def _comparison(document: "BenchDocument", record: "SetRecord") -> Table:
     title = f"{record.title}: {record.compared} of {record.drawn} diagonals"
     if left_out:
         title += f" (left out: {', '.join(left_out)})"
-    table = _new_table(
-        title,
-        "method",
-        "tried",
-        "failed",
-        "µs each",
-        "quartiles",
-        "times ours",
-        "error",
-        "10-90 %",
-        "worst",
-    )
+    times, errors = ("µs each", "quartiles", "times ours"), ("error", "10-90 %", "worst")
+    table = new_table("method", "tried", "failed", *times, *errors, title=f"\n{title}")
     for result in document.results:
         if result.set != record.name:
             continue
@@ -128,16 +106,9 @@ def _comparison(document: "BenchDocument", record: "SetRecord") -> Table:
     return table
 
 
-def _growth(document: "BenchDocument") -> Table:
-    table = _new_table(
-        "growth with the number of patches",
-        "patches",
-        "µs each",
-        "quartiles",
-        "failed",
-        "peak MiB",
-        "bytes each",
-    )
+def _growth(document: "BenchDocument") -> "Table":
+    headings = ("patches", "µs each", "quartiles", "failed", "peak MiB", "bytes each")
+    table = new_table(*headings, title="\ngrowth with the number of patches")
     for record in document.growth:
         table.add_row(
             f"{record.patches:,}",
@@ -150,16 +121,15 @@ def _growth(document: "BenchDocument") -> Table:
     return table
 
 
-def _stages(document: "BenchDocument") -> Table:
-    table = _new_table("where the time goes", "stage", *document.stages)
+def _stages(document: "BenchDocument") -> "Table":
+    table = new_table("stage", *document.stages, title="\nwhere the time goes")
     for stage in next(iter(document.stages.values())):
         table.add_row(stage, *(f"{shares[stage]:.0%}" for shares in document.stages.values()))
     return table
 
 
-def _figures(document: "BenchDocument") -> Table:
-    table = _new_table("in short", "figure", "value", "")
-    table.columns[2].justify = "left"
+def _figures(document: "BenchDocument") -> "Table":
+    table = new_table("figure", "value", "", words=("",), title="\nin short")
     for figure in document.figures:
         small = figure.value is not None and figure.value < 1e-2
         value = _error(figure.value) if small else _time(figure.value)
@@ -168,7 +138,7 @@ def _figures(document: "BenchDocument") -> Table:
 
 
 def _time(value: float | None) -> str:
-    """Three digits, in plain writing."""
+    """Return a time with three digits, without an exponent."""
     if value is None:
         return ""
     decimals = 2 if value < 10.0 else 1 if value < 100.0 else 0

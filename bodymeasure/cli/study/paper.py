@@ -6,8 +6,9 @@ import click
 from rich.table import Table
 from rich.text import Text
 
-from bodymeasure.cli.console import RESULTS, print_table, progress_bar
+from bodymeasure.cli.console import print_files, print_table, progress_bar
 from bodymeasure.cli.options import EXIT_CODES, PAGE, processes_option, require
+from bodymeasure.cli.tables import new_table
 from bodymeasure.files import output_folder
 from bodymeasure.paper.data.published import MEAN_LOSS
 
@@ -34,15 +35,16 @@ CHARTS = ("the page's charts", "matplotlib", "matplotlib", "report")
     metavar="N",
     default=2007,
     show_default=True,
-    help="Of all that is random; the same seed gives the same tables, timings aside.",
+    help="Seed of all random numbers; the same seed gives the same tables, except for times.",
 )
 @processes_option
 def paper(output: Path, quick: bool, seed: int, processes: int) -> int:
     """Reproduce Ng, Pong and Wong (2007), and go on from there.
 
-    Radial basis functions against Ritz's method on random patches, as in the paper's Tables 3 and
-    4, with the converged lengths beside them; a body's diagonals against its surface, as in Table
-    5; distributed collocation; accuracy and cost of more functions.
+    It compares radial basis functions with Ritz's method on random patches, as in the paper's
+    Tables 3 and 4, with the converged lengths beside them, and a body's diagonals with its surface,
+    as in Table 5; and it measures distributed collocation, and the accuracy and cost of more
+    functions.
     """
     require(PAGE, CHARTS, SURFACE)
     with output_folder(output):
@@ -55,21 +57,14 @@ def paper(output: Path, quick: bool, seed: int, processes: int) -> int:
         found = reproduce(settings, progress_bar)
         files = write_reproduction(found, output)
     print_table(_summary(found.table("closest").rows, sum(found.seconds.values())))
-    for path in files:
-        RESULTS.print(Text(str(path), "bold" if path.suffix == ".html" else ""), soft_wrap=True)
+    print_files(files)
     return 0
 
 
 def _summary(rows: tuple[tuple[object, ...], ...], seconds: float) -> Table:
-    """What a reader wants to know first: the mean accuracy loss of each reading."""
-    table = Table(
-        title=Text(f"Mean accuracy loss (paper: {_percent(MEAN_LOSS)})", "bold"),
-        title_justify="left",
-        box=None,
-    )
-    table.add_column("reading")
-    table.add_column("inside the patch", justify="right")
-    table.add_column("of all solutions", justify="right")
+    """Return what a reader wants to know first: the mean accuracy loss of each reading."""
+    title = f"Mean accuracy loss (paper: {_percent(MEAN_LOSS)})"
+    table = new_table("reading", "inside the patch", "of all solutions", title=title)
     for name, _, inside, every, *_rest in rows:
         table.add_row(str(name), _percent(inside), _percent(every))
     table.add_row("", "", "")
