@@ -263,7 +263,7 @@ def test_packages_are_loaded_when_they_are_first_asked_for(script: str, loaded: 
 def test_the_repository_stands_alone() -> None:
     # Put together, so that this file does not hold them.
     outside = ["../" + "shared"]
-    folders = [*FOLDERS.values(), ROOT / "tests", ROOT / ".ci"]
+    folders = [*FOLDERS.values(), ROOT / "tests", ROOT / ".ci", ROOT / ".github"]
     files = [path for folder in folders for path in folder.rglob("*") if path.is_file()]
     files += [path for path in ROOT.iterdir() if path.is_file()]
     for path in files:
