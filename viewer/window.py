@@ -8,6 +8,7 @@ import numpy as np
 from bodymeasure.viewer.controls import INK, TEXT_SIZE, WINDOW_SIZE, listen, say
 from bodymeasure.viewer.describe import describe
 
+from bodymeasure.atlas.queries.outside import outward_sign_of_mesh
 from bodymeasure.scene import (
     SIDES,
     ColorScale,
@@ -16,7 +17,6 @@ from bodymeasure.scene import (
     body_scene,
     body_views,
 )
-from bodymeasure.scene.camera import outward
 from bodymeasure.scene.colors import (
     BACKGROUND,
     BODY,
@@ -73,7 +73,8 @@ class Window:
         self.edge_actors: list[Any] = []
         self.path_actors: list[Any] = []
         points = self.scene.surface.points
-        self._lift = LIFT * float(np.ptp(points, axis=0).max()) * outward(self.scene.surface)
+        self._lift = LIFT * float(np.ptp(points, axis=0).max())
+        self._lift *= outward_sign_of_mesh(points, self.scene.surface.triangles)
         self._fill()
 
     def look_from(self, side: str) -> None:

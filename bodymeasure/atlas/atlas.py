@@ -14,6 +14,7 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.axes import Axes
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, edge_table, sides_of, weights_differ
+from bodymeasure.atlas.tessellation import tessellate
 from bodymeasure.atlas.units import Unit
 from bodymeasure.bezier import evaluate, homogeneous, project
 from bodymeasure.errors import InputError
@@ -190,8 +191,6 @@ class Atlas:
         MissingExtraError
             If trimesh is not installed.
         """
-        from bodymeasure.atlas.tessellation import tessellate
-
         return tessellate(self, segments).to_trimesh()
 
     def converted(self, unit: Unit | str) -> Self:
@@ -276,8 +275,7 @@ def _check_weights_of_seams(index: Ints, weights: Array) -> None:
     along = along.reshape(-1, along.shape[-1])
     _, first = np.unique(table.edge, return_index=True)
     differ = weights_differ(along, along[first[table.edge.ravel()]])
-    collapsed = (table.control_index == table.control_index[..., :1]).all(axis=-1).ravel()
-    bad = np.flatnonzero(differ & ~collapsed)
+    bad = np.flatnonzero(differ & ~table.collapsed.ravel())
     if len(bad):
         patches = first[table.edge.ravel()[bad[0]]] // len(EDGES), bad[0] // len(EDGES)
         raise InputError(

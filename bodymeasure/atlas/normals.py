@@ -1,9 +1,15 @@
-"""The normal field S_u x S_v of patches as a polynomial."""
+"""Normals of patches: as vectors, as unit vectors with their bends, and as a polynomial."""
 
 import numpy as np
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 from bodymeasure.bezier import bernstein, derivatives, project
+from bodymeasure.bezier.power_form import jets
+
+# Sine of the angle between tangents that span no plane; the normal is taken a little aside, at this
+# part of the way to the middle of the patch.
+DEGENERATE = 1e-9
+ASIDE = 1e-4
 
 
 def normal_coefficients(control_points: Array) -> Array:
@@ -66,7 +72,7 @@ def _apply(rows_u: Array, rows_v: Array, nets: Array) -> Array:
 
 
 def normal_vectors(control_points: Array, parameters: Array) -> Array:
-    """Normals S_u x S_v, not normalised.
+    """Return the normals S_u x S_v, which are not normalized.
 
     Parameters
     ----------
@@ -77,11 +83,80 @@ def normal_vectors(control_points: Array, parameters: Array) -> Array:
     -------
     ndarray, shape (*batch, ..., 3)
     """
-    tangents = derivatives(_moved_to_origin(control_points), parameters, order=1)
-    return np.cross(tangents[..., 1, 0, :], tangents[..., 0, 1, :])
+    return np.cross(*_tangents(control_points, parameters))
 
 
-def patch_sizes(control_points: Array) -> Array:
-    """Diagonal of the bounding box of each patch's points (..., 3), shape (patches,)."""
-    nets = control_points.reshape(len(control_points), -1, 3)
-    return np.asarray(np.linalg.norm(np.ptp(nets, axis=1), axis=-1))
+def unit_normals(control_points: Array, parameters: Array) -> Array:
+    """Return unit vectors along S_u x S_v.
+
+    Where the tangents span no plane, as at a pole, the normal a little nearer to the middle of the
+    patch is returned, and 0 where that does not exist either.
+
+    Parameters
+    ----------
+    control_points : ndarray, shape (*batch, m + 1, n + 1, 3) or (*batch, m + 1, n + 1, 4)
+    parameters : ndarray, shape (*batch, ..., 2)
+
+    Returns
+    -------
+    ndarray, shape (*batch, ..., 3)
+    """
+    normal, sine = _unit_normal(*_tangents(control_points, parameters))
+    bad = (sine < DEGENERATE)[..., None]
+    if bad.any():
+        inside = np.where(bad, parameters + ASIDE * (0.5 - parameters), parameters)
+        aside, _ = _unit_normal(*_tangents(control_points, inside))
+        normal = np.where(bad, aside, normal)
+    return normal
+
+
+def normals_and_bends(coefficients: Array, x: Array) -> tuple[Array, Array, Array]:
+    """Return positions, unit normals along S_u x S_v, and how the normals bend.
+
+    It is `unit_normals` for many small batches of points.
+
+    Parameters
+    ----------
+    coefficients : ndarray, shape (k, m + 1, m + 1, 3 or 4)
+        Coefficients of powers, from `bodymeasure.bezier.power_form`.
+    x : ndarray, shape (k, 2)
+
+    Returns
+    -------
+    position, normal : ndarray, shape (k, 3)
+    bend : ndarray, shape (k, 3, 3)
+        Second derivatives, by the position, of the distance to the surface at its foot, counted
+        along the normal; 0 where the tangents span no plane.
+    """
+    s = jets(coefficients, x)
+    normal, sine = _unit_normal(s[:, 1, 0], s[:, 0, 1])
+    bad = np.flatnonzero(sine < DEGENERATE)
+    if len(bad):
+        aside = jets(coefficients[bad], x[bad] + ASIDE * (0.5 - x[bad]))
+        normal[bad] = _unit_normal(aside[:, 1, 0], aside[:, 0, 1])[0]
+    return s[:, 0, 0], normal, _bend(s, normal, sine >= DEGENERATE)
+
+
+def _tangents(control_points: Array, parameters: Array) -> tuple[Array, Array]:
+    jet = derivatives(_moved_to_origin(control_points), parameters, order=1)
+    return jet[..., 1, 0, :], jet[..., 0, 1, :]
+
+
+def _unit_normal(su: Array, sv: Array) -> tuple[Array, Array]:
+    """Unit normals, and the sines of the angles between the tangents."""
+    cross = np.cross(su, sv)
+    length = np.linalg.norm(cross, axis=-1)
+    product = np.linalg.norm(su, axis=-1) * np.linalg.norm(sv, axis=-1)
+    tiny = np.finfo(np.float64).tiny
+    return cross / np.maximum(length, tiny)[..., None], length / np.maximum(product, tiny)
+
+
+def _bend(s: Array, normal: Array, regular: Bools) -> Array:
+    """Second derivatives of the distance to the surface, 0 where there is no tangent plane."""
+    tangents = np.stack([s[:, 1, 0], s[:, 0, 1]], axis=2)
+    metric = tangents.swapaxes(1, 2) @ tangents
+    metric[~regular] = np.eye(2)
+    dual = tangents @ np.linalg.inv(metric)
+    second = np.einsum("kijc,kc->kij", s[:, [[2, 1], [1, 0]], [[0, 1], [1, 2]]], normal)
+    second[~regular] = 0.0
+    return np.asarray(-dual @ second @ dual.swapaxes(1, 2))

@@ -12,7 +12,7 @@ from bodymeasure._typing import Array, Bools, Ints
 class Edge(NamedTuple):
     """One side of a patch: its name, and the parameter that is fixed on it.
 
-    The edge runs with the other parameter upwards.
+    The edge runs in the direction in which the other parameter grows.
     """
 
     name: str
@@ -20,14 +20,17 @@ class Edge(NamedTuple):
     fixed_value: float
 
 
-# Weights along a seam whose ratios to one another differ by less, relatively, differ by rounding.
-SAME_RATIO = 1e-12
 EDGES = (
     Edge("u = 0", 0, 0.0),
     Edge("u = 1", 0, 1.0),
     Edge("v = 0", 1, 0.0),
     Edge("v = 1", 1, 1.0),
 )
+# The parameter that is fixed on each side, and its value there.
+AXIS = np.array([edge.fixed_axis for edge in EDGES])
+VALUE = np.array([edge.fixed_value for edge in EDGES])
+# Weights along a seam whose ratios to one another differ by less, relatively, differ by rounding.
+SAME_RATIO = 1e-12
 
 
 @dataclass(frozen=True)
@@ -51,6 +54,11 @@ class EdgeTable:
     edge: Ints
     reversed: Bools
     sides: Ints
+
+    @property
+    def collapsed(self) -> Bools:
+        """Which sides have all their control points in one, shape (patches, 4)."""
+        return np.asarray((self.control_index == self.control_index[:, :, :1]).all(axis=2))
 
 
 def edge_table(index: Ints) -> EdgeTable:

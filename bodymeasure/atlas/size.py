@@ -32,3 +32,9 @@ def require_size(points: Array, unit: str = "", what: str = "the atlas") -> None
             f"{what} extends over {over}; expected a size between "
             f"{1.0 / LARGEST:g} and {LARGEST:g}: choose another unit"
         )
+
+
+def patch_sizes(control_points: Array) -> Array:
+    """Return the diagonal of the box around each patch's points (..., 3), shape (patches,)."""
+    nets = control_points.reshape(len(control_points), -1, 3)
+    return np.asarray(np.linalg.norm(np.ptp(nets, axis=1), axis=-1))

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.normals import patch_sizes
-from bodymeasure.atlas.queries.extent import size_along
+from bodymeasure.atlas.queries.farthest import size_along
 from bodymeasure.atlas.seams import edge_table
+from bodymeasure.atlas.size import patch_sizes
 from bodymeasure.atlas.topology.joins import parts, seams_of
 from bodymeasure.atlas.units import Unit
 

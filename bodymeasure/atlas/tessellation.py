@@ -1,15 +1,26 @@
 """Triangle meshes of an atlas, welded along its seams."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
-from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.seams import EDGES, edge_table
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError, MissingExtraError
+
+
+class Patches(Protocol):
+    """What a tessellation needs of an atlas."""
+
+    @property
+    def index(self) -> Ints:
+        """Number of each patch's control points, shape (patches, degree + 1, degree + 1)."""
+
+    @property
+    def control_points(self) -> Array:
+        """Control points of every patch, shape (patches, degree + 1, degree + 1, 3 or 4)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,8 +75,8 @@ class Tessellation:
         )
 
 
-def tessellate(atlas: Atlas, segments: int) -> Tessellation:
-    """A triangle mesh of the whole atlas, every patch edge cut into equal parameter steps.
+def tessellate(atlas: Patches, segments: int) -> Tessellation:
+    """Return a triangle mesh of the whole atlas, every patch edge cut into equal parameter steps.
 
     Patches that share an edge or a corner by index share its vertices; nothing is welded because
     it happens to be near. An edge whose control points are one becomes one vertex.
@@ -84,6 +95,13 @@ def tessellate(atlas: Atlas, segments: int) -> Tessellation:
     ------
     InputError
         If `segments` is no whole number, or less than 1.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> mesh = tessellate(bm.load_sample("paraboloid"), 8)
+    >>> mesh.vertices.shape, mesh.faces.shape
+    ((81, 3), (128, 3))
     """
     if not isinstance(segments, (int, np.integer)) or segments < 1:
         raise InputError(f"segments is {segments}; expected at least 1 a patch edge")
@@ -94,7 +112,7 @@ def tessellate(atlas: Atlas, segments: int) -> Tessellation:
     parameters = np.stack(np.divmod(place, segments + 1), axis=-1) / segments
     vertices = evaluate(atlas.control_points[patch], parameters)
     faces = grid_faces(np.searchsorted(flat, grid))
-    face_patch = np.repeat(np.arange(len(atlas)), 2 * segments**2)
+    face_patch = np.repeat(np.arange(len(atlas.index)), 2 * segments**2)
     proper = _has_three_corners(faces)
     return Tessellation(
         vertices,
@@ -102,7 +120,7 @@ def tessellate(atlas: Atlas, segments: int) -> Tessellation:
         patch,
         parameters,
         face_patch[proper],
-        _corner_parameters(len(atlas), segments)[proper],
+        _corner_parameters(len(atlas.index), segments)[proper],
     )
 
 
@@ -149,9 +167,8 @@ def _welded_grids(index: Ints, segments: int) -> Ints:
         forwards = np.arange(inside)
         steps = np.where(table.reversed[:, side, None], forwards[::-1], forwards)
         numbers = offset + table.edge[:, side, None] * inside + steps
-        control = table.control_index[:, side]
-        collapsed = (control == control[:, :1]).all(axis=1)
-        numbers[collapsed] = control[collapsed, :1]
+        collapsed = table.collapsed[:, side]
+        numbers[collapsed] = table.control_index[collapsed, side, :1]
         rows = grid if edge.fixed_axis == 0 else grid.swapaxes(1, 2)
         rows[:, int(edge.fixed_value) * segments, 1:-1] = numbers
     offset += len(table.sides) * inside

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
-from bodymeasure.atlas.normals import normal_vectors
-from bodymeasure.atlas.queries.outward import outward_sign
+from bodymeasure.atlas.normals import unit_normals
+from bodymeasure.atlas.queries.outside import outward_sign
 from bodymeasure.chart.chart import Tape, TapeKind
 from bodymeasure.chart.joined import joined
 from bodymeasure.chart.legs import leg
@@ -105,7 +105,5 @@ class Body:
         -------
         ndarray, shape (k, 3)
         """
-        normals = normal_vectors(self.atlas.control_points[patch], parameters[:, None])[:, 0]
-        length = np.linalg.norm(normals, axis=1, keepdims=True)
-        unit = np.divide(normals, length, out=np.zeros_like(normals), where=length > 0.0)
-        return np.asarray(self._outwards * unit)
+        nets = self.atlas.control_points[patch]
+        return np.asarray(self._outwards * unit_normals(nets, parameters[:, None])[:, 0])

@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Axes
+from bodymeasure.atlas.queries.outside import outward_sign_of_mesh
 from bodymeasure.scene.clip import clipped
-from bodymeasure.scene.model import BodyScene, Surface, TapeScene
+from bodymeasure.scene.model import BodyScene, TapeScene
 
 SIDES = ("front", "back", "left", "right")
 # Room around what is framed, as a fraction of the picture's height.
@@ -104,7 +105,8 @@ def patch_view(scene: BodyScene, axes: Axes) -> View:
     points, normals = surface.points[~surface.faded], surface.normals[~surface.faded]
     normal = normals.mean(axis=0)
     length = float(np.linalg.norm(normal))
-    towards = normal / length * outward(surface) if length > 0.0 else axes.front_vector
+    sign = outward_sign_of_mesh(surface.points, surface.triangles)
+    towards = sign * normal / length if length > 0.0 else axes.front_vector
     # Upright as on the body, but for patches that lie flat, which are seen from above or below.
     upward = axes.up_vector - (axes.up_vector @ towards) * towards
     if np.linalg.norm(upward) < LYING:
@@ -132,13 +134,6 @@ def cut_away(scene: BodyScene, view: View) -> BodyScene:
         surface=clipped(surface, depth - limit),
         faded_edges=replace(scene.faded_edges, points=edges),
     )
-
-
-def outward(surface: Surface) -> float:
-    """1 where normals point out of the body, -1 where they point into it, by its volume's sign."""
-    corners = surface.points[surface.triangles] - surface.points.mean(axis=0)
-    volume = np.einsum("ti,ti->t", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])).sum()
-    return -1.0 if volume < 0.0 else 1.0
 
 
 def framed(

@@ -18,23 +18,23 @@ LEAST_WEIGHT = 1e-9
 TINY_PRESSURE = 1e-6
 
 
-class Measured(NamedTuple):
+class SegmentLengths(NamedTuple):
     """A string's segments, measured over the skin.
 
     Parameters
     ----------
-    length, doubt : ndarray, shape (n,)
-        Of each segment: its arc's length, and by how much that is uncertain.
+    length, error : ndarray, shape (n,)
+        The length of each segment's arc, and its error.
     depth : ndarray, shape (n,)
         How deep the segment's middle lies inside the skin; 0 outside.
     """
 
     length: Array
-    doubt: Array
+    error: Array
     depth: Array
 
 
-def measured(skin: Skin, nodes: Array) -> Measured:
+def segment_lengths(skin: Skin, nodes: Array) -> SegmentLengths:
     """Lengths of the arcs over the skin that a string's segments cut short.
 
     Notes
@@ -53,10 +53,10 @@ def measured(skin: Skin, nodes: Array) -> Measured:
     half = np.hypot(0.5 * c, middle)
     rise = np.maximum(0.0, depth[:, [0, 2]] - 0.5 * middle[:, None])
     two = 2.0 * half + (8.0 * rise**2 / 3.0).sum(axis=1) / np.maximum(half, 0.5 * size)
-    return Measured(two + (two - one) / 15.0, np.abs(two - one), middle)
+    return SegmentLengths(two + (two - one) / 15.0, np.abs(two - one), middle)
 
 
-def divided(skin: Skin, string: String, now: Measured, parts: Ints) -> String:
+def divided(skin: Skin, string: String, now: SegmentLengths, parts: Ints) -> String:
     """The string with each segment divided into a number of parts, settled again."""
     segment = np.repeat(np.arange(len(parts)), parts)
     fraction = np.concatenate([np.arange(count) / count for count in parts])
@@ -75,14 +75,14 @@ def divided(skin: Skin, string: String, now: Measured, parts: Ints) -> String:
     return relax(skin, nodes, weights, pressure[1:])
 
 
-def doubtful_parts(string: String, now: Measured, least: int) -> Ints:
+def parts_of_segments(string: String, now: SegmentLengths, least: int) -> Ints:
     """Into how many parts to divide each segment: `least`, or more where its length is in doubt.
 
     Those are the segments over kinks, whose doubt falls with the square of the parts; and those in
     which the string leaves the skin, where a kink may hide between the points that are looked at.
     """
-    doubt = now.doubt / (SEGMENT_TOLERANCE * now.length.sum())
-    parts = np.ceil(np.sqrt(doubt)).astype(np.int64)
+    excess = now.error / (SEGMENT_TOLERANCE * now.length.sum())
+    parts = np.ceil(np.sqrt(excess)).astype(np.int64)
     touching = np.concatenate([[True], string.touching, [True]])
     free = ~touching[:-1] | ~touching[1:]
     near = touching[:-1] | touching[1:]

@@ -8,17 +8,19 @@ import scipy
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.normals import normals_and_bends
+from bodymeasure.atlas.queries.closest import descend
+from bodymeasure.atlas.queries.outside import Outside, outward_signs
 from bodymeasure.atlas.seams import edge_table
+from bodymeasure.atlas.topology.joins import entered, on_sides, over_sides
 from bodymeasure.bezier import evaluate
-from bodymeasure.bezier.power_form import power_coefficients
-from bodymeasure.taut.foot_search import descend
-from bodymeasure.taut.outside import Outside, outward_signs
-from bodymeasure.taut.sides import entered, on_sides, over_sides
-from bodymeasure.taut.tangents import normals_and_bends
+from bodymeasure.bezier.power_form import jets, power_coefficients
 
 # Samples a side of each patch, whose closest one tells where a search starts: closer than what
 # bends a body's surface.
 SAMPLES = 12
+# In (u, v): after a step of this size, what is left of Newton's error is its square.
+LAST_STEP = 1e-6
 # Seams that a search for one foot may cross: all round a corner of five patches, and back.
 MAX_CROSSINGS = 6
 # Of the atlas's size: positions this close to the skin have no direction from their foot.
@@ -60,7 +62,7 @@ class Skin:
     Parameters
     ----------
     atlas : Atlas
-    outside : {"told", "along normals", "against normals"}
+    outside : {"determined", "along normals", "against normals"}
 
     Notes
     -----
@@ -85,9 +87,18 @@ class Skin:
         """The closest points of the skin to positions (k, 3)."""
         _, nearest = self.tree.query(positions)
         patch, sample = np.divmod(np.asarray(nearest, dtype=np.int64), SAMPLES**2)
-        x, squared = descend(self.coefficients[patch], positions, self.grid[sample])
+        x, squared = self.descend(patch, positions, self.grid[sample])
         self._cross(positions, patch, x, squared)
         return self._read(positions, patch, x)
+
+    def descend(self, patch: Ints, positions: Array, start: Array) -> tuple[Array, Array]:
+        """Parameters of the closest points of single patches, and the squared distances."""
+        coefficients = self.coefficients[patch]
+
+        def jets_at(rows: Ints, x: Array) -> Array:
+            return jets(coefficients[rows], x)
+
+        return descend(jets_at, positions, start, LAST_STEP)
 
     def _cross(self, positions: Array, patch: Ints, x: Array, squared: Array) -> None:
         """Go on over the seams on which searches ended, where that leads closer; in place."""
@@ -100,7 +111,7 @@ class Skin:
             if not len(row):
                 return
             to_patch, start = self.entered(patch[row], x[row], side)
-            there, closer = descend(self.coefficients[to_patch], positions[row], start)
+            there, closer = self.descend(to_patch, positions[row], start)
             # At a corner two sides lead on: of those, the closer one is written last, and stays.
             order = np.argsort(-closer)
             better = order[closer[order] < squared[row[order]] - (TIED * self.size) ** 2]

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.taut.refine import divided, doubtful_parts, measured
+from bodymeasure.taut.refine import divided, parts_of_segments, segment_lengths
 from bodymeasure.taut.skin import Skin
 from bodymeasure.taut.string import relax
 
@@ -24,7 +24,7 @@ SAFETY = 3.0
 CHANCE = 5e-8
 
 
-class Drawn(NamedTuple):
+class TautLeg(NamedTuple):
     """A leg drawn taut.
 
     Parameters
@@ -44,7 +44,7 @@ class Drawn(NamedTuple):
     settled: bool
 
 
-def draw_taut(skin: Skin, nodes: Array) -> Drawn:
+def draw_taut(skin: Skin, nodes: Array) -> TautLeg:
     """Draw a leg taut.
 
     Parameters
@@ -56,23 +56,23 @@ def draw_taut(skin: Skin, nodes: Array) -> Drawn:
     count = len(nodes) - 1
     if np.ptp(nodes, axis=0).max() <= NEGLIGIBLE * skin.size:
         ends = nodes[[0, -1]]
-        return Drawn(ends, skin.feet(ends).normal, 0.0, 0.0, True)
+        return TautLeg(ends, skin.feet(ends).normal, 0.0, 0.0, True)
     string = relax(skin, nodes, np.full(count, 1.0 / count))
-    now = measured(skin, string.nodes)
+    now = segment_lengths(skin, string.nodes)
     length, error = float(now.length.sum()), np.inf
     for level in range(1, LEVELS):
-        finer = divided(skin, string, now, doubtful_parts(string, now, min(level, 2)))
+        finer = divided(skin, string, now, parts_of_segments(string, now, min(level, 2)))
         if string.settled and not finer.settled and level > 1:
             # Over sharp kinks a fine string may not come to rest where a coarser one did.
             break
-        before, doubted = length, float(now.doubt.sum())
-        string, now = finer, measured(skin, finer.nodes)
+        before, error_before = length, float(now.error.sum())
+        string, now = finer, segment_lengths(skin, finer.nodes)
         length = float(now.length.sum())
-        change = abs(length - before) + float(now.doubt.sum())
-        error = SAFETY * change + doubted + string.unrest + CHANCE * length
+        change = abs(length - before) + float(now.error.sum())
+        error = SAFETY * change + error_before + string.error + CHANCE * length
         if not string.settled or (level > 1 and error <= TOLERANCE * length):
             break
     ends = skin.feet(string.nodes[[0, -1]]).normal
     inner = np.where(string.touching[:, None], string.feet.normal, 0.0)
     normals = np.concatenate([ends[:1], inner, ends[1:]])
-    return Drawn(string.nodes, normals, length, error, string.settled)
+    return TautLeg(string.nodes, normals, length, error, string.settled)

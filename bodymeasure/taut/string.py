@@ -10,12 +10,12 @@ from bodymeasure.taut.skin import Feet, Skin
 
 # Rounds of feet and springs. Newton-like ones take 4 to 8; strings that slide sideways take more.
 MAX_ROUNDS = 40
-# Of the length: unrest below is rest.
+# Part of the length: a string whose length may change by less is at rest.
 REST = 1e-10
-# Over sharp kinks two nodes may hop to and fro. After so many rounds steps are halved, and unrest
-# below this part of the length is borne, and counts as error.
+# Over sharp kinks two nodes may hop to and fro. After so many rounds steps are halved, and a string
+# counts as at rest if its length may change by this part, which counts as its error.
 PATIENCE = 8
-UNREST = 3e-8
+LATE_REST = 3e-8
 # Of the length: the farthest that a node may go in one round: it must not jump through a limb.
 LONGEST_STEP = 0.06
 # Of the length, and of a node's last step: how far from its foot the seam of a valley may be to be
@@ -40,7 +40,7 @@ class String(NamedTuple):
         Which inner nodes press on the skin.
     pressure : ndarray, shape (n - 1,)
         With what force; 0 where they don't.
-    unrest : float
+    error : float
         By how much the length may still change, in its unit.
     settled : bool
     """
@@ -50,7 +50,7 @@ class String(NamedTuple):
     feet: Feet
     touching: Bools
     pressure: Array
-    unrest: float
+    error: float
     settled: bool
 
 
@@ -88,7 +88,7 @@ def relax(skin: Skin, nodes: Array, weights: Array, pressure: Array | None = Non
         held[:, 0] = feet.gap <= ON_SKIN * length
     else:
         load[:, 0], held[:, 0] = pressure, pressure > 0.0
-    unrest = np.inf
+    error = np.inf
     for number in range(MAX_ROUNDS):
         step, load, held = equilibrium(nodes, weights, walls, load, held)
         if number >= PATIENCE:
@@ -100,15 +100,15 @@ def relax(skin: Skin, nodes: Array, weights: Array, pressure: Array | None = Non
         reach = np.clip(REACH_STEPS * moved, LEAST_REACH * length, FIRST_REACH * length)
         walls = walls_of(skin, nodes[1:-1], feet, reach)
         length = polygon_length(nodes)
-        unrest = _unrest(step, weights, load, feet.gap) * float(weights.sum()) / length
-        if unrest <= (REST if number < PATIENCE else UNREST) * length:
+        error = _rest_error(step, weights, load, feet.gap) * float(weights.sum()) / length
+        if error <= (REST if number < PATIENCE else LATE_REST) * length:
             break
     touching = np.asarray(held.any(axis=1))
-    settled = unrest <= UNREST * length
-    return String(nodes, weights, feet, touching, load.sum(axis=1), unrest, settled)
+    settled = error <= LATE_REST * length
+    return String(nodes, weights, feet, touching, load.sum(axis=1), error, settled)
 
 
-def _unrest(step: Array, weights: Array, load: Array, gap: Array) -> float:
+def _rest_error(step: Array, weights: Array, load: Array, gap: Array) -> float:
     """Energy of the last step, and what it costs to bring nodes to the skin from off or inside it.
 
     Over the tension, it is a length: energy is length squared over twice the sum of weights.

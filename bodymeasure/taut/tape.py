@@ -9,14 +9,14 @@ import numpy as np
 from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.queries.outside import Outside
 from bodymeasure.atlas.units import Unit
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic import AtlasPath, geodesic_between
 from bodymeasure.geodesic.status import OnFailure, check_on_failure
 from bodymeasure.taut.legs import leg_ends
-from bodymeasure.taut.outside import Outside
 from bodymeasure.taut.skin import Skin, skin_of
-from bodymeasure.taut.solve import Drawn, draw_taut
+from bodymeasure.taut.solve import TautLeg, draw_taut
 from bodymeasure.taut.status import TautStatus
 
 # Segments that a leg starts with.
@@ -81,7 +81,7 @@ def taut_tape(
     via: Sequence[AtlasPoint] = (),
     *,
     contact: AtlasPath | None = None,
-    outside: Outside = "told",
+    outside: Outside = "determined",
     on_failure: OnFailure = "raise",
 ) -> TautTape:
     """The shortest way outside the body between two of its points, and the one along its skin.
@@ -94,7 +94,7 @@ def taut_tape(
         Points that the tape is held at, in order.
     contact : AtlasPath, optional
         The path along the skin through the same points, if it is known already.
-    outside : {"told", "along normals", "against normals"}
+    outside : {"determined", "along normals", "against normals"}
         Where the outside is: told from what the surface encloses, or, for an open one, where
         S_u x S_v points, or opposite.
     on_failure : {"raise", "status"}
@@ -136,7 +136,7 @@ def taut_tape(
     0.2092 0.2104 0.2169 m
     """
     check_on_failure(on_failure)
-    if outside not in ("told", "along normals", "against normals"):
+    if outside not in ("determined", "along normals", "against normals"):
         raise InputError(
             f"outside is {outside!r}; expected 'told', 'along normals' or 'against normals'"
         )
@@ -172,7 +172,9 @@ def _drawn(skin: Skin, contact: AtlasPath) -> TautTape:
     return TautTape(length, error, status, contact.atlas.unit, points, normals, contact, chord)
 
 
-def _judged(contact: AtlasPath, legs: list[Drawn], chord: float) -> tuple[float, float, TautStatus]:
+def _judged(
+    contact: AtlasPath, legs: list[TautLeg], chord: float
+) -> tuple[float, float, TautStatus]:
     length, error = sum(leg.length for leg in legs), sum(leg.error for leg in legs)
     along = contact.length if contact.converged else contact.raw_length
     known = contact.error_estimate if contact.converged else 0.0

@@ -3,9 +3,8 @@
 import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure.atlas.seams import AXIS, VALUE
 from bodymeasure.bezier.power_form import jets
-from bodymeasure.taut.foot_search import descend
-from bodymeasure.taut.sides import AXIS, VALUE
 from bodymeasure.taut.skin import Feet, Skin
 
 # Sine: valleys so shallow between two patches hold no string.
@@ -38,7 +37,7 @@ def feet_over_valleys(skin: Skin, positions: Array, feet: Feet, reach: Array) ->
     to_patch, start = skin.entered(patch, seam, side)
     rises = _rises(skin, patch, seam, side)
     row, to_patch, start = row[rises], to_patch[rises], start[rises]
-    x, _ = descend(skin.coefficients[to_patch], positions[row], start)
+    x, _ = skin.descend(to_patch, positions[row], start)
     foot, normal, bend = skin.frame(to_patch, x)
     gap = np.einsum("kc,kc->k", positions[row] - foot, normal)
     return row, Feet(to_patch, x, foot, normal, gap, np.maximum(0.0, -gap), bend)

@@ -5,7 +5,7 @@ import pytest
 from helpers.surfaces.quadrics import joined, sphere_nets, torus_nets
 
 from bodymeasure.atlas import Atlas, summarize, tessellate
-from bodymeasure.atlas.queries.extent import size_along
+from bodymeasure.atlas.queries.farthest import size_along
 from bodymeasure.samples import load_sample
 
 

@@ -6,9 +6,9 @@ from numpy.typing import NDArray
 import bodymeasure as bm
 from bodymeasure.atlas import edge_table, weld
 from bodymeasure.atlas.queries.closest import closest_points
+from bodymeasure.atlas.queries.outside import _caps, outward_signs
 from bodymeasure.bezier import derivatives, elevate, evaluate
 from bodymeasure.bezier.power_form import jets, power_coefficients
-from bodymeasure.taut.outside import _caps, outward_signs
 from bodymeasure.taut.skin import Skin, skin_of
 
 SIDE = np.linspace(0.0, 1.0, 5)
@@ -44,7 +44,7 @@ def test_the_outside_of_open_parts_does_not_depend_on_the_degree(degree: int) ->
     for atlas in (body, raised):
         atlas = turned(atlas, swapped)
         samples = evaluate(atlas.control_points, np.broadcast_to(GRID, (len(atlas), *GRID.shape)))
-        signs = outward_signs(atlas, samples, edge_table(atlas.index), "told")
+        signs = outward_signs(atlas, samples, edge_table(atlas.index), "determined")
         assert (signs[swapped] == -1.0).all()
         assert (np.delete(signs, swapped) == 1.0).all()
         area, volume = _caps(samples, edge_table(atlas.index), signs, np.zeros(len(atlas), int))
@@ -58,7 +58,7 @@ def test_feet_are_the_closest_points_of_a_body(name: str, rng: np.random.Generat
     body = bm.load_sample(name)
     near = body.points[rng.integers(len(body.points), size=300)]
     positions = near + 0.03 * rng.normal(size=near.shape)
-    feet = skin_of(body, "told").feet(positions)
+    feet = skin_of(body, "determined").feet(positions)
     _, distances = closest_points(body, positions)
     found = np.linalg.norm(positions - feet.position, axis=1)
     # Far from the skin, feet on another part of it may be nearer by less than the samples tell.
@@ -68,7 +68,7 @@ def test_feet_are_the_closest_points_of_a_body(name: str, rng: np.random.Generat
 
 def test_gaps_are_signed_distances(rng: np.random.Generator) -> None:
     body = bm.load_sample("female_average")
-    skin = skin_of(body, "told")
+    skin = skin_of(body, "determined")
     patch, x = rng.integers(len(body), size=100), rng.uniform(0.2, 0.8, (100, 2))
     s = derivatives(body.control_points[patch], x, order=1)
     normal = np.cross(s[:, 1, 0], s[:, 0, 1])
@@ -99,7 +99,7 @@ def test_the_bend_is_the_derivative_of_the_normal(rng: np.random.Generator) -> N
 def test_the_outside_is_told_however_patches_face(some: slice) -> None:
     body = bm.load_sample("female_average")
     patches = np.arange(len(body))[some]
-    signs = Skin(turned(body, patches), "told").signs
+    signs = Skin(turned(body, patches), "determined").signs
     expected = np.ones(len(body))
     expected[patches] = -1.0
     np.testing.assert_array_equal(signs, expected)
@@ -109,14 +109,18 @@ def test_the_outside_of_a_part_is_told_where_it_is_cut_off() -> None:
     body = bm.load_sample("female_average")
     chosen = [i for i, region in enumerate(body.regions) if "arm" in region or "elbow" in region]
     arms = bm.Atlas(body.points, body.index[chosen], body.unit)
-    np.testing.assert_array_equal(Skin(arms, "told").signs, 1.0)
-    np.testing.assert_array_equal(Skin(turned(arms, np.arange(len(arms))), "told").signs, -1.0)
+    np.testing.assert_array_equal(Skin(arms, "determined").signs, 1.0)
+    np.testing.assert_array_equal(
+        Skin(turned(arms, np.arange(len(arms))), "determined").signs, -1.0
+    )
 
 
 def test_an_open_sheet_has_no_outside_but_the_one_that_is_said() -> None:
     hill = row_of(*HILL)
-    with pytest.raises(bm.InputError, match="outside of patch 'patch 0' and 2 more cannot be told"):
-        Skin(hill, "told")
+    with pytest.raises(
+        bm.InputError, match="outside of patch 'patch 0' and 2 more cannot be determined"
+    ):
+        Skin(hill, "determined")
     above, below = Skin(hill, "along normals"), Skin(hill, "against normals")
     np.testing.assert_array_equal(above.signs, -below.signs)
     assert above.feet(np.array([[0.1, 1.5, 2.5]])).gap[0] > 0.4
@@ -137,4 +141,4 @@ def test_a_strip_with_one_side_is_refused() -> None:
     number = np.concatenate([number, number[:1, ::-1]])
     index = np.array([number[3 * i : 3 * i + 4] for i in range(band)])
     with pytest.raises(bm.InputError, match="only one side, like a Moebius band"):
-        Skin(bm.Atlas(rows.reshape(-1, 3), index, bm.Unit.CM), "told")
+        Skin(bm.Atlas(rows.reshape(-1, 3), index, bm.Unit.CM), "determined")

@@ -50,7 +50,7 @@ def test_the_polygon_is_nearly_as_long_and_never_inside_the_body(body: bm.Atlas)
     tape = between(body, "back neck point", "front waist point")
     chords = np.linalg.norm(np.diff(tape.points, axis=0), axis=1)
     assert 0.0 <= tape.length - chords.sum() < 1e-4 * tape.length
-    feet = skin_of(body, "told").feet(tape.points)
+    feet = skin_of(body, "determined").feet(tape.points)
     assert feet.depth.max() < 1e-7
     np.testing.assert_allclose(np.linalg.norm(tape.normals[tape.touching], axis=1), 1.0)
     assert np.abs(feet.gap[tape.touching]).max() < 1e-7
@@ -101,7 +101,7 @@ def test_mirror_images_are_equal(body: bm.Atlas, ends: tuple[str, str]) -> None:
 @pytest.mark.parametrize("far", [-1e-4, 0.02])
 def test_where_the_string_starts_does_not_matter(body: bm.Atlas, far: float) -> None:
     tape = between(body, "back neck point", "front waist point")
-    skin = skin_of(body, "told")
+    skin = skin_of(body, "determined")
     nodes = tape.contact.position(np.linspace(0.0, 1.0, 41))
     nodes[1:-1] += far * skin.feet(nodes[1:-1]).normal
     assert draw_taut(skin, nodes).length == pytest.approx(tape.length, rel=1e-6)
@@ -200,7 +200,9 @@ def test_points_on_separate_parts_are_refused() -> None:
 
 def test_an_unknown_outside_is_refused() -> None:
     sheet = row_of(CUBIC)
-    with pytest.raises(bm.InputError, match=r"cannot be told: .* say outside='along normals'"):
+    with pytest.raises(
+        bm.InputError, match=r"cannot be determined: .* say outside='along normals'"
+    ):
         bm.taut_tape(sheet, at(sheet, -0.9, 1.0), at(sheet, 0.8, 1.0))
 
 

@@ -7,8 +7,8 @@ import numpy as np
 from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
-from bodymeasure.atlas.normals import patch_sizes
 from bodymeasure.atlas.seams import EDGES, sides_of
+from bodymeasure.atlas.size import patch_sizes
 from bodymeasure.bezier import project
 
 # Of a patch's size: a tenth of a micrometer on a patch of 10 cm. Less than a scan or a fit can

@@ -1,36 +1,45 @@
-"""The point of an atlas that is closest to a given position."""
+"""The points of patches and of an atlas that are closest to given positions."""
+
+from collections.abc import Callable
+from functools import lru_cache
 
 import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
-from bodymeasure._typing import Array, Bools
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.bezier import derivatives, evaluate, project
 from bodymeasure.errors import InputError
 
-# Samples a side of each patch. Every local minimum of the sampled distance starts a search, so the
-# grid only has to separate neighbouring minima; a bicubic patch bends too little to need more.
+# Samples along a side of each patch. Every local minimum of the sampled distance starts a search,
+# so that the grid only has to separate neighboring minima; a bicubic patch bends too little to need
+# more.
 SAMPLES = 12
 # Positions are looked up in blocks, so that memory stays within some 100 MB.
 BLOCK = 512
-# Newton doubles its digits in a step: the slow ones are those where the distance is nearly
-# stationary along a whole curve, as from the centre of a sphere.
-MAX_ITERATIONS = 60
-# Newton's error is squared by each step: after one of this size, in (u, v), only rounding is left.
-STEP_TOLERANCE = 1e-12
-# Halvings of a step before its search counts as arrived: 2^-30 of a step is below its rounding.
-MAX_HALVINGS = 30
-# Rounding of the offset from the target, as a part of the coordinates: steps near the end may seem
-# uphill by that much.
-ROUNDING = 1e-15
-# Two patches' distances closer than this part of the atlas's size are the same point on their seam.
+# Newton's steps for one position, halvings included. From a sample beside the closest point four
+# are enough; the slow searches are those where the distance is nearly stationary along a whole
+# curve, as from the center of a sphere.
+MAX_STEPS = 100
+# The last step in (u, v): Newton's error is squared by each step, so that only rounding is left.
+LAST_STEP = 1e-12
+# The longest step in (u, v): a patch's second-order model can be trusted as far as that.
+LONGEST_STEP = 0.25
+# Part of the metric's determinant: Hessians whose determinant is smaller count as singular, and the
+# matrix of Gauss and Newton takes their place.
+SINGULAR = 1e-6
+# Part of the metric's trace, which keeps that matrix regular where tangents are parallel.
+DAMPING = 1e-9
+# Part of a squared distance by which a step may seem to lead away near the end, from rounding.
+ROUNDING = 1e-12
+# Part of the atlas's size: two patches whose distances differ by less meet at the closest point.
 TIE_TOLERANCE = 1e-13
 
 
 def closest_points(atlas: Atlas, positions: ArrayLike) -> tuple[tuple[AtlasPoint, ...], Array]:
-    """Points of the smooth atlas that are closest to given positions.
+    """Return the points of the smooth atlas that are closest to given positions.
 
     Parameters
     ----------
@@ -41,7 +50,7 @@ def closest_points(atlas: Atlas, positions: ArrayLike) -> tuple[tuple[AtlasPoint
     Returns
     -------
     points : tuple of AtlasPoint, length k
-        On a seam, the one on the patch with the lowest number.
+        A point on a seam is given on the patch with the lowest number.
     distances : ndarray, shape (k,)
         In the atlas's unit.
 
@@ -55,6 +64,13 @@ def closest_points(atlas: Atlas, positions: ArrayLike) -> tuple[tuple[AtlasPoint
     A patch can hold the closest point only if one of its samples is closer than the closest sample
     plus the coarsest spacing; those patches are searched by Newton's method in the box
     ``[0, 1]^2``, from every local minimum over their samples.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> points, distances = closest_points(bm.load_sample("paraboloid"), [(0.0, 0.0, -2.0)])
+    >>> print(points[0], distances[0])
+    AtlasPoint(patch=0, u=0.0, v=0.0) 2.0
     """
     positions = np.asarray(positions, dtype=np.float64)
     if positions.ndim != 2 or positions.shape[1] != 3:
@@ -62,7 +78,7 @@ def closest_points(atlas: Atlas, positions: ArrayLike) -> tuple[tuple[AtlasPoint
     if not np.isfinite(positions).all():
         row = int(np.flatnonzero(~np.isfinite(positions).all(axis=1))[0])
         raise InputError(f"position {row} is {positions[row].tolist()}; expected finite numbers")
-    search = _Search(atlas)
+    search = _search_of(atlas)
     points: list[AtlasPoint] = []
     distances = np.empty(len(positions))
     for first in range(0, len(positions), BLOCK):
@@ -73,7 +89,7 @@ def closest_points(atlas: Atlas, positions: ArrayLike) -> tuple[tuple[AtlasPoint
 
 
 class _Search:
-    """Samples of an atlas, made once for all blocks of positions."""
+    """The samples of an atlas, which all searches for closest points share."""
 
     def __init__(self, atlas: Atlas) -> None:
         self.nets = atlas.control_points
@@ -92,11 +108,17 @@ class _Search:
         row = np.repeat(np.arange(len(positions)), [len(found) for found in patches])
         patch = np.concatenate(patches) if patches else np.empty(0, dtype=np.int64)
 
-        # Of the distances to each candidate's samples, every local minimum starts a search.
+        # Every local minimum of the distances to a candidate's samples starts a search.
         squared = ((self.samples[patch] - positions[row, None, None]) ** 2).sum(axis=-1)
         candidate, i, j = np.nonzero(_local_minima(squared))
         row, patch = row[candidate], patch[candidate]
-        parameters, distance = _descend(self.nets[patch], positions[row], self.grid[i, j])
+        nets = self.nets[patch]
+
+        def jets(rows: Ints, x: Array) -> Array:
+            return derivatives(nets[rows], x, order=2)
+
+        parameters, found_squared = descend(jets, positions[row], self.grid[i, j], LAST_STEP)
+        distance = np.sqrt(found_squared)
 
         best = np.full(len(positions), np.inf)
         np.minimum.at(best, row, distance)
@@ -104,17 +126,19 @@ class _Search:
         # Candidates are sorted by patch within each row, so the first tied one is the lowest.
         rows, first = np.unique(row[tied], return_index=True)
         chosen = np.flatnonzero(tied)[first]
-        points = [
-            AtlasPoint(int(patch[k]), float(parameters[k, 0]), float(parameters[k, 1]))
-            for k in chosen
-        ]
+        points = [AtlasPoint(int(patch[k]), *parameters[k].tolist()) for k in chosen]
         result = np.empty(len(positions))
         result[rows] = distance[chosen]
         return points, result
 
 
+@lru_cache(maxsize=4)
+def _search_of(atlas: Atlas) -> _Search:
+    return _Search(atlas)
+
+
 def _spacing(nets: Array) -> float:
-    """How far a point of the atlas can lie from the closest sample, at most.
+    """Return a bound of how far a point of the atlas can lie from the closest sample.
 
     A point is at most half a cell from a sample in u and in v, and no curve on a patch is faster
     than its derivative's longest control vector, times the square of the ratio of its weights if it
@@ -131,7 +155,7 @@ def _spacing(nets: Array) -> float:
 
 
 def _local_minima(values: Array) -> Bools:
-    """Where no neighbour on the grid of the last two axes is lower, shape as `values`."""
+    """Where no neighbor on the grid of the last two axes is lower, shape as `values`."""
     padded = np.pad(values, [(0, 0), (1, 1), (1, 1)], constant_values=np.inf)
     count = values.shape[-1]
     result = np.ones(values.shape, dtype=np.bool_)
@@ -141,76 +165,82 @@ def _local_minima(values: Array) -> Bools:
     return result
 
 
-def _descend(nets: Array, targets: Array, start: Array) -> tuple[Array, Array]:
-    """Newton's method for the closest point in the box, one problem a row.
+def descend(
+    jets: Callable[[Ints, Array], Array], targets: Array, start: Array, last_step: float
+) -> tuple[Array, Array]:
+    """Return the closest points of patches, one problem a row, each from a start nearby.
 
-    Returns parameters (k, 2) and distances (k,).
+    Parameters
+    ----------
+    jets : callable
+        Takes rows (m,) and their parameters (m, 2), and returns the derivatives up to the second
+        there, shape (m, 3, 3, 3) as `bodymeasure.bezier.derivatives`.
+    targets : ndarray, shape (k, 3)
+    start : ndarray, shape (k, 2)
+    last_step : float
+        A search ends after a step in (u, v) of this size; the square of it is what Newton's error
+        is then.
+
+    Returns
+    -------
+    x : ndarray, shape (k, 2)
+        Parameters in [0, 1].
+    squared : ndarray, shape (k,)
+        Squared distances.
 
     Notes
     -----
     Projected Newton after D. Bertsekas, SIAM J. Control Optim. 20 (1982) 221-246: a coordinate on
     its bound which the gradient presses outwards is held; the others take a Newton step (a
-    Gauss-Newton step where the Hessian is not positive definite), which is projected and halved
-    until the distance falls.
+    Gauss-Newton step where the Hessian is not positive definite), which is projected. A step is
+    evaluated where the next one needs it anyway, and halved if it led away.
     """
-    x = start.copy()
-    value = _half_square(nets, targets, x)
-    largest = np.abs(project(nets)).max(axis=(1, 2, 3))
-    rounding = ROUNDING * (largest + np.abs(targets).max(axis=1))
+    x, trial = start.copy(), start.copy()
+    value = np.full(len(x), np.inf)
+    step = np.zeros_like(x)
     busy = np.arange(len(x))
-    for _ in range(MAX_ITERATIONS):
+    for _ in range(MAX_STEPS):
+        s = jets(busy, trial[busy])
+        offset = s[:, 0, 0] - targets[busy]
+        new = _dot(offset, offset)
+        good = new <= value[busy] * (1.0 + ROUNDING)
+        here = busy[good]
+        x[here], value[here] = trial[here], new[good]
+        step[here] = _step(s[good], offset[good], x[here])
+        step[busy[~good]] *= 0.5
+        trial[busy] = np.clip(x[busy] + step[busy], 0.0, 1.0)
+        change = np.abs(trial[busy] - x[busy]).max(axis=1)
+        busy = busy[change > last_step]
         if not len(busy):
             break
-        step = _step(nets[busy], targets[busy], x[busy])
-        change = np.zeros(len(busy))
-        uphill = np.arange(len(busy))
-        for halvings in range(MAX_HALVINGS):
-            k = busy[uphill]
-            trial = np.clip(x[k] + 0.5**halvings * step[uphill], 0.0, 1.0)
-            trial_value = _half_square(nets[k], targets[k], trial)
-            slack = rounding[k] * (np.sqrt(value[k]) + rounding[k])
-            good = trial_value <= value[k] + slack
-            change[uphill[good]] = np.abs(trial - x[k])[good].max(axis=-1)
-            x[k[good]], value[k[good]] = trial[good], trial_value[good]
-            uphill = uphill[~good]
-            if not len(uphill):
-                break
-        # A search that no step improves has arrived, too: its change stays 0.
-        busy = busy[change > STEP_TOLERANCE]
-    return x, np.sqrt(2.0 * value)
+    # The last steps are too small to lead away.
+    offset = jets(np.arange(len(x)), trial)[:, 0, 0] - targets
+    return trial, _dot(offset, offset)
 
 
-def _half_square(nets: Array, targets: Array, x: Array) -> Array:
-    return np.asarray(0.5 * ((evaluate(nets, x) - targets) ** 2).sum(axis=-1))
+def _step(s: Array, offset: Array, x: Array) -> Array:
+    """Newton's step of the coordinates that are free, shape (k, 2), capped.
+
+    Where the Hessian is not positive definite, it is the step of Gauss and Newton.
+    """
+    su, sv = s[:, 1, 0], s[:, 0, 1]
+    e, f, g = _dot(su, su), _dot(su, sv), _dot(sv, sv)
+    a, c = e + _dot(s[:, 2, 0], offset), g + _dot(s[:, 0, 2], offset)
+    b = f + _dot(s[:, 1, 1], offset)
+    convex = (a > 0.0) & (a * c - b * b > SINGULAR * e * g)
+    damping = DAMPING * (e + g) + np.finfo(np.float64).tiny
+    a, c = np.where(convex, a, e + damping), np.where(convex, c, g + damping)
+    b = np.where(convex, b, f)
+
+    down = -np.stack([_dot(su, offset), _dot(sv, offset)], axis=1)
+    held = ((x <= 0.0) & (down < 0.0)) | ((x >= 1.0) & (down > 0.0))
+    b = np.where(held.any(axis=1), 0.0, b)
+    p, q = np.where(held, 0.0, down).T
+    determinant = a * c - b * b
+    step = np.stack([c * p - b * q, a * q - b * p], axis=1) / determinant[:, None]
+    longest = np.abs(step).max(axis=1, keepdims=True)
+    return np.asarray(step * np.minimum(1.0, LONGEST_STEP / np.maximum(longest, LONGEST_STEP)))
 
 
-def _step(nets: Array, targets: Array, x: Array) -> Array:
-    """Newton step of the coordinates that are free, shape (k, 2)."""
-    s = derivatives(nets, x, order=2)
-    tangents = np.stack([s[:, 1, 0], s[:, 0, 1]], axis=1)
-    offset = s[:, 0, 0] - targets
-    gradient = (tangents @ offset[..., None])[..., 0]
-    metric = tangents @ tangents.swapaxes(1, 2)
-    bend = np.stack([s[:, 2, 0], s[:, 1, 1], s[:, 1, 1], s[:, 0, 2]], axis=1)
-    hessian = metric + (bend @ offset[..., None]).reshape(-1, 2, 2)
-
-    held = ((x <= 0.0) & (gradient > 0.0)) | ((x >= 1.0) & (gradient < 0.0))
-    trace = np.trace(metric, axis1=1, axis2=2)[:, None, None]
-    # A damped metric is positive definite even where a tangent vanishes.
-    damped = metric + (1e-9 * trace + np.finfo(np.float64).tiny) * np.eye(2)
-    hessian, damped = _freeze(hessian, held), _freeze(damped, held)
-    determinant = hessian[:, 0, 0] * hessian[:, 1, 1] - hessian[:, 0, 1] ** 2
-    # Sylvester's criterion, with room for rounding.
-    room = 1e-14 * np.abs(hessian).max(axis=(1, 2)) ** 2
-    convex = (hessian[:, 0, 0] > 0.0) & (determinant > room)
-    matrix = np.where(convex[:, None, None], hessian, damped)
-    return -np.linalg.solve(matrix, np.where(held, 0.0, gradient)[..., None])[..., 0]
-
-
-def _freeze(matrix: Array, held: Bools) -> Array:
-    """The matrix with the held coordinates cut off from the others; their diagonal stays > 0."""
-    result = np.where(held[:, :, None] | held[:, None, :], 0.0, matrix)
-    largest = np.abs(matrix).max(axis=(1, 2))
-    for axis in range(2):
-        result[held[:, axis], axis, axis] = largest[held[:, axis]]
-    return result
+def _dot(a: Array, b: Array) -> Array:
+    return np.asarray(np.einsum("kc,kc->k", a, b))

@@ -1,4 +1,4 @@
-"""The points of patches that lie farthest in a direction."""
+"""How far patches reach in a direction, and the points that lie farthest."""
 
 from typing import NamedTuple
 
@@ -18,8 +18,12 @@ TIE = 1e-9
 MOST = 4000
 # Newton doubles its digits in each step.
 STEPS = 20
-# Of a patch's side. Steps that are longer leave the rectangle that holds the farthest point.
+# Part of a patch's side. Longer steps leave the rectangle that holds the farthest point.
 LONGEST_STEP = 0.01
+# Part of the atlas's size up to which sizes are found. Each halving brings control points four
+# times as close to the surface: some ten of them are enough.
+NEAR = 1e-7
+MOST_HALVINGS = 20
 
 
 class Farthest(NamedTuple):
@@ -179,3 +183,43 @@ def _climb(nets: Array, direction: Array, start: Array) -> Array:
         step = np.where(concave[:, None], newton, uphill)
         x = np.clip(x + np.clip(step, -LONGEST_STEP, LONGEST_STEP), 0.0, 1.0)
     return x
+
+
+def size_along(atlas: Atlas, directions: Array) -> Array:
+    """Return the sizes of the box around an atlas's surface.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    directions : ndarray, shape (k, 3)
+        Unit vectors.
+
+    Returns
+    -------
+    ndarray, shape (k,)
+        In the atlas's unit, to a part in ten million. The control points' box is larger.
+    """
+    nets = atlas.control_points
+    tolerance = NEAR * float(np.ptp(atlas.points[atlas.index.ravel()], axis=0).max())
+    return np.array(
+        [_reach(nets, along, tolerance) + _reach(nets, -along, tolerance) for along in directions]
+    )
+
+
+def _reach(nets: Array, direction: Array, tolerance: float) -> float:
+    """Return the greatest coordinate along a direction of patches (k, m + 1, m + 1, 3 or 4).
+
+    Control points enclose their patch, and corners lie on it. Patches whose control points do not
+    reach farther than some corner are dropped, and the others are quartered.
+    """
+    along, weights = nets[..., :3] @ direction, nets[..., 3:]
+    parts = np.concatenate([along[..., None], weights], axis=-1)
+    best = -np.inf
+    for _ in range(MOST_HALVINGS):
+        values = parts[..., 0] / parts[..., 1] if weights.shape[-1] else parts[..., 0]
+        best = max(best, float(values[:, :: len(values[0]) - 1, :: len(values[0]) - 1].max()))
+        parts = parts[values.max(axis=(1, 2)) > best + tolerance]
+        if not len(parts):
+            break
+        parts = split(parts).reshape(-1, *parts.shape[1:])
+    return best

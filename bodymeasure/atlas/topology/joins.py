@@ -7,7 +7,7 @@ import numpy as np
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.normals import normal_vectors
-from bodymeasure.atlas.seams import EDGES, EdgeTable
+from bodymeasure.atlas.seams import AXIS, EDGES, VALUE, EdgeTable
 
 # Points along a seam at which the normals of both sides are compared, with its ends.
 _ALONG = np.linspace(0.0, 1.0, 9)
@@ -103,8 +103,7 @@ def kink_angles(control_points: Array, seams: Seams) -> Array:
     patch = seams.patch
     nets = control_points[patch]
     parameters = np.empty((*patch.shape, len(_ALONG), 2))
-    fixed_axis = np.array([edge.fixed_axis for edge in EDGES])[seams.side]
-    fixed_value = np.array([edge.fixed_value for edge in EDGES])[seams.side]
+    fixed_axis, fixed_value = AXIS[seams.side], VALUE[seams.side]
     along = np.broadcast_to(_ALONG, parameters.shape[:-1]).copy()
     along[seams.against, 1] = _ALONG[::-1]
     across = np.broadcast_to(fixed_value[..., None], along.shape)
@@ -119,3 +118,33 @@ def kink_angles(control_points: Array, seams: Seams) -> Array:
     cosine = np.einsum("skc,skc->sk", left, right)
     # Also where one side has no normal: both are zero then, and so is the angle.
     return np.asarray(np.degrees(np.arctan2(sine, cosine)).max(axis=-1, initial=0.0))
+
+
+def over_sides(table: EdgeTable) -> tuple[Ints, Ints, Bools]:
+    """Patch and side over each side (patches, 4), -1 on a boundary, and whether it runs against."""
+    to_patch = np.full(table.edge.shape, -1, dtype=np.int64)
+    to_side = np.full(table.edge.shape, -1, dtype=np.int64)
+    flipped = np.zeros(table.edge.shape, dtype=np.bool_)
+    seams = seams_of(table, np.zeros(table.edge.shape, dtype=np.bool_))
+    for one, other in ((0, 1), (1, 0)):
+        here = seams.patch[:, one], seams.side[:, one]
+        to_patch[here], to_side[here] = seams.patch[:, other], seams.side[:, other]
+        flipped[here] = seams.against
+    return to_patch, to_side, flipped
+
+
+def on_sides(x: Array) -> tuple[Ints, Ints]:
+    """Return the rows of x (k, 2) that lie on sides, and the sides; a corner lies on two."""
+    on = np.stack([x[:, edge.fixed_axis] == edge.fixed_value for edge in EDGES], axis=1)
+    row, side = np.nonzero(on)
+    return row, side
+
+
+def entered(x: Array, side: Ints, to_side: Ints, flipped: Bools) -> Array:
+    """Return the parameters of points on sides, on the patches over those sides."""
+    rows = np.arange(len(x))
+    along = x[rows, 1 - AXIS[side]]
+    result = np.empty_like(x)
+    result[rows, AXIS[to_side]] = VALUE[to_side]
+    result[rows, 1 - AXIS[to_side]] = np.where(flipped, 1.0 - along, along)
+    return result

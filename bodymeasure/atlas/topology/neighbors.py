@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bodymeasure._typing import Bools
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, edge_table
@@ -64,8 +63,7 @@ class Neighbors:
 
     def __init__(self, atlas: Atlas) -> None:
         table = edge_table(atlas.index)
-        control = table.control_index
-        self.collapsed: Bools = (control == control[:, :, :1]).all(axis=2)
+        self.collapsed = table.collapsed
         on_edge: dict[int, list[tuple[int, int]]] = {}
         for patch, side in np.argwhere(~self.collapsed).tolist():
             on_edge.setdefault(int(table.edge[patch, side]), []).append((patch, side))

@@ -6,7 +6,7 @@ import scipy
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.queries.closest import closest_points
-from bodymeasure.atlas.queries.outward import outward_sign
+from bodymeasure.atlas.queries.outside import outward_sign
 from bodymeasure.bezier import derivatives
 from bodymeasure.chart.landmarks.choice import TIE, atlas_size
 from bodymeasure.chart.landmarks.rules import Between, Hollow

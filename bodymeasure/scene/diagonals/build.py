@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import EDGES, Atlas, edge_table
-from bodymeasure.bezier import derivatives
+from bodymeasure.atlas.normals import unit_normals
+from bodymeasure.bezier import evaluate
 from bodymeasure.scene.model import BodyScene, Label, PathKind, Paths, Polylines, Surface
 
 if TYPE_CHECKING:
@@ -22,8 +23,6 @@ EDGE_POINTS = 49
 # A path that leaves its patch is drawn so far outside (u, v) in [0, 1]; beyond, the polynomial
 # soon has nothing to do with the body.
 OVERSHOOT = 0.25
-# Shorter than this fraction of the atlas's longest normal before scaling, a normal is noise.
-DEGENERATE_NORMAL = 1e-12
 
 
 def body_scene(survey: "Survey", *, segments: int = BODY_SEGMENTS) -> BodyScene:
@@ -137,13 +136,5 @@ def _surface_at(
     atlas: Atlas, patches: NDArray[np.int64], parameters: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Points and unit normals, both (patches, k, 3), at parameters of shape (patches, k, 2)."""
-    jet = derivatives(atlas.control_points[patches], parameters, order=1)
-    normals = np.cross(jet[..., 1, 0, :], jet[..., 0, 1, :])
-    length = np.linalg.norm(normals, axis=-1, keepdims=True)
-    tiny = length <= DEGENERATE_NORMAL * length.max(initial=0.0)
-    # Where a corner or an edge of a patch is drawn together, its mean normal has to do.
-    mean = normals.mean(axis=-2, keepdims=True)
-    mean_length = np.linalg.norm(mean, axis=-1, keepdims=True)
-    mean = np.divide(mean, mean_length, out=np.zeros_like(mean), where=mean_length > 0.0)
-    unit = np.where(tiny, mean, normals / np.where(tiny, 1.0, length))
-    return jet[..., 0, 0, :], unit
+    nets = atlas.control_points[patches]
+    return evaluate(nets, parameters), unit_normals(nets, parameters)

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 import bodymeasure as bm
 from bodymeasure.atlas import convert_length
 from bodymeasure.taut.skin import Skin, skin_of
-from bodymeasure.taut.solve import Drawn, draw_taut
+from bodymeasure.taut.solve import TautLeg, draw_taut
 from bodymeasure.taut.tape import SEGMENTS
 
 BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
@@ -44,7 +44,7 @@ def start_of(path: bm.AtlasPath, segments: int) -> NDArray[np.float64]:
     return path.position(np.linspace(0.0, 1.0, segments + 1))
 
 
-def pushed(skin: Skin, path: bm.AtlasPath, far: float) -> Drawn:
+def pushed(skin: Skin, path: bm.AtlasPath, far: float) -> TautLeg:
     """The tape from a start that stands clear of the skin but for its ends."""
     nodes = start_of(path, SEGMENTS)
     nodes[1:-1] += far * skin.feet(nodes[1:-1]).normal
@@ -53,7 +53,7 @@ def pushed(skin: Skin, path: bm.AtlasPath, far: float) -> Drawn:
 
 def survey(name: str, pairs: list[tuple[bm.AtlasPoint, bm.AtlasPoint]], atlas: bm.Atlas) -> None:
     """Print how tapes between pairs of points come out."""
-    skin = skin_of(atlas, "told")
+    skin = skin_of(atlas, "determined")
     far = convert_length(PUSH, bm.Unit.M, atlas.unit)
     statuses: Counter[str] = Counter()
     seconds, errors, push, finer = [], [], [], []

@@ -1,28 +1,53 @@
-"""On which side of each patch the body's outside lies."""
+"""On which side of its patches the outside of a body lies."""
 
 from typing import Literal
 
 import numpy as np
 
-from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.seams import EdgeTable
 from bodymeasure.atlas.topology.joins import parts, round_of_side, seams_of, turned_patches
+from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError
 
-Outside = Literal["told", "along normals", "against normals"]
-"""Told from what the surface encloses, or the side to which S_u x S_v points, or the other."""
+Outside = Literal["determined", "along normals", "against normals"]
+"""Determined from what the surface encloses, or where S_u x S_v points, or the opposite side."""
 
-# Of a part's area: openings that together are larger leave no body to speak of. A body trimmed at
-# neck and wrists has 1 %, a torso cut at neck, arms and thighs some 20 %, a bowl 50 %, a sheet all.
+# Part of a part's area: openings that together are larger leave no body to speak of. A body that is
+# trimmed at neck and wrists has 1 %, a torso cut at neck, arms and thighs some 20 %, a bowl 50 %,
+# and a sheet all.
 LARGEST_OPENING = 0.25
 # Volume over area to the power 1.5: 0.094 for a ball, 0.02 for a body, 0 for what folds flat.
 LEAST_VOLUME = 1e-3
+# Steps along a patch's side at which a volume is sampled whose sign alone matters.
+STEPS = 4
+
+
+def outward_sign(atlas: Atlas) -> float:
+    """Return 1 where the patches' normals S_u x S_v point out of the body, -1 where into it.
+
+    Notes
+    -----
+    It is the sign of the volume between the patches and the middle of the body, which openings do
+    not spoil. All patches are taken to face alike, which `bodymeasure.check_atlas` checks.
+    """
+    side = np.linspace(0.0, 1.0, STEPS + 1)
+    grid = np.stack(np.meshgrid(side, side, indexing="ij"), axis=-1)
+    samples = evaluate(atlas.control_points, np.broadcast_to(grid, (len(atlas), *grid.shape)))
+    _, volume = _triangle_sums(samples)
+    return -1.0 if volume.sum() < 0.0 else 1.0
+
+
+def outward_sign_of_mesh(vertices: Array, faces: Ints) -> float:
+    """Return 1 where the faces (f, 3) of a mesh face out of the body, -1 where into it."""
+    volume = _volumes(*(vertices - vertices.mean(axis=0))[faces].swapaxes(0, 1))
+    return -1.0 if volume.sum() < 0.0 else 1.0
 
 
 def outward_signs(atlas: Atlas, samples: Array, table: EdgeTable, outside: Outside) -> Array:
-    """By what S_u x S_v is multiplied to point out of the body, 1 or -1 for each patch.
+    """Return by what S_u x S_v is multiplied to point out of the body, 1 or -1 for each patch.
 
     Parameters
     ----------
@@ -30,20 +55,21 @@ def outward_signs(atlas: Atlas, samples: Array, table: EdgeTable, outside: Outsi
     samples : ndarray, shape (patches, k, k, 3)
         Positions on an even grid over each patch, edges included.
     table : EdgeTable
-        Of the atlas.
-    outside : {"told", "along normals", "against normals"}
+        The atlas's own.
+    outside : {"determined", "along normals", "against normals"}
 
     Raises
     ------
     InputError
-        If a part of the atlas has only one side, or is so open that its inside cannot be told.
+        If a part of the atlas has only one side, or is so open that its inside cannot be
+        determined.
 
     Notes
     -----
     Patches of a part are first made to face the same way. The part's openings are closed by cones;
     the outside is where the volume so enclosed, by the divergence theorem, is positive.
     """
-    seams = seams_of(table, _collapsed(table))
+    seams = seams_of(table, table.collapsed)
     turned, one_sided = turned_patches(seams, len(atlas))
     if one_sided:
         name = atlas.patch_names[one_sided[0][0]]
@@ -75,15 +101,10 @@ def outward_signs(atlas: Atlas, samples: Array, table: EdgeTable, outside: Outsi
 def _unknown(atlas: Atlas, patches: Ints) -> str:
     others = f" and {len(patches) - 1} more" if len(patches) > 1 else ""
     return (
-        f"the outside of patch {atlas.patch_names[patches[0]]!r}{others} cannot be told: the part "
-        "encloses no body, or its openings are too large; say outside='along normals' (where "
+        f"the outside of patch {atlas.patch_names[patches[0]]!r}{others} cannot be determined: the "
+        "part encloses no body, or its openings are too large; say outside='along normals' (where "
         "S_u x S_v points) or outside='against normals', or join the patches' edges"
     )
-
-
-def _collapsed(table: EdgeTable) -> Bools:
-    control = table.control_index
-    return np.asarray((control == control[:, :, :1]).all(axis=2))
 
 
 def _triangle_sums(samples: Array) -> tuple[Array, Array]:
@@ -92,26 +113,31 @@ def _triangle_sums(samples: Array) -> tuple[Array, Array]:
     a, b = local[:, :-1, :-1], local[:, 1:, :-1]
     c, d = local[:, 1:, 1:], local[:, :-1, 1:]
     area, volume = np.zeros(len(samples)), np.zeros(len(samples))
-    for corners in ((a, b, c), (a, c, d)):
-        first, second, third = corners
+    for first, second, third in ((a, b, c), (a, c, d)):
         normal = np.cross(second - first, third - first)
         area += 0.5 * np.linalg.norm(normal, axis=-1).sum(axis=(1, 2))
-        volume += (first * normal).sum(axis=-1).sum(axis=(1, 2)) / 6.0
+        volume += _volumes(first, second, third).sum(axis=(1, 2))
     return area, volume
+
+
+def _volumes(first: Array, second: Array, third: Array) -> Array:
+    """Signed volumes of the tetrahedra from the origin to triangles with corners (..., 3)."""
+    normal = np.cross(second - first, third - first)
+    return np.asarray((first * normal).sum(axis=-1) / 6.0)
 
 
 def _caps(samples: Array, table: EdgeTable, signs: Array, part: Ints) -> tuple[Array, Array]:
     """Area and signed volume of the cones that close each part's openings, shapes (parts,)."""
     count = int(part.max()) + 1
     area, volume = np.zeros(count), np.zeros(count)
-    open_sides = (table.sides[table.edge] == 1) & ~_collapsed(table)
+    open_sides = (table.sides[table.edge] == 1) & ~table.collapsed
     patch, side = np.nonzero(open_sides)
     if not len(patch):
         return area, volume
     local = samples - samples.mean(axis=(0, 1, 2))
     edges = np.stack([local[:, 0], local[:, -1], local[:, :, 0], local[:, :, -1]], axis=1)
     lines = edges[patch, side]
-    # The cap's round runs against the patch's own.
+    # The way round the cap runs against the way round the patch.
     backwards = round_of_side(side) == (signs[patch] > 0.0)
     lines[backwards] = lines[backwards, ::-1]
     ends = table.control_index[patch, side][:, [0, -1]]
