@@ -13,8 +13,7 @@ from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.normals import unit_normals
 from bodymeasure.atlas.queries.outside import outward_sign
 from bodymeasure.chart.chart import Tape, TapeKind
-from bodymeasure.chart.joined import joined
-from bodymeasure.chart.legs import leg
+from bodymeasure.chart.landmarks.paths import leg_between
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import AtlasPath
 from bodymeasure.measure import Girth, plane_girth
@@ -73,7 +72,7 @@ class Body:
     def path(self, through: Sequence[str]) -> AtlasPath:
         """The geodesic through landmarks in order; each leg between two is found once."""
         points = [self.point(name) for name in through]
-        return joined([leg(self.atlas, *ends) for ends in pairwise(points)])
+        return AtlasPath.concatenate([leg_between(self.atlas, *ends) for ends in pairwise(points)])
 
     def girth(self, plane: Plane, at: str, *, limb: bool = False) -> Girth:
         """The girth in a plane through a landmark, each found once."""

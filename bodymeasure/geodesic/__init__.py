@@ -1,10 +1,11 @@
 """Geodesics on one patch and across patches: trial spaces, methods, routes, solutions."""
 
-from bodymeasure.geodesic.across.pieces.closed_error import LoopKind
-from bodymeasure.geodesic.across.pieces.path import AtlasPath, PathPiece, SeamCrossing
+from bodymeasure.geodesic.across.pieces.error import LoopKind
+from bodymeasure.geodesic.across.pieces.part import PathPiece
+from bodymeasure.geodesic.across.pieces.path import AtlasPath, SeamCrossing
 from bodymeasure.geodesic.alternatives import geodesic_alternatives
 from bodymeasure.geodesic.between import geodesic_between, geodesics_between
-from bodymeasure.geodesic.closed import ClosedPath, contract
+from bodymeasure.geodesic.closed import ClosedPath, contracted_loop
 from bodymeasure.geodesic.methods.polynomial_collocation import PolynomialCollocation
 from bodymeasure.geodesic.methods.rbf_collocation import RBFCollocation
 from bodymeasure.geodesic.methods.relaxation import Relaxation
@@ -40,7 +41,7 @@ __all__ = [
     "Search",
     "Shooting",
     "Status",
-    "contract",
+    "contracted_loop",
     "geodesic_alternatives",
     "geodesic_between",
     "geodesics_between",

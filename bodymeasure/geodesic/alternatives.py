@@ -7,6 +7,7 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.queries.locations import Location
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
@@ -14,9 +15,9 @@ from bodymeasure.geodesic.across.routes.graph import patch_graph
 from bodymeasure.geodesic.across.routes.reading import route_along
 from bodymeasure.geodesic.across.routes.straightened import along_way, pulled_way
 from bodymeasure.geodesic.across.routes.via_pairs import via_pairs
-from bodymeasure.geodesic.across.search.ends import checked_places, topology
-from bodymeasure.geodesic.across.search.leg import join_legs, leg_along, shortest_leg
-from bodymeasure.geodesic.across.search.route_search import SHORTER
+from bodymeasure.geodesic.across.search.ends import checked_points, topology
+from bodymeasure.geodesic.across.search.leg import leg_along, shortest_leg
+from bodymeasure.geodesic.across.search.search import SHORTER
 
 # Two paths are one if they are nowhere further apart, at equal parts of their lengths, than this
 # part of the shorter one. Ways a few micrometers to the left and right of a seam are no choice for
@@ -36,14 +37,15 @@ MOST_WAYS = 16
 
 
 def geodesic_alternatives(
-    atlas: Atlas, start: AtlasPoint, end: AtlasPoint, count: int = 3
+    atlas: Atlas, start: Location, end: Location, count: int = 3
 ) -> tuple[AtlasPath, ...]:
     """The shortest different ways between two points: round the front or the back, and so on.
 
     Parameters
     ----------
     atlas : Atlas
-    start, end : AtlasPoint
+    start, end : str, AtlasPoint or position of shape (3,)
+        As for `geodesic_between`.
     count : int
         How many are wanted, at least 1.
 
@@ -57,14 +59,16 @@ def geodesic_alternatives(
     Raises
     ------
     InputError
-        If a point is not on the atlas, the two are on parts that no seam joins, or `count` is not a
-        whole number above 0.
+        If a location is not on the atlas, the two are on parts that no seam joins, or `count` is
+        not a whole number above 0.
     ConvergenceError
         If there is no path whose length can be trusted.
     MissingExtraError
         If pygeodesic is not installed.
 
-    Notes ----- Looked for are paths each third of which is the shortest between its own ends, as in
+    Notes
+    -----
+    The search is for paths each third of which is the shortest between its own ends, as in
     `bodymeasure.geodesic.across.routes.via_pairs`: about a limb, those on either side and those
     that go round little more than once. Each is pulled straight on the mesh and refined as by
     `geodesic_between`. That none was missed is not proven.
@@ -73,20 +77,20 @@ def geodesic_alternatives(
     --------
     >>> import bodymeasure as bm
     >>> body = bm.load_sample("female_average")
-    >>> sides = (body.landmarks[f"side waist point {side}"] for side in ("left", "right"))
-    >>> paths = geodesic_alternatives(body, *sides, count=2)
+    >>> sides = ("side waist point left", "side waist point right")
+    >>> paths = bm.geodesic_alternatives(body, *sides, count=2)
     >>> [f"{path.length:.4f} {body.unit}" for path in paths]
     ['0.3036 m', '0.3852 m']
     """
     if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < 1:
         raise InputError(f"count is {count!r}; expected how many paths, a whole number above 0")
     neighbors = topology(atlas).neighbors
-    ends = checked_places(atlas, (start, end), ("the start", "the end"))
-    shortest = join_legs(atlas, (start, end), [shortest_leg(atlas, neighbors, *ends)])
+    first, last = checked_points(atlas, (start, end), ("the start", "the end"))
+    shortest = shortest_leg(atlas, neighbors, first, last)
     # Of what has a length, each is shorter than all close to it.
     found = [shortest] if shortest.converged else []
     if not found or (count > 1 and shortest.length > 0.0):
-        _search(atlas, neighbors, (start, end), count, found)
+        _search(atlas, neighbors, (first, last), count, found)
     if not found:
         raise ConvergenceError(shortest.status.sentence)
     return tuple(sorted(found, key=lambda path: path.length)[:count])
@@ -155,7 +159,7 @@ def _path(
     route = route_along(neighbors, (start, end), way.places)
     if route is None:
         return None
-    path = join_legs(atlas, points, [leg_along(atlas, neighbors, route)])
+    path = leg_along(atlas, neighbors, points, route)
     return path if path.converged else None
 
 

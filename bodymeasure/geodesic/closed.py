@@ -1,26 +1,24 @@
 """Closed geodesics: what a loop round a body contracts to."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from typing import Literal
+from dataclasses import dataclass
 
 import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.bezier import evaluate
+from bodymeasure.atlas.queries.locations import Location
 from bodymeasure.errors import ConvergenceError, InputError
-from bodymeasure.geodesic.across.pieces.closed_error import LoopKind
-from bodymeasure.geodesic.across.pieces.path import AtlasPath, PathPiece, SeamCrossing
+from bodymeasure.geodesic.across.pieces.error import LoopKind
+from bodymeasure.geodesic.across.pieces.path import AtlasPath
 from bodymeasure.geodesic.across.routes.through import route_through
-from bodymeasure.geodesic.across.search.closed_search import FoundLoop, contracted
-from bodymeasure.geodesic.across.search.ends import checked_places, topology
-from bodymeasure.geodesic.status import Status
+from bodymeasure.geodesic.across.search.ends import checked_points, topology
+from bodymeasure.geodesic.across.search.search import shortest_along
+from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure
 
 FEWEST = 3
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class ClosedPath(AtlasPath):
     """A closed geodesic: an `AtlasPath` that returns to its start, where it has no kink.
 
@@ -31,10 +29,18 @@ class ClosedPath(AtlasPath):
     ----------
     kind : LoopKind
         What loops lie close to it.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> waist = bm.closed_geodesic(body, "side waist point left")
+    >>> waist  # doctest: +ELLIPSIS
+    <ClosedPath of length 0.65387 m, error ...e-1... m, CONVERGED>
+    >>> waist.local_minimum
+    True
     """
 
-    # Of a loop, many.
-    points: tuple[AtlasPoint, ...] = field(repr=False)
     kind: LoopKind
 
     @property
@@ -43,23 +49,20 @@ class ClosedPath(AtlasPath):
         return self.kind is LoopKind.MINIMUM and self.status is Status.CONVERGED
 
 
-def contract(
-    atlas: Atlas,
-    loop: Sequence[AtlasPoint],
-    *,
-    on_failure: Literal["raise", "status"] = "raise",
+def contracted_loop(
+    atlas: Atlas, loop: Sequence[Location], *, on_failure: OnFailure = "raise"
 ) -> ClosedPath:
-    """The closed geodesic that a loop contracts to, as a rubber band slides to a waist.
+    """Return the closed geodesic that a loop contracts to, as a rubber band slides to a waist.
 
     Parameters
     ----------
     atlas : Atlas
-    loop : sequence of AtlasPoint
-        Along the loop, one on each seam that it crosses among them; the last one is joined to the
-        first.
+    loop : sequence of str, AtlasPoint or position of shape (3,)
+        Points along the loop, one on each seam that it crosses among them; the last one is joined
+        to the first. Each is given as for `geodesic_between`.
     on_failure : {"raise", "status"}
         What to do if there is no length that can be trusted: raise, or say so in the status, with
-        NaN for a length.
+        NaN for a length. By default it raises, so that no caller mistakes a NaN for a length.
 
     Returns
     -------
@@ -69,7 +72,7 @@ def contract(
     Raises
     ------
     InputError
-        If a point is not on the atlas, two in a row are on patches that meet at neither, or the
+        If a location is not on the atlas, two in a row are on patches that meet at neither, or the
         loop contracts to a point.
     ConvergenceError
         If there is no length that can be trusted and `on_failure` is "raise".
@@ -79,62 +82,33 @@ def contract(
     The shortest loop along its route is found by Newton's method, and where that presses against a
     corner or an edge, the routes on the other side are tried, as in `geodesic_between`. The length
     falls all the time, so that it ends at the first closed geodesic on the way down.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> from bodymeasure.section import Plane, plane_section
+    >>> body = bm.load_sample("female_average")
+    >>> waist = body.position(body.landmarks["side waist point left"])
+    >>> level = plane_section(body, Plane(waist, body.axes.up_vector)).nearest(waist)
+    >>> places = zip(level.patch.tolist(), level.parameters.tolist(), strict=True)
+    >>> loop = [bm.AtlasPoint(patch, *parameters) for patch, parameters in places]
+    >>> path = bm.contracted_loop(body, loop)
+    >>> print(f"{path.length:.4f} {body.unit}, {path.kind.name}")
+    0.6539 m, MINIMUM
     """
-    if on_failure not in ("raise", "status"):
-        raise InputError(f"on_failure is {on_failure!r}; expected 'raise' or 'status'")
-    points = tuple(loop)
-    if len(points) < FEWEST:
-        raise InputError(f"the loop has {len(points)} points; expected at least {FEWEST}")
-    names = [f"point {number} of the loop" for number in range(len(points))]
-    places = checked_places(atlas, points, names)
+    check_on_failure(on_failure)
+    if len(loop) < FEWEST:
+        raise InputError(f"the loop has {len(loop)} points; expected at least {FEWEST}")
+    names = [f"point {number} of the loop" for number in range(len(loop))]
+    points = checked_points(atlas, loop, names)
     neighbors = topology(atlas).neighbors
-    route = route_through(neighbors, places)
-    found = None
-    if route.crossings:
-        positions = evaluate(
-            atlas.control_points[[place.patch for place in places]],
-            np.array([place[1:] for place in places]),
-        )
-        size = float(np.linalg.norm(positions - np.roll(positions, 1, axis=0), axis=1).sum())
-        found = contracted(atlas, neighbors, route, size)
-    if found is None:
-        raise InputError(
-            "the loop contracts to a point: it goes round no part of the body; choose one round "
-            "the trunk or a limb"
-        )
-    path = _path(atlas, points, found)
+    positions = np.array([atlas.position(point) for point in points])
+    size = float(np.linalg.norm(positions - np.roll(positions, 1, axis=0), axis=1).sum())
+    found = shortest_along(atlas, neighbors, route_through(neighbors, points), size)
+    assert found.kind is not None
+    path = AtlasPath.of(atlas, points, found.part, found.status)
+    path = ClosedPath(**vars(path), kind=found.kind)
     if on_failure == "raise" and not path.converged:
-        sentence = path.kind.value if path.status is Status.NOT_A_MINIMUM else path.status.sentence
-        raise ConvergenceError(sentence)
+        saddle = path.status is Status.NOT_A_MINIMUM
+        raise ConvergenceError(path.kind.value if saddle else path.status.sentence)
     return path
-
-
-def _path(atlas: Atlas, points: tuple[AtlasPoint, ...], found: FoundLoop) -> ClosedPath:
-    refined, length = found.refined, found.length
-    status = Status.CONVERGED
-    if not found.good:
-        status = Status.NOT_CONVERGED
-    elif found.contact:
-        status = Status.ON_BOUNDARY
-    elif length.kind is LoopKind.SADDLE:
-        status = Status.NOT_A_MINIMUM
-    route, lengths = refined.route, refined.lengths * refined.problem.size
-    starts = (np.cumsum(lengths) - lengths) / lengths.sum()
-    return ClosedPath(
-        atlas=atlas,
-        points=points,
-        length=length.corrected if status.has_length else np.nan,
-        raw_length=length.raw,
-        error_estimate=length.error,
-        residual=length.residual,
-        status=status,
-        pieces=tuple(
-            PathPiece(patch, refined.problem.space, values, float(piece))
-            for patch, values, piece in zip(route.patches, refined.values, lengths, strict=True)
-        ),
-        crossings=tuple(
-            SeamCrossing(route.exit(number - 1), route.entry(number), float(t))
-            for number, t in enumerate(starts)
-        ),
-        kind=length.kind,
-    )

@@ -14,7 +14,6 @@ from bodymeasure.atlas.units import Unit
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic import AtlasPath, geodesic_between
 from bodymeasure.geodesic.status import OnFailure, check_on_failure
-from bodymeasure.taut.legs import leg_ends
 from bodymeasure.taut.skin import Skin, skin_of
 from bodymeasure.taut.solve import TautLeg, draw_taut
 from bodymeasure.taut.status import TautStatus
@@ -158,9 +157,8 @@ def taut_tape(
 
 
 def _drawn(skin: Skin, contact: AtlasPath) -> TautTape:
-    ends = leg_ends(contact)
     legs = []
-    for begin, finish in pairwise(ends.tolist()):
+    for begin, finish in pairwise(contact.leg_ends):
         t = begin + (finish - begin) * np.arange(SEGMENTS + 1) / SEGMENTS
         nodes = contact.position(np.clip(t, 0.0, 1.0))
         legs.append(draw_taut(skin, nodes))

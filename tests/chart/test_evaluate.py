@@ -149,7 +149,7 @@ def test_a_taut_tape_that_there_is_not_leaves_what_was_asked_for() -> None:
     assert both.reason.startswith("There is no taut length: the outside of patch 'patch 0' and 3 m")
     assert taut.outcome is Outcome.REFUSED
     assert np.isnan(taut.value)
-    assert "cannot be told" in taut.reason
+    assert "cannot be determined" in taut.reason
 
 
 def test_a_tilted_girth_lies_in_the_plane_of_its_landmarks() -> None:

@@ -8,7 +8,6 @@ from helpers.surfaces.extruded_surfaces import CUBIC, RIDGE, at, row_of
 
 import bodymeasure as bm
 from bodymeasure.taut import string
-from bodymeasure.taut.legs import leg_ends
 from bodymeasure.taut.skin import skin_of
 from bodymeasure.taut.solve import draw_taut
 
@@ -152,8 +151,8 @@ def test_ends_of_legs(body: bm.Atlas) -> None:
     names = ("back neck point", "shoulder point left", "shoulder point left", "elbow point left")
     start, *via, end = (body.landmarks[name] for name in names)
     path = bm.geodesic_between(body, start, end, via)
-    ends = leg_ends(path)
-    assert ends[[0, -1]].tolist() == [0.0, 1.0]
+    ends = path.leg_ends
+    assert (ends[0], ends[-1]) == (0.0, 1.0)
     assert ends[1] == pytest.approx(ends[2])
     np.testing.assert_allclose(
         path.position(ends), [body.position(point) for point in path.points], atol=1e-9

@@ -1,5 +1,7 @@
 """Landmarks on the geodesic between two others: at a fraction of it, or where it is deepest."""
 
+from functools import lru_cache
+
 import numpy as np
 import scipy
 
@@ -10,9 +12,8 @@ from bodymeasure.atlas.queries.outside import outward_sign
 from bodymeasure.bezier import derivatives
 from bodymeasure.chart.landmarks.choice import TIE, atlas_size
 from bodymeasure.chart.landmarks.rules import Between, Hollow
-from bodymeasure.chart.legs import leg
 from bodymeasure.errors import InputError
-from bodymeasure.geodesic import AtlasPath
+from bodymeasure.geodesic import AtlasPath, geodesic_between
 
 # Steps a piece of the path in which its distance from the chord has one extreme at most.
 STEPS = 24
@@ -92,9 +93,19 @@ def _on_the_left(atlas: Atlas, path: AtlasPath, point: AtlasPoint) -> AtlasPoint
     return twin if apart <= near else point
 
 
+# As many paths as a large set of measurements of a body needs; each takes some kilobytes.
+@lru_cache(maxsize=512)
+def leg_between(atlas: Atlas, start: AtlasPoint, end: AtlasPoint) -> AtlasPath:
+    """Return the geodesic between two points, which rules and measurements share.
+
+    It is found once; whether its length can be trusted is in its status.
+    """
+    return geodesic_between(atlas, start, end, on_failure="status")
+
+
 def path_between(atlas: Atlas, start: str, end: str, landmarks: dict[str, AtlasPoint]) -> AtlasPath:
     """The geodesic between two landmarks, refused if it cannot be trusted."""
-    path = leg(atlas, landmarks[start], landmarks[end])
+    path = leg_between(atlas, landmarks[start], landmarks[end])
     if not path.converged:
         raise InputError(
             f"the geodesic from {start!r} to {end!r} cannot be trusted ({path.status.name}); pick "

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,20 +27,20 @@ ROUNDING = 2e-15
 FIRST, LESS, MORE, LEAST, MOST = 1e-4, 0.1, 8.0, 1e-8, 1e8
 
 
-class Expansion(Protocol):
-    """A function to the second order; ``bands[i, j]`` is the Hessian at (i + j, j)."""
+class SecondOrder(NamedTuple):
+    """A function of several unknowns to the second order.
 
-    @property
-    def value(self) -> float:
-        """The value."""
+    Parameters
+    ----------
+    value : float
+    gradient : ndarray, shape (unknowns,)
+    bands : ndarray, shape (bandwidth + 1, unknowns)
+        The lower bands of the Hessian: ``bands[i, j]`` is its entry at row i + j, column j.
+    """
 
-    @property
-    def gradient(self) -> Array:
-        """The gradient, shape (unknowns,)."""
-
-    @property
-    def bands(self) -> Array:
-        """The Hessian's lower bands, shape (bandwidth + 1, unknowns)."""
+    value: float
+    gradient: Array
+    bands: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +69,7 @@ class BoxMinimum:
 
 
 def minimize_in_box(
-    expand: Callable[[Array], Expansion],
+    expand: Callable[[Array], SecondOrder],
     start: Array,
     idle: NDArray[np.bool_],
     most_steps: int = MAX_STEPS,
@@ -109,7 +109,7 @@ def minimize_in_box(
 
 
 def _step(
-    here: Expansion, place: Array, damping: float, idle: NDArray[np.bool_]
+    here: SecondOrder, place: Array, damping: float, idle: NDArray[np.bool_]
 ) -> tuple[Array, float]:
     """A step to the minimum of the damped model in the box, and the decrease it foretells.
 

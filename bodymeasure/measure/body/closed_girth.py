@@ -3,7 +3,7 @@
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.queries.locations import Location, position_of
 from bodymeasure.errors import InputError
-from bodymeasure.geodesic import ClosedPath, contract
+from bodymeasure.geodesic import ClosedPath, contracted_loop
 from bodymeasure.geodesic.status import OnFailure
 from bodymeasure.measure.body.girths import section_loop
 from bodymeasure.section import Plane
@@ -41,4 +41,4 @@ def closed_geodesic(atlas: Atlas, at: Location, *, on_failure: OnFailure = "rais
         AtlasPoint(patch, *parameters)
         for patch, parameters in zip(loop.patch.tolist(), loop.parameters.tolist(), strict=True)
     ]
-    return contract(atlas, points, on_failure=on_failure)
+    return contracted_loop(atlas, points, on_failure=on_failure)

@@ -26,11 +26,11 @@ from scipy.spatial.transform import Rotation
 
 import bodymeasure as bm
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.geodesic.across.pieces.route_error import route_length
-from bodymeasure.geodesic.across.pieces.route_refine import refine
+from bodymeasure.geodesic.across.pieces.error import route_length
+from bodymeasure.geodesic.across.pieces.refine import refine
 from bodymeasure.geodesic.across.routes.reading import first_route
 from bodymeasure.geodesic.across.search.ends import topology
-from bodymeasure.geodesic.across.search.route_search import shortest_along
+from bodymeasure.geodesic.across.search.search import shortest_along
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 from helpers.oracles.body_oracle import LEVELS, mesh_distance, quarter_point
@@ -109,7 +109,7 @@ def best_known(
         times.append(time.thread_time() - begin)
         found = shortest_along(atlas, neighbors, route, path.raw_length)
         fine = refine(atlas, found.refined.route, DEGREE, path.raw_length)
-        lengths += [found.length.corrected, route_length(fine).corrected]
+        lengths += [float(found.length.corrected), float(route_length(fine)[0].corrected)]
     return min(lengths), times[0]
 
 

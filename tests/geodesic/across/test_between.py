@@ -390,7 +390,8 @@ def test_parts_that_meet_in_a_corner_only_are_separate() -> None:
         (AtlasPoint(-1, 0.5, 0.5), r"the end is on patch -1"),
         (AtlasPoint(0, 1.5, 0.5), r"the end has \(u, v\) = \(1.5, 0.5\)"),
         (AtlasPoint(0, 0.5, float("nan")), r"expected both in \[0, 1\]"),
-        ((0, 0.5, 0.5), r"expected an AtlasPoint"),
+        ((0, 0.5), r"expected three finite numbers, a landmark's name or an AtlasPoint"),
+        ((0, 0.5, 0.5), r"the end at \(0, 0.5, 0.5\) cm is 0.5 cm from the surface, more than"),
     ],
 )
 def test_points_that_are_not_on_the_atlas(point: AtlasPoint, message: str) -> None:

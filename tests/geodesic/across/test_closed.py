@@ -15,9 +15,9 @@ from bodymeasure.atlas import Atlas, AtlasPoint, Unit, tessellate
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.bezier import restrict
 from bodymeasure.errors import ConvergenceError, InputError
-from bodymeasure.geodesic import ClosedPath, LoopKind, Status, contract
-from bodymeasure.geodesic.across.pieces.closed_error import loop_length
-from bodymeasure.geodesic.across.pieces.closed_refine import refine_loop
+from bodymeasure.geodesic import ClosedPath, LoopKind, Status, contracted_loop
+from bodymeasure.geodesic.across.pieces.error import route_length
+from bodymeasure.geodesic.across.pieces.refine import refine
 from bodymeasure.geodesic.across.routes.through import route_through
 from bodymeasure.section import Plane, plane_section
 
@@ -75,7 +75,7 @@ def slanting(atlas: Atlas) -> list[AtlasPoint]:
 @pytest.mark.parametrize("point", [(0.0, 0.0, 0.5), (0.0, 0.0, 1.5), (0.0, 0.0, 2.2)])
 def test_a_waist(point: tuple[float, float, float]) -> None:
     atlas = tube(WAISTED)
-    path = contract(atlas, section(atlas, np.array(point), at(0.1, 0.15, 1.0)))
+    path = contracted_loop(atlas, section(atlas, np.array(point), at(0.1, 0.15, 1.0)))
     known = 1.25 * ring_length()
     assert path.length == pytest.approx(known, rel=1e-12)
     assert abs(path.length - known) <= path.error_estimate
@@ -112,7 +112,7 @@ def hyperboloid(neck: float, width: float) -> Atlas:
 @pytest.mark.parametrize("neck", [0.3, 1.0, 4.0])
 def test_the_neck_of_a_hyperboloid(neck: float) -> None:
     atlas = hyperboloid(neck, 0.8)
-    path = contract(atlas, section(atlas, at(0.0, 0.0, 0.7), at(0.02, 0.04, 1.0)))
+    path = contracted_loop(atlas, section(atlas, at(0.0, 0.0, 0.7), at(0.02, 0.04, 1.0)))
     assert path.length == pytest.approx(2.0 * math.pi * neck, rel=1e-10)
     assert abs(path.length - 2.0 * math.pi * neck) <= path.error_estimate
     assert path.local_minimum
@@ -120,16 +120,16 @@ def test_the_neck_of_a_hyperboloid(neck: float) -> None:
 
 def test_the_inner_circle_of_a_torus() -> None:
     atlas = joined(torus_nets(2.0, 0.5))
-    inner = contract(atlas, section(atlas, at(1.6, 0.0, 0.2), at(0.02, 0.01, 1.0)))
+    inner = contracted_loop(atlas, section(atlas, at(1.6, 0.0, 0.2), at(0.02, 0.01, 1.0)))
     assert inner.length == pytest.approx(2.0 * math.pi * 1.5, rel=1e-10)
     assert inner.local_minimum
-    through = contract(atlas, section(atlas, at(2.0, 0.5, 0.0), at(0.0, 1.0, 0.1)))
+    through = contracted_loop(atlas, section(atlas, at(2.0, 0.5, 0.0), at(0.0, 1.0, 0.1)))
     assert through.length == pytest.approx(2.0 * math.pi * 0.5, rel=1e-10)
 
 
 def test_one_of_a_family_says_so() -> None:
     atlas = tube([1.0] * 4)
-    path = contract(atlas, section(atlas, at(0.0, 0.0, 1.2), at(0.3, 0.1, 1.0)))
+    path = contracted_loop(atlas, section(atlas, at(0.0, 0.0, 1.2), at(0.3, 0.1, 1.0)))
     assert path.length == pytest.approx(ring_length(), rel=1e-12)
     assert path.error_estimate < 1e-9
     assert (path.status, path.kind) == (Status.CONVERGED, LoopKind.FLAT)
@@ -141,13 +141,13 @@ def test_a_loop_that_only_balances_is_no_minimum() -> None:
     atlas = joined(torus_nets(2.0, 0.5))
     # Exactly on the outer circle, rounding decides whether it stays.
     outer = section(atlas, at(2.5, 0.0, 0.0), at(0.0, 0.0, 1.0))
-    path = contract(atlas, outer, on_failure="status")
+    path = contracted_loop(atlas, outer, on_failure="status")
     if path.status is Status.NOT_A_MINIMUM:
         assert path.kind is LoopKind.SADDLE
         assert math.isnan(path.length)
         assert path.raw_length == pytest.approx(2.0 * math.pi * 2.5, rel=1e-10)
         with pytest.raises(ConvergenceError, match="it only balances"):
-            contract(atlas, outer)
+            contracted_loop(atlas, outer)
     else:
         assert path.length == pytest.approx(2.0 * math.pi * 1.5, rel=1e-10)
 
@@ -167,14 +167,14 @@ def test_the_kind_is_read_off_the_second_variation(
     places = list(section(atlas, at(0, 0, 1.5), at(0, 0, 1)))
     route = route_through(Neighbors(atlas), places)
     # A quarter of the ring is a cubic in (u, v) = (t, 1/2), so that this loop is exact.
-    length = loop_length(refine_loop(atlas, route, 3, radius * ring_length()))
-    assert length.kind is kind
+    length, found = route_length(refine(atlas, route, 3, radius * ring_length()))
+    assert found is kind
     assert length.corrected == pytest.approx(radius * ring_length(), rel=1e-9)
 
 
 def test_a_loop_that_slides_to_the_boundary_says_so() -> None:
     atlas = tube([1.0, 2.0, 2.0, 1.0])
-    path = contract(atlas, section(atlas, at(0.0, 0.0, 1.3), at(0.0, 0.0, 1.0)))
+    path = contracted_loop(atlas, section(atlas, at(0.0, 0.0, 1.3), at(0.0, 0.0, 1.0)))
     assert path.status is Status.ON_BOUNDARY
     assert abs(path.length - ring_length()) <= path.error_estimate + 1e-12
     assert path.error_estimate < 1e-4 * path.length
@@ -182,15 +182,15 @@ def test_a_loop_that_slides_to_the_boundary_says_so() -> None:
 
 def test_what_changes_nothing(rng: np.random.Generator) -> None:
     atlas = dented(rng)
-    path = contract(atlas, slanting(atlas))
-    backwards = contract(atlas, slanting(atlas)[::-1])
-    later = contract(atlas, slanting(atlas)[5:] + slanting(atlas)[:5])
-    from_above = contract(atlas, section(atlas, at(0.0, 0.0, 2.0), at(0.1, 0.0, 1.0)))
+    path = contracted_loop(atlas, slanting(atlas))
+    backwards = contracted_loop(atlas, slanting(atlas)[::-1])
+    later = contracted_loop(atlas, slanting(atlas)[5:] + slanting(atlas)[:5])
+    from_above = contracted_loop(atlas, section(atlas, at(0.0, 0.0, 2.0), at(0.1, 0.0, 1.0)))
     for other in (backwards, later, from_above):
         assert other.length == pytest.approx(path.length, rel=1e-10)
     turn = Rotation.random(random_state=7).as_matrix()
     moved = replace(atlas, points=3.0 * atlas.points @ turn.T + (5.0, -2.0, 1.0))
-    again = contract(moved, slanting(atlas))
+    again = contracted_loop(moved, slanting(atlas))
     assert again.length == pytest.approx(3.0 * path.length, rel=1e-10)
     assert again.kind is path.kind
 
@@ -201,7 +201,7 @@ def test_splits_change_nothing(
 ) -> None:
     atlas = dented(rng)
     parts = split(atlas, us, vs)
-    whole, cut = (contract(each, slanting(each)) for each in (atlas, parts))
+    whole, cut = (contracted_loop(each, slanting(each)) for each in (atlas, parts))
     assert cut.length == pytest.approx(whole.length, rel=1e-9)
     assert abs(cut.length - whole.length) <= cut.error_estimate + whole.error_estimate
 
@@ -222,7 +222,7 @@ def edge_flip_loop(atlas: Atlas, segments: int) -> float:
 def test_edge_flips_on_meshes_agree(number: int, rng: np.random.Generator) -> None:
     for _ in range(number + 1):
         atlas = dented(rng)
-    path = contract(atlas, slanting(atlas))
+    path = contracted_loop(atlas, slanting(atlas))
     coarse, fine = (edge_flip_loop(atlas, n) / path.length - 1.0 for n in (32, 64))
     # Loops over meshes of surfaces with kinks get better with their steps.
     assert abs(coarse) < 3e-4
@@ -234,34 +234,34 @@ def test_mistakes_are_named() -> None:
     atlas = tube(WAISTED)
     loop = section(atlas, at(0, 0, 1), at(0, 0, 1))
     with pytest.raises(InputError, match="the loop has 2 points; expected at least 3"):
-        contract(atlas, loop[:2])
+        contracted_loop(atlas, loop[:2])
     with pytest.raises(InputError, match=r"patches 0 and 2, which meet at neither.*each seam"):
-        contract(atlas, [AtlasPoint(patch, 0.5, 0.5) for patch in (0, 2, 3)])
+        contracted_loop(atlas, [AtlasPoint(patch, 0.5, 0.5) for patch in (0, 2, 3)])
     with pytest.raises(InputError, match=r"point 1 of the loop has .* expected both in"):
-        contract(atlas, [loop[0], AtlasPoint(0, 2.0, 0.0), loop[1]])
+        contracted_loop(atlas, [loop[0], AtlasPoint(0, 2.0, 0.0), loop[1]])
     with pytest.raises(InputError, match="on_failure is 'ignore'; expected 'raise' or 'status'"):
-        contract(atlas, loop, on_failure="ignore")  # type: ignore[arg-type]
+        contracted_loop(atlas, loop, on_failure="ignore")  # type: ignore[arg-type]
 
 
 def test_a_loop_round_nothing_is_refused() -> None:
     atlas = tube(WAISTED)
     with pytest.raises(InputError, match=r"contracts to a point.*round the trunk or a limb"):
-        contract(atlas, [AtlasPoint(0, *uv) for uv in ((0.2, 0.3), (0.4, 0.3), (0.3, 0.5))])
+        contracted_loop(atlas, [AtlasPoint(0, *uv) for uv in ((0.2, 0.3), (0.4, 0.3), (0.3, 0.5))])
     # Over a seam and back.
     places = [(0, 0.9, 0.3), (0, 1.0, 0.3), (1, 0.1, 0.35), (1, 0.0, 0.4), (0, 0.9, 0.4)]
     with pytest.raises(InputError, match="contracts to a point"):
-        contract(atlas, [AtlasPoint(*place) for place in places])
+        contracted_loop(atlas, [AtlasPoint(*place) for place in places])
     # About a corner of four patches.
     parts = split(atlas, (0.5,), (0.5,))
     places = [(0, 0.9, 0.9), (0, 1.0, 0.9), (2, 0.1, 0.9), (2, 0.1, 1.0), (3, 0.1, 0.1)]
     places += [(3, 0.0, 0.1), (1, 0.9, 0.1), (1, 0.9, 0.0)]
     with pytest.raises(InputError, match="contracts to a point"):
-        contract(parts, [AtlasPoint(*place) for place in places])
+        contracted_loop(parts, [AtlasPoint(*place) for place in places])
 
 
 def test_cylinders_of_lines() -> None:
     nets = np.array([revolved(line((1.0, -1.0), (1.0, 1.0)), number) for number in range(4)])
     atlas = joined(nets)
-    path: ClosedPath = contract(atlas, section(atlas, at(0.0, 0.0, 0.0), at(0.4, 0.0, 1.0)))
+    path: ClosedPath = contracted_loop(atlas, section(atlas, at(0.0, 0.0, 0.0), at(0.4, 0.0, 1.0)))
     assert path.length == pytest.approx(2.0 * math.pi, rel=1e-10)
     assert path.kind is LoopKind.FLAT

@@ -10,7 +10,7 @@ from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.geodesic.across.contact.pattern import FreePart, HeldPart, read_pattern
 from bodymeasure.geodesic.across.contact.solve import held_path
-from bodymeasure.geodesic.across.pieces.route_refine import refine
+from bodymeasure.geodesic.across.pieces.refine import refine
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.sides import corners_along_seams, one_sided
 from bodymeasure.geodesic.spaces.polygons import polygon_space

@@ -1,7 +1,5 @@
 """What `geodesic_between` is made of, each against what is known without it."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 from helpers.surfaces.cut_atlases import random_point, wavy_plane
@@ -10,15 +8,20 @@ from helpers.surfaces.grids import grid_atlas
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, tessellate
 from bodymeasure.atlas.topology.neighbors import Neighbors
-from bodymeasure.geodesic.across.pieces.route_length import RouteProblem
-from bodymeasure.geodesic.across.pieces.route_refine import refine
+from bodymeasure.geodesic.across.pieces.problem import RouteProblem
+from bodymeasure.geodesic.across.pieces.refine import refine
 from bodymeasure.geodesic.across.routes.mesh import RouteMesh, inserted
 from bodymeasure.geodesic.across.routes.polyhedral import polyhedral_path
 from bodymeasure.geodesic.across.routes.reading import first_route
 from bodymeasure.geodesic.across.routes.route import Route
-from bodymeasure.geodesic.across.search.route_repair import other_routes
-from bodymeasure.geodesic.across.search.route_search import shortest_along
-from bodymeasure.geodesic.numerics.box_newton import banded_product, minimize_in_box, solve_free
+from bodymeasure.geodesic.across.search.repair import other_routes
+from bodymeasure.geodesic.across.search.search import shortest_along
+from bodymeasure.geodesic.numerics.box_newton import (
+    SecondOrder,
+    banded_product,
+    minimize_in_box,
+    solve_free,
+)
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 
 # There are no wheels of it for the latest versions of Python.
@@ -144,10 +147,12 @@ def test_minima_of_quadratics_in_the_box(rng: np.random.Generator) -> None:
         root = rng.normal(size=(6, 6))
         matrix, center = root @ root.T + 0.1 * np.eye(6), rng.uniform(-1.0, 2.0, 6)
 
-        def expand(x: Array, matrix: Array = matrix, center: Array = center) -> SimpleNamespace:
+        def expand(x: Array, matrix: Array = matrix, center: Array = center) -> SecondOrder:
             off = x - center
-            return SimpleNamespace(
-                value=1.0 + 0.5 * off @ matrix @ off, gradient=matrix @ off, bands=banded(matrix)
+            return SecondOrder(
+                value=float(1.0 + 0.5 * off @ matrix @ off),
+                gradient=matrix @ off,
+                bands=banded(matrix),
             )
 
         idle = np.arange(6) == 2

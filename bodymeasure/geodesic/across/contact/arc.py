@@ -7,10 +7,8 @@ from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.bezier import scaled
-from bodymeasure.geodesic.across.contact.joined import HeldPath
 from bodymeasure.geodesic.across.contact.pattern import side_of
-from bodymeasure.geodesic.across.pieces.path import PathPiece
-from bodymeasure.geodesic.across.pieces.route_error import RouteLength
+from bodymeasure.geodesic.across.pieces.part import PathPart, PathPiece
 from bodymeasure.geodesic.contact.edge_arc import EdgeArc, edge_arc
 from bodymeasure.geodesic.contact.legs import Contact
 from bodymeasure.geodesic.surfaces.rational import surfaces_of
@@ -53,12 +51,11 @@ def arc_between(
     contact: Contact,
     ends: tuple[AtlasPoint, AtlasPoint],
     size: float,
-) -> HeldPath | None:
+) -> PathPart | None:
     """An arc as a part of a path; None if the edge does not hold it."""
     arc = pressed_arc(atlas, neighbors, contact, ends, size)
     if arc is None:
         return None
     space, values, known = arc.solved
-    raw, error = (float(size * each[0]) for each in (known.raw, known.error))
-    length = RouteLength(raw, raw, error, 0.0, trusted=True, minimal=True)
-    return HeldPath((PathPiece(ends[0].patch, space, values, raw),), (), *ends, length)
+    length = known.mapped(lambda array: array[0]).scaled(size)
+    return PathPart((PathPiece(ends[0].patch, space, values, float(length.raw)),), (), length)

@@ -1,6 +1,6 @@
 """The free legs of a path that edges hold for a part, each on the first space that serves."""
 
-from typing import NamedTuple
+from dataclasses import replace
 
 import numpy as np
 
@@ -9,26 +9,23 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.across.contact.pattern import FreePart, free_route, nodes_of
 from bodymeasure.geodesic.across.contact.sliding_leg import solve_leg
-from bodymeasure.geodesic.across.pieces.route_error import RouteLength, route_length
-from bodymeasure.geodesic.across.pieces.route_length import RouteProblem
-from bodymeasure.geodesic.across.pieces.route_refine import Refined
+from bodymeasure.geodesic.across.pieces.error import route_length
+from bodymeasure.geodesic.across.pieces.part import PathPart
+from bodymeasure.geodesic.across.pieces.problem import RouteProblem
+from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.contact.degrees import DEGREES, OVERSHOOT
 from bodymeasure.geodesic.contact.legs import Contact, End
 from bodymeasure.geodesic.contact.tangency import tangency_error
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 
 
-class FreeLeg(NamedTuple):
-    """A geodesic, and its length with what its joints cost."""
+def free_leg(
+    atlas: Atlas, polygon: RefinedPath, part: FreePart, tolerance: float
+) -> PathPart | None:
+    """Return the geodesic that a free part of a polygon stands for.
 
-    refined: Refined
-    length: RouteLength
-
-
-def free_leg(atlas: Atlas, polygon: Refined, part: FreePart, tolerance: float) -> FreeLeg | None:
-    """The geodesic that a free part of a polygon stands for.
-
-    None if Newton's method failed, or it is not good enough, or leaves its patches.
+    Its error includes what its joints with edges cost. None if Newton's method failed, or it is not
+    good enough, or leaves its patches.
     """
     size, route = polygon.problem.size, free_route(polygon, part)
     for degree in DEGREES:
@@ -37,32 +34,31 @@ def free_leg(atlas: Atlas, polygon: Refined, part: FreePart, tolerance: float) -
         leg = solve_leg(problem, _guess(polygon, part, problem))
         if leg is None:
             continue
-        length = route_length(leg)
-        length = length._replace(error=length.error + size * _joint_error(leg, part))
-        if not (length.trusted and length.error <= tolerance * length.raw):
+        length, _ = route_length(leg)
+        length = replace(length, error=length.error + size * _joint_error(leg, part))
+        if not length.is_known_to(tolerance):
             continue
         along = np.array(leg.problem.route.along)
         inside = not space.leaves_patch(leg.values, OVERSHOOT).any()
         if inside and ((along >= 0.0) & (along <= 1.0)).all():
-            return FreeLeg(leg, length)
+            return PathPart.of(leg, length)
     return None
 
 
-def _guess(polygon: Refined, part: FreePart, problem: RouteProblem) -> Array:
+def _guess(polygon: RefinedPath, part: FreePart, problem: RouteProblem) -> Array:
     """The unknowns of a leg, read off the polygon."""
-    unknowns = problem.straight()
-    for number, piece in enumerate(range(part.first[0], part.last[0] + 1)):
+    inner = []
+    for piece in range(part.first[0], part.last[0] + 1):
         nodes = nodes_of(polygon, part, piece)
         surface = polygon.problem.surface.take(np.array([piece]))
         steps = np.linalg.norm(np.diff(surface.positions(nodes.T[None])[0], axis=0), axis=1)
         way = np.concatenate([[0.0], np.cumsum(steps)])
         times = way / way[-1] if way[-1] > 0.0 else np.linspace(0.0, 1.0, len(way))
-        inner = [np.interp(problem.space.nodes[1:-1], times, axis) for axis in nodes]
-        unknowns[problem.joints[number] + 1 : problem.joints[number + 1]] = np.concatenate(inner)
-    return unknowns
+        inner.append([np.interp(problem.space.nodes[1:-1], times, axis) for axis in nodes])
+    return problem.unknowns(np.array(inner))
 
 
-def _joint_error(leg: Refined, part: FreePart) -> float:
+def _joint_error(leg: RefinedPath, part: FreePart) -> float:
     """What it costs that a leg joins edges not quite where it should, in parts of the size."""
     error = 0.0
     for number, side in enumerate(part.slides):

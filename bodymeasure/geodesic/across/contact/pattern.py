@@ -10,7 +10,7 @@ import numpy as np
 
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES
-from bodymeasure.geodesic.across.pieces.route_refine import Refined
+from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.contact.legs import Contact, read_legs
 
@@ -57,7 +57,7 @@ class HeldPart:
 Part = FreePart | HeldPart
 
 
-def read_pattern(polygon: Refined) -> list[Part]:
+def read_pattern(polygon: RefinedPath) -> list[Part]:
     """The free and the held parts of a polygon, in order."""
     parts: list[Part] = []
     route, lengths = polygon.route, polygon.lengths
@@ -72,7 +72,7 @@ def read_pattern(polygon: Refined) -> list[Part]:
     return parts
 
 
-def _of_piece(polygon: Refined, piece: int) -> list[Part]:
+def _of_piece(polygon: RefinedPath, piece: int) -> list[Part]:
     result: list[Part] = []
     for leg in read_legs(polygon.values[piece].T):
         if leg.contact is not None:
@@ -107,13 +107,13 @@ def side_of(contact: Contact) -> int:
     )
 
 
-def place_at(polygon: Refined, piece: int, node: int) -> AtlasPoint:
+def place_at(polygon: RefinedPath, piece: int, node: int) -> AtlasPoint:
     """Where a node of a polygon is."""
     u, v = polygon.values[piece, :, node].tolist()
     return AtlasPoint(polygon.route.patches[piece], u, v)
 
 
-def free_route(polygon: Refined, part: FreePart) -> Route:
+def free_route(polygon: RefinedPath, part: FreePart) -> Route:
     """The route of a free part."""
     (first, start), (last, end) = part.first, part.last
     route = polygon.route
@@ -124,7 +124,7 @@ def free_route(polygon: Refined, part: FreePart) -> Route:
     )
 
 
-def nodes_of(polygon: Refined, part: FreePart, piece: int) -> np.ndarray:
+def nodes_of(polygon: RefinedPath, part: FreePart, piece: int) -> np.ndarray:
     """The polygon's values on one piece of a free part, shape (2, nodes)."""
     first = part.first[1] if piece == part.first[0] else 0
     last = part.last[1] if piece == part.last[0] else polygon.values.shape[2] - 1

@@ -11,13 +11,13 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas.seams import EDGES
-from bodymeasure.geodesic.across.pieces.route_length import RouteProblem
-from bodymeasure.geodesic.across.pieces.route_refine import Refined, measured
+from bodymeasure.geodesic.across.pieces.problem import RouteProblem
+from bodymeasure.geodesic.across.pieces.refine import RefinedPath, measured
 from bodymeasure.geodesic.numerics.box_newton import BoxMinimum
 from bodymeasure.geodesic.numerics.damped_newton import damped_newton
 
 
-def solve_leg(problem: RouteProblem, guess: Array) -> Refined | None:
+def solve_leg(problem: RouteProblem, guess: Array) -> RefinedPath | None:
     """The geodesic along a route that is tangential to edges where its ends slide along them.
 
     Parameters
@@ -27,7 +27,7 @@ def solve_leg(problem: RouteProblem, guess: Array) -> Refined | None:
 
     Returns
     -------
-    Refined or None
+    RefinedPath or None
         Its ends then in place. It may leave its patches. None if Newton's method failed.
     """
     system = _System(problem)
@@ -84,7 +84,7 @@ class _System:
             return np.full_like(residual, np.nan)
 
 
-def _in_place(problem: RouteProblem, unknowns: Array, iterations: int) -> Refined:
+def _in_place(problem: RouteProblem, unknowns: Array, iterations: int) -> RefinedPath:
     """The path with its ends fixed where they have come to."""
     fixed = RouteProblem(problem.atlas, problem.at(unknowns), problem.space, problem.size)
     here = fixed.expand(unknowns)

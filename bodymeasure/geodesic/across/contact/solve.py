@@ -5,8 +5,6 @@ arc runs between the ends of its neighbors. An edge of the atlas holds what woul
 holds what would leave it to either side.
 """
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
@@ -14,8 +12,7 @@ from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import Neighbors, on_side
 from bodymeasure.geodesic.across.contact.arc import arc_between, on_edge, pressed_arc
-from bodymeasure.geodesic.across.contact.free_leg import FreeLeg, free_leg
-from bodymeasure.geodesic.across.contact.joined import HeldPath, of_leg, put_together
+from bodymeasure.geodesic.across.contact.free_leg import free_leg
 from bodymeasure.geodesic.across.contact.pattern import (
     FreePart,
     HeldPart,
@@ -23,8 +20,9 @@ from bodymeasure.geodesic.across.contact.pattern import (
     read_pattern,
     side_of,
 )
-from bodymeasure.geodesic.across.pieces.route_length import RouteProblem
-from bodymeasure.geodesic.across.pieces.route_refine import Refined, measured, resampled
+from bodymeasure.geodesic.across.pieces.part import PathPart
+from bodymeasure.geodesic.across.pieces.problem import RouteProblem
+from bodymeasure.geodesic.across.pieces.refine import RefinedPath, measured, resampled
 from bodymeasure.geodesic.contact.legs import Contact
 from bodymeasure.geodesic.numerics.box_newton import minimize_in_box
 from bodymeasure.geodesic.spaces.polygons import polygon_space
@@ -39,49 +37,50 @@ ROUNDING = 1e-12
 
 
 def held_path(
-    atlas: Atlas, neighbors: Neighbors, refined: Refined, tolerance: float
-) -> HeldPath | None:
+    atlas: Atlas, neighbors: Neighbors, refined: RefinedPath, tolerance: float
+) -> PathPart | None:
     """The path along a route that edges hold for a part.
 
     Parameters
     ----------
     atlas : Atlas
     neighbors : Neighbors
-    refined : Refined
+    refined : RefinedPath
         The path as far as polynomials on whole patches go.
     tolerance : float
         Relative error of the length that is asked for.
 
     Returns
     -------
-    HeldPath or None
+    PathPart or None
         None if a leg has no solution or leaves its patches, or an edge does not hold its arc.
     """
     if not _held_from_all_sides(atlas, neighbors, refined):
         return None
     polygon = _polygon(refined)
     parts = read_pattern(polygon)
-    legs: list[FreeLeg | None] = []
-    for part in parts:
-        leg = free_leg(atlas, polygon, part, tolerance) if isinstance(part, FreePart) else None
-        if leg is None and isinstance(part, FreePart):
+    legs: dict[int, PathPart] = {}
+    for number, part in enumerate(parts):
+        if isinstance(part, FreePart):
+            leg = free_leg(atlas, polygon, part, tolerance)
+            if leg is None:
+                return None
+            legs[number] = leg
+    solved: list[PathPart] = []
+    for number, part in enumerate(parts):
+        if isinstance(part, FreePart):
+            solved.append(legs[number])
+            continue
+        beside = legs.get(number - 1), legs.get(number + 1)
+        arc = _arc(atlas, neighbors, polygon, part, beside)
+        if arc is None:
             return None
-        legs.append(leg)
-    solved: list[HeldPath] = []
-    for part, leg, beside in zip(parts, legs, _beside(legs), strict=True):
-        found = None
-        if isinstance(part, HeldPart):
-            found = _arc(atlas, neighbors, polygon, part, beside)
-        elif leg is not None:
-            found = of_leg(leg)
-        if found is None:
-            return None
-        solved.append(found)
-    path = put_together(solved)
+        solved.append(arc)
+    path = PathPart.joined(solved)
     return path if path.length.corrected <= polygon.length * (1.0 + ROUNDING) else None
 
 
-def _polygon(refined: Refined) -> Refined:
+def _polygon(refined: RefinedPath) -> RefinedPath:
     """The polygon at rest near a path."""
     before = refined.problem
     problem = RouteProblem(before.atlas, refined.route, polygon_space(EDGE_COUNT), before.size)
@@ -89,7 +88,7 @@ def _polygon(refined: Refined) -> Refined:
     return measured(problem, minimize_in_box(problem.expand, start, problem.idle, MOST_STEPS))
 
 
-def _held_from_all_sides(atlas: Atlas, neighbors: Neighbors, refined: Refined) -> bool:
+def _held_from_all_sides(atlas: Atlas, neighbors: Neighbors, refined: RefinedPath) -> bool:
     """Whether the edges that hold a path hold it on all patches beside them, as far as it seems."""
     held, route = refined.held_nodes, refined.problem.route
     inner = refined.values[:, :, 1:-1]
@@ -113,27 +112,22 @@ def _held_from_all_sides(atlas: Atlas, neighbors: Neighbors, refined: Refined) -
     return bool(held.any())
 
 
-def _beside(legs: Sequence[FreeLeg | None]) -> list[tuple[AtlasPoint | None, AtlasPoint | None]]:
-    """Of each part, where the free leg before it ends and the one after it starts."""
-    padded = [None, *legs, None]
-    return [
-        (before and before.refined.problem.route.end, after and after.refined.problem.route.start)
-        for before, after in zip(padded[:-2], padded[2:], strict=True)
-    ]
-
-
 def _arc(
     atlas: Atlas,
     neighbors: Neighbors,
-    polygon: Refined,
+    polygon: RefinedPath,
     part: HeldPart,
-    beside: tuple[AtlasPoint | None, AtlasPoint | None],
-) -> HeldPath | None:
+    beside: tuple[PathPart | None, PathPart | None],
+) -> PathPart | None:
     """An arc between where the legs beside it meet its edge; None if the edge does not hold it."""
     patch, axis = polygon.route.patches[part.piece], 1 - part.contact.axis
+    before, after = beside
     begin, end = (
-        on_edge(neighbors, there or place_at(polygon, part.piece, node), patch, part.contact)
-        for there, node in zip(beside, (part.first, part.last), strict=True)
+        on_edge(neighbors, point, patch, part.contact)
+        for point in (
+            before.pieces[-1].end(-1) if before else place_at(polygon, part.piece, part.first),
+            after.pieces[0].end(0) if after else place_at(polygon, part.piece, part.last),
+        )
     )
     # From the nodes beside the arc, since an arc of a single one has no direction itself.
     last = polygon.values.shape[2] - 1

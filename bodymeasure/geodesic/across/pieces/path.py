@@ -1,37 +1,18 @@
 """A geodesic over an atlas: what is known of it, and where it runs."""
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError
-from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+from bodymeasure.geodesic.across.pieces.part import PathPart, PathPiece
 from bodymeasure.geodesic.status import Status
-
-
-@dataclass(frozen=True, eq=False)
-class PathPiece:
-    """The part of a path that runs over one patch.
-
-    Parameters
-    ----------
-    patch : int
-    space : TrialSpace
-    values : ndarray, shape (2, n + 1)
-        u and v at the space's nodes.
-    length : float
-        In the atlas's unit.
-    """
-
-    patch: int
-    space: TrialSpace
-    values: Array
-    length: float
 
 
 @dataclass(frozen=True)
@@ -44,6 +25,17 @@ class SeamCrossing:
         The one point, on the patch that is left and on the patch that is entered.
     t : float
         The path's parameter there.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> path = bm.geodesic_between(body, "back neck point", "bust point left")
+    >>> crossing = path.crossings[0]
+    >>> crossing.before.patch == path.patches[0], crossing.after.patch == path.patches[1]
+    (True, True)
+    >>> bool(abs(path.position(crossing.t) - body.position(crossing.after)).max() < 1e-12)
+    True
     """
 
     before: AtlasPoint
@@ -51,7 +43,7 @@ class SeamCrossing:
     t: float
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class AtlasPath:
     """The geodesic between two points of an atlas, or through several.
 
@@ -59,35 +51,118 @@ class AtlasPath:
     ----------
     atlas : Atlas
     points : tuple of AtlasPoint
-        The start, the points that it leads through, and the end, as they were given.
+        The start, the points that it leads through, and the end.
     length : float
-        In the atlas's unit: of the computed path, less its excess. NaN unless the status has a
-        length.
+        The length of the geodesic in the atlas's unit: that of the computed path, less its excess.
+        NaN unless the status has a length.
     raw_length : float
         Length of the computed path itself, whatever the status.
     error_estimate : float
         Estimated error of `length`, in the same unit, as a length of the shortest path along this
-        route (see `bodymeasure.geodesic.across.pieces.route_error`); infinite where nothing is
-        known.
+        route (see `bodymeasure.geodesic.across.pieces.error`); infinite where nothing is known.
     residual : float
-        0 for an exact geodesic: see `bodymeasure.geodesic.across.pieces.route_error.RouteLength`.
+        The largest geodesic curvature times the piece's length, and the largest difference of the
+        unit tangents' components along a seam where it is crossed: 0 for an exact geodesic.
     status : Status
         Of several legs, the first that is not ``CONVERGED``, those without a length before others.
     pieces : tuple of PathPiece
         In order.
     crossings : tuple of SeamCrossing
         In order; several at one place where the path runs through a corner.
+    leg_ends : tuple of float
+        The path's parameter at each of its points, from 0 to 1; none if there is no path.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> path = bm.geodesic_between(body, "back neck point", "bust point left")
+    >>> path  # doctest: +ELLIPSIS
+    <AtlasPath of length 0.330... m, error ...e-1... m, CONVERGED>
+    >>> patch, (u, v) = path.path(0.5)
+    >>> path.position([0.0, 0.5, 1.0]).shape
+    (3, 3)
     """
 
-    atlas: Atlas = field(repr=False)
+    atlas: Atlas
     points: tuple[AtlasPoint, ...]
     length: float
     raw_length: float
     error_estimate: float
     residual: float
     status: Status
-    pieces: tuple[PathPiece, ...] = field(repr=False)
-    crossings: tuple[SeamCrossing, ...] = field(repr=False)
+    pieces: tuple[PathPiece, ...]
+    crossings: tuple[SeamCrossing, ...]
+    leg_ends: tuple[float, ...]
+
+    @staticmethod
+    def of(
+        atlas: Atlas, points: tuple[AtlasPoint, ...], part: PathPart, status: Status
+    ) -> "AtlasPath":
+        """Return a path of one leg."""
+        length = part.length
+        bounds = np.cumsum([0.0, *(piece.length for piece in part.pieces)])
+        return AtlasPath(
+            atlas=atlas,
+            points=points,
+            length=float(length.corrected) if status.has_length else np.nan,
+            raw_length=float(length.raw),
+            error_estimate=float(length.error),
+            residual=float(length.residual),
+            status=status,
+            pieces=part.pieces,
+            crossings=tuple(
+                SeamCrossing(before, after, float(bounds[number + 1] / bounds[-1]))
+                for number, before, after in part.crossings
+            ),
+            leg_ends=(0.0, 1.0) if part.pieces else (),
+        )
+
+    @staticmethod
+    def concatenate(paths: "Sequence[AtlasPath]") -> "AtlasPath":
+        """Return one path of several, each of which begins where the one before it ends.
+
+        Parameters
+        ----------
+        paths : sequence of AtlasPath
+            At least one.
+        """
+        if len(paths) == 1:
+            return paths[0]
+        found = all(path.pieces for path in paths)
+        sizes = [sum(piece.length for piece in path.pieces) for path in paths]
+        whole = sum(sizes) or 1.0
+        crossings: list[SeamCrossing] = []
+        leg_ends = [0.0]
+        before = 0.0
+        for path, size in zip(paths, sizes, strict=True) if found else ():
+            crossings += (
+                replace(crossing, t=(before + crossing.t * size) / whole)
+                for crossing in path.crossings
+            )
+            leg_ends += ((before + t * size) / whole for t in path.leg_ends[1:])
+            before += size
+        statuses = [path.status for path in paths]
+        failed = [status for status in statuses if not status.has_length]
+        other = [status for status in statuses if status is not Status.CONVERGED]
+        return AtlasPath(
+            atlas=paths[0].atlas,
+            points=(*paths[0].points, *(point for path in paths[1:] for point in path.points[1:])),
+            length=sum(path.length for path in paths),
+            raw_length=sum(path.raw_length for path in paths),
+            error_estimate=sum(path.error_estimate for path in paths),
+            residual=max(path.residual for path in paths),
+            status=(failed or other or [Status.CONVERGED])[0],
+            pieces=tuple(piece for path in paths for piece in path.pieces) if found else (),
+            crossings=tuple(crossings),
+            leg_ends=(*leg_ends[:-1], 1.0) if found else (),
+        )
+
+    def __repr__(self) -> str:
+        return (
+            f"<{type(self).__name__} of length {self.length:.6g} {self.atlas.unit}, error "
+            f"{self.error_estimate:.1g} {self.atlas.unit}, {self.status.name}>"
+        )
 
     @property
     def converged(self) -> bool:
@@ -99,8 +174,8 @@ class AtlasPath:
         """The patch of each piece."""
         return tuple(piece.patch for piece in self.pieces)
 
-    def path(self, t: ArrayLike) -> tuple[NDArray[np.int64], Array]:
-        """Points of the path.
+    def path(self, t: ArrayLike) -> tuple[Ints, Array]:
+        """Return points of the path.
 
         Parameters
         ----------
@@ -140,7 +215,7 @@ class AtlasPath:
         return patch.reshape(times.shape), parameters.reshape(*times.shape, 2)
 
     def position(self, t: ArrayLike) -> Array:
-        """Positions of the path in the atlas's unit, shape (*t.shape, 3); t as for `path`."""
+        """Return positions of the path in the atlas's unit, shape (*t.shape, 3); t as in `path`."""
         patch, parameters = self.path(t)
         return evaluate(self.atlas.control_points[patch], parameters)
 

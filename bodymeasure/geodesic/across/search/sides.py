@@ -14,7 +14,7 @@ import numpy as np
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors, Step, on_side
-from bodymeasure.geodesic.across.pieces.route_refine import Refined
+from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.across.routes.route import Route
 
 # A piece that is nowhere further from a seam, in u or v of its patch, runs along it.
@@ -31,7 +31,7 @@ class _Side(NamedTuple):
     leave: float
 
 
-def one_sided(neighbors: Neighbors, refined: Refined) -> Iterator[Route]:
+def one_sided(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
     """Routes whose pieces along seams are all on the one side of them, or all on the other."""
     for run in _runs(neighbors, refined):
         for start in (run.sides[0], _beyond(neighbors, run.sides[0])):
@@ -40,7 +40,7 @@ def one_sided(neighbors: Neighbors, refined: Refined) -> Iterator[Route]:
                 yield found
 
 
-def corners_along_seams(neighbors: Neighbors, refined: Refined) -> set[int]:
+def corners_along_seams(neighbors: Neighbors, refined: RefinedPath) -> set[int]:
     """The crossings between pieces that run along seams, past the corners where these meet."""
     runs = _runs(neighbors, refined)
     return {number for run in runs for number in range(run.first, run.last)}
@@ -54,7 +54,7 @@ class _Run(NamedTuple):
     sides: list[_Side]
 
 
-def _runs(neighbors: Neighbors, refined: Refined) -> list[_Run]:
+def _runs(neighbors: Neighbors, refined: RefinedPath) -> list[_Run]:
     """All runs of several pieces; those of no length, in corners, do not part them."""
     runs: list[_Run] = []
     goes_on = False
@@ -67,7 +67,7 @@ def _runs(neighbors: Neighbors, refined: Refined) -> list[_Run]:
     return [run for run in runs if len(run.sides) > 1]
 
 
-def _seam(neighbors: Neighbors, refined: Refined, piece: int) -> _Side | None:
+def _seam(neighbors: Neighbors, refined: RefinedPath, piece: int) -> _Side | None:
     """The seam that a piece runs along, if any."""
     patch, values = refined.problem.route.patches[piece], refined.values[piece]
     for number, edge in enumerate(EDGES):

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 from helpers.surfaces.cut_atlases import random_point, wavy_plane
 
-from bodymeasure.chart.joined import joined
-from bodymeasure.geodesic import Status, geodesic_between
+from bodymeasure.geodesic import AtlasPath, Status, geodesic_between
 
 
 def test_joined_paths_are_the_path_through_all_points(rng: np.random.Generator) -> None:
@@ -17,7 +16,7 @@ def test_joined_paths_are_the_path_through_all_points(rng: np.random.Generator) 
     whole = geodesic_between(atlas, start, end, via)
     points = [start, *via, end]
     legs = [geodesic_between(atlas, *ends) for ends in pairwise(points)]
-    path = joined(legs)
+    path = AtlasPath.concatenate(legs)
     assert path.points == whole.points
     assert path.patches == whole.patches
     assert path.length == pytest.approx(whole.length, rel=1e-14)
@@ -28,7 +27,7 @@ def test_joined_paths_are_the_path_through_all_points(rng: np.random.Generator) 
     for crossing, known in zip(path.crossings, whole.crossings, strict=True):
         assert crossing.before == known.before
         assert crossing.t == pytest.approx(known.t, abs=1e-13)
-    assert joined(legs[:1]) is legs[0]
+    assert AtlasPath.concatenate(legs[:1]) is legs[0]
 
 
 def test_the_status_is_that_of_the_worst_leg(rng: np.random.Generator) -> None:
@@ -37,12 +36,12 @@ def test_the_status_is_that_of_the_worst_leg(rng: np.random.Generator) -> None:
     good, other = geodesic_between(atlas, first, second), geodesic_between(atlas, second, third)
     touching = replace(other, status=Status.ON_BOUNDARY)
     failed = replace(other, status=Status.NOT_CONVERGED, length=np.nan)
-    assert joined([good, touching]).status is Status.ON_BOUNDARY
-    path = joined([touching, failed, good])
+    assert AtlasPath.concatenate([good, touching]).status is Status.ON_BOUNDARY
+    path = AtlasPath.concatenate([touching, failed, good])
     assert path.status is Status.NOT_CONVERGED
     assert np.isnan(path.length)
     lost = replace(other, status=Status.NO_ROUTE, length=np.nan, pieces=(), crossings=())
-    nowhere = joined([good, lost])
+    nowhere = AtlasPath.concatenate([good, lost])
     assert nowhere.status is Status.NO_ROUTE
     assert nowhere.pieces == ()
     assert nowhere.crossings == ()

@@ -1,0 +1,232 @@
+r"""How long the shortest path along a route is, how sure that is, and what loops lie close to it.
+
+On each piece, what `lengths.measure` says holds with the piece's ends in place: the path's excess
+is subtracted, and the rest is estimated. Where a seam is crossed, the true path would cross
+elsewhere. There the unit tangents of both pieces have equal components along the seam; with
+:math:`r` what is left of their difference, times the speed of the seam's parameter, moving the
+crossings by :math:`\delta` changes the length by
+:math:`r^T \delta + \tfrac12 \delta^T S \delta`, in which :math:`S` is the Hessian of the length by
+the crossings alone, the pieces between them being the shortest. Its minimum
+:math:`-\tfrac12 r^T S^{-1} r`, tripled twice since the end tangents have errors as large, is added
+to the estimate. A crossing that a corner holds stays where it is and counts for nothing.
+
+A piece that a seam holds, because the neighbor is no better, is the shortest only of those on its
+patch: what would be subtracted is added to its error instead.
+
+The excess of a piece of hardly any length is at most what it is longer than its chord.
+
+This covers paths along this route; whether another route is shorter, it does not tell.
+
+For a loop, S measured across the loop, in parts of the lengths between crossings, has the
+eigenvalues of the periodic Jacobi operator :math:`-\psi'' - K \psi`, from below and as finely as
+the crossings stand: positive ones prove that all loops close to it are longer. One of zero belongs
+to a family of loops of one length, as about a cylinder.
+"""
+
+from enum import Enum
+from typing import NamedTuple
+
+import numpy as np
+import scipy
+
+from bodymeasure._typing import Array, Bools
+from bodymeasure.atlas.seams import EDGES
+from bodymeasure.geodesic.across.pieces.refine import RefinedPath
+from bodymeasure.geodesic.lengths.length import UNKNOWN, Length, is_leading_order
+from bodymeasure.geodesic.lengths.measure import measure_length
+from bodymeasure.geodesic.numerics.box_newton import solve_free
+
+# See the text above.
+JOINT_SAFETY = 9.0
+# A piece below this part of the path's length is as good as straight.
+STRAIGHT = 1e-5
+# The Hessian may be singular by rounding: what is added to its diagonal then, as a part of it.
+DAMPINGS = (0.0, 1e-12, 1e-10, 1e-8)
+# Lengths are sums of differences of coordinates of the patches' size.
+ROUNDING = 4e-16
+# Of the square of 2 pi over a loop's length: eigenvalues that small are zero, but for rounding.
+FLAT = 1e-8
+# Sine of the angle at which a loop crosses a seam, below which the crossing says nothing.
+ALONG = 1e-6
+
+
+class LoopKind(Enum):
+    """What loops lie close to a closed geodesic; each value is a sentence.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> bm.LoopKind.MINIMUM.value
+    'All loops close to it are longer.'
+    """
+
+    MINIMUM = "All loops close to it are longer."
+    FLAT = (
+        "No loop close to it is shorter, but some are as long, to the second order: it is one of a "
+        "family, as about a cylinder, and which one depends on the start."
+    )
+    SADDLE = (
+        "Some loops close to it are shorter: it only balances, as about a barrel's widest part."
+    )
+
+
+def route_length(refined: RefinedPath) -> tuple[Length, LoopKind | None]:
+    """Return the length of a refined path in the atlas's unit, and the kind of a loop.
+
+    The index is 0 for a path with ends that is shorter than all paths close to it along its route,
+    and for a loop that is a minimum; else it is not known.
+    """
+    problem, total = refined.problem, refined.lengths.sum()
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        measured = measure_length(problem.surface, problem.space, refined.values)
+    short = refined.lengths < STRAIGHT * total
+    ends = problem.surface.positions(refined.values[:, :, [0, -1]].transpose(0, 2, 1))
+    chord = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1)
+    correction = np.where(short, 0.0, measured.correction)
+    error = np.where(short, refined.lengths - chord, measured.error)
+    residual = np.where(short, 0.0, measured.residual)
+    held = refined.held_nodes.any(axis=(1, 2))
+    error = error + np.where(held, np.abs(correction), 0.0)
+    correction = np.where(held, 0.0, correction)
+    crossings = _crossings(refined, short)
+    kind: LoopKind | None = None
+    if problem.route.closed:
+        jump, excess, kind = _of_loop(refined, crossings)
+    else:
+        jump, excess = _of_path(refined, crossings)
+    known = bool(np.isfinite(error).all() and np.isfinite(excess))
+    whole = error.sum() + JOINT_SAFETY * excess + _rounding(problem.surface.control_points)
+    minimal = (
+        (measured.minimal | short).all() and np.isfinite(excess)
+        if kind is None
+        else kind is LoopKind.MINIMUM
+    )
+    length = Length(
+        raw=total,
+        correction=np.asarray(correction.sum() if known else 0.0),
+        error=np.asarray(whole if known else np.inf),
+        residual=np.maximum(residual.max(), jump),
+        index=np.asarray(0 if minimal else UNKNOWN),
+        trusted=np.asarray(known and is_leading_order(correction, residual, total).all()),
+    )
+    return length.scaled(problem.size), kind
+
+
+class _Crossings(NamedTuple):
+    """How a path crosses its seams.
+
+    Parameters
+    ----------
+    seam : ndarray, shape (crossings, 3)
+        The derivative by the parameter along the side that is left.
+    tangent : ndarray, shape (crossings, 3)
+        The mean of the unit tangents of the piece before and of the one after.
+    difference : ndarray, shape (crossings,)
+        The component along the seam by which they differ, times the seam's derivative.
+    movable : ndarray of bool, shape (crossings,)
+        The crossings that count: neither held nor beside a piece of hardly any length.
+    """
+
+    seam: Array
+    tangent: Array
+    difference: Array
+    movable: Bools
+
+
+def _crossings(refined: RefinedPath, short: Bools) -> _Crossings:
+    problem = refined.problem
+    slopes = problem.space.matrices([0.0, 1.0])[1]
+    moved = refined.values - refined.values[:, :, :1]
+    ends = refined.values[:, :, [0, -1]].transpose(0, 2, 1)
+    _, s_u, s_v = problem.surface.jet(ends, 1)
+    du, dv = (moved @ slopes.T).transpose(1, 0, 2)
+    velocity = s_u * du + s_v * dv
+    speed = np.linalg.norm(velocity, axis=0)
+    tangent = velocity / np.where(speed > 0.0, speed, 1.0)
+    crossings = problem.route.crossings
+    # Before the first crossing of a loop is its last piece, number -1.
+    before = np.arange(len(crossings)) - problem.route.closed
+    fixed = np.array([EDGES[crossing.from_side].fixed_axis for crossing in crossings])
+    seam = np.where(fixed == 0, s_v[:, before, 1], s_u[:, before, 1]).T
+    leaving, entering = tangent[:, before, 1].T, tangent[:, before + 1, 0].T
+    return _Crossings(
+        seam=seam,
+        tangent=0.5 * (leaving + entering),
+        difference=((leaving - entering) * seam).sum(axis=1),
+        movable=~(refined.held_joints | short[before] | short[before + 1]),
+    )
+
+
+def _of_path(refined: RefinedPath, crossings: _Crossings) -> tuple[float, float]:
+    """The largest difference of tangents at the crossings of a path, and its excess.
+
+    The difference is that of the unit tangents' components along a seam. The excess is infinite
+    where the path is no minimum.
+    """
+    length = np.linalg.norm(crossings.seam, axis=1)
+    count = crossings.movable & (length > 0.0)
+    jump = np.abs(crossings.difference[count]) / length[count]
+    right = np.zeros(refined.problem.count)
+    right[refined.problem.joints] = np.where(crossings.movable, crossings.difference, 0.0)
+    free = ~(refined.minimum.held | refined.problem.idle)
+    for damping in DAMPINGS:
+        bands = refined.minimum.bands.copy()
+        bands[0] *= 1.0 + damping
+        shift = solve_free(bands, np.where(free, right, 0.0), free)
+        if shift is not None:
+            return jump.max(initial=0.0), float(0.5 * right @ shift)
+    return jump.max(initial=0.0), np.inf
+
+
+def _of_loop(refined: RefinedPath, crossings: _Crossings) -> tuple[float, float, LoopKind]:
+    """The same for a loop, and its kind."""
+    seam, mean = crossings.seam, crossings.tangent
+    mean = mean / np.linalg.norm(mean, axis=1)[:, None]
+    length = np.linalg.norm(seam, axis=1)
+    across = np.linalg.norm(seam - (seam * mean).sum(axis=1)[:, None] * mean, axis=1)
+    free = crossings.movable & (across > ALONG * length)
+    if not free.any():
+        return 0.0, 0.0, LoopKind.MINIMUM
+    right = crossings.difference[free]
+    jump = float(np.max(np.abs(right) / length[free]))
+    stiffness = _stiffness(refined)
+    if stiffness is None:
+        return jump, np.inf, LoopKind.SADDLE
+    scaled = stiffness[np.ix_(free, free)] / np.outer(across[free], across[free])
+    mass = 0.5 * (refined.lengths + np.roll(refined.lengths, 1))[free]
+    value, vector = scipy.linalg.eigh(scaled, np.diag(mass))
+    flat = FLAT * (2.0 * np.pi / refined.lengths.sum()) ** 2
+    share = vector.T @ (right / across[free])
+    excess = 0.5 * float((share**2 / np.maximum(np.abs(value), flat)).sum())
+    kind = LoopKind.MINIMUM if value[0] > flat else LoopKind.FLAT
+    return jump, excess, LoopKind.SADDLE if value[0] < -flat else kind
+
+
+def _stiffness(loop: RefinedPath) -> Array | None:
+    """The Hessian of a loop's length by its crossings; None if a piece is not the shortest."""
+    _, _, bend = loop.problem.by_piece(loop.minimum.unknowns)
+    pieces = len(bend)
+    result = np.zeros((pieces, pieces))
+    held = loop.minimum.held[loop.problem.rows]
+    ends = np.array([0, -1])
+    for piece in range(pieces):
+        inner = 1 + np.flatnonzero(~held[piece, 1:-1])
+        condensed = bend[piece][np.ix_(ends, ends)]
+        if len(inner):
+            within = bend[piece][np.ix_(inner, inner)]
+            try:
+                factor = scipy.linalg.cho_factor(within, lower=True)
+            except scipy.linalg.LinAlgError:
+                return None
+            beside = bend[piece][np.ix_(inner, ends)]
+            condensed = condensed - beside.T @ scipy.linalg.cho_solve(factor, beside)
+        at = np.array([piece, (piece + 1) % pieces])
+        np.add.at(result, (at[:, None], at), condensed)
+    return result
+
+
+def _rounding(nets: Array) -> float:
+    """What rounding does to the length of a path over patches."""
+    widths = np.ptp(nets, axis=(1, 2)).max(axis=1)
+    # The nets' coordinates are rounded before they are subtracted.
+    return float(ROUNDING * (widths.sum() + np.abs(nets).max()))

@@ -1,0 +1,201 @@
+r"""The length of a path over several patches, to the second order in all its unknowns.
+
+On each patch the path is a polynomial, given by (u, v) at its nodes; where it crosses a seam, both
+pieces end at the same point of it, given by one number. The sum of
+:math:`\sqrt{\int |x'|^2 dt + \varepsilon}` over the pieces is the length, if each has a constant
+speed, and more if not: its minimum is the shortest path, each piece at a constant speed.
+
+The unknowns of each piece and one crossing beside it are a block. Along a path with ends the blocks
+stand in order, so that only neighboring ones are coupled. In a loop the last piece is coupled with
+the first one, too: taken in the order 0, k - 1, 1, k - 2, ..., no two coupled blocks are more than
+two apart. So the Hessian is banded either way.
+"""
+
+import numpy as np
+
+from bodymeasure._typing import Array, Ints
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.topology.neighbors import on_side
+from bodymeasure.bezier import scaled
+from bodymeasure.geodesic.across.routes.route import Route
+from bodymeasure.geodesic.lengths.functionals import Functional, expand
+from bodymeasure.geodesic.numerics.box_newton import SecondOrder
+from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+from bodymeasure.geodesic.surfaces.rational import surfaces_of
+
+# Pieces may be of no length, where the root has no derivative. In units of the whole path's length.
+EPSILON = 1e-14
+ALL_NODES = slice(None)
+ENERGY = Functional("energy")
+
+Slides = tuple[int | None, int | None]
+"""The sides of their patches along which the start and the end of a path may move."""
+
+
+class RouteProblem:
+    """The paths or loops along a route, and what their unknowns mean.
+
+    The unknowns of a piece are where it starts along its first seam, its inner nodes (all u, then
+    all v) and where it ends along its last seam. Where a path with ends starts and ends is an
+    unknown as well, but idle unless that end slides along an edge.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    route : Route
+    space : TrialSpace
+        The trial space of each piece.
+    size : float
+        About the length of the path, by which the patches are scaled.
+    slides : pair of int or None
+        The side of its patch along which the start, or the end, may move.
+
+    Attributes
+    ----------
+    joints : ndarray of int, shape (crossings,)
+        The unknown of each crossing.
+    rows : ndarray of int, shape (pieces, k)
+        The unknowns of each piece, in the order above.
+    local : ndarray of int, shape (pieces, k)
+        The nodal value that each of them moves; values are numbered all u, then all v.
+    sign : ndarray, shape (pieces, k)
+        The derivative of that value: 1, or -1 along a seam that runs the other way, or 0 for idle
+        unknowns.
+    idle : ndarray of bool, shape (unknowns,)
+        The unknowns that move nothing.
+    """
+
+    def __init__(
+        self,
+        atlas: Atlas,
+        route: Route,
+        space: TrialSpace,
+        size: float,
+        slides: Slides = (None, None),
+    ) -> None:
+        self.atlas, self.route, self.space = atlas, route, space
+        self.size, self.slides = size, slides
+        self.surface = surfaces_of(scaled(atlas.control_points[list(route.patches)], 1.0 / size))
+        nodes, pieces = space.size + 1, len(route.patches)
+        inner = np.concatenate([np.arange(1, nodes - 1), np.arange(nodes + 1, 2 * nodes - 1)])
+        block = len(inner) + 1
+        if route.closed:
+            entries = _folded(pieces) * block
+            exits = np.roll(entries, -1)
+            self.joints = entries
+        else:
+            entries = np.arange(pieces) * block
+            exits = entries + block
+            self.joints = exits[:-1]
+        self.rows = np.column_stack([entries, entries[:, None] + np.arange(1, block), exits])
+        self.count = int(self.rows.max()) + 1
+        self.local = np.tile(np.array([0, *inner, nodes - 1]), (pieces, 1))
+        self.sign = np.ones(self.local.shape)
+        self._fixed = np.zeros((pieces, 2, nodes))
+        for piece in range(pieces):
+            self._fixed[piece, :, 0] = route.entry(piece)[1:]
+            self._fixed[piece, :, -1] = route.exit(piece)[1:]
+        # The values where the unknowns are 0: another 1 where a seam runs the other way.
+        self._offset = np.zeros(self.local.shape)
+        if not route.closed:
+            for place, side in zip((0, -1), slides, strict=True):
+                if side is None:
+                    self.sign[place, place] = 0.0
+                    self._offset[place, place] = self._fixed[place, 0, place]
+                else:
+                    self._move(place, place, side)
+        for number, crossing in enumerate(route.crossings):
+            # Before the first crossing of a loop is its last piece, number -1.
+            before = number - route.closed
+            self._move(before, -1, crossing.from_side)
+            self._move(before + 1, 0, crossing.to_side, crossing.flipped)
+        self.idle = np.zeros(self.count, bool)
+        self.idle[self.rows[self.sign == 0.0]] = True
+        row, column = np.broadcast_arrays(self.rows[:, :, None], self.rows[:, None, :])
+        # One of a pair of unknowns is the lower; a loop's single piece ends in the unknown in which
+        # it starts.
+        self._lower = row >= column
+        self._places = ((row - column) * self.count + column)[self._lower]
+        self._size_of_bands = (int((row - column).max()) + 1) * self.count
+
+    def _move(self, piece: int, end: int, side: int, flipped: bool = False) -> None:
+        """Let an end of a piece move along a side of its patch."""
+        axis, nodes = 1 - EDGES[side].fixed_axis, self.space.size + 1
+        self.local[piece, end] = axis * nodes + (nodes - 1 if end else 0)
+        self.sign[piece, end] = -1.0 if flipped else 1.0
+        self._offset[piece, end] = 1.0 if flipped else 0.0
+
+    def straight(self) -> Array:
+        """The unknowns of the path that is straight in (u, v) on each patch."""
+        ends = np.array(
+            [
+                [self.route.entry(piece)[1:], self.route.exit(piece)[1:]]
+                for piece in range(len(self.rows))
+            ]
+        )
+        start, stop = ends[:, 0, :, None], ends[:, 1, :, None]
+        return self.unknowns(start + (stop - start) * self.space.nodes[1:-1])
+
+    def unknowns(self, inner: Array) -> Array:
+        """The unknowns of a path whose pieces meet where the route says.
+
+        Parameters
+        ----------
+        inner : ndarray, shape (pieces, 2, n - 1)
+            (u, v) at the inner nodes.
+        """
+        result: Array = np.full(self.count, 0.5)
+        result[self.joints] = self.route.along
+        result[self.rows[:, 1:-1]] = inner.reshape(len(inner), -1)
+        for row, side, end in zip((0, -1), self.slides, self.route.ends or (), strict=False):
+            if side is not None:
+                result[row] = end[2 - EDGES[side].fixed_axis]
+        return np.asarray(np.clip(result, 0.0, 1.0))
+
+    def values(self, unknowns: Array) -> Array:
+        """(u, v) at the nodes of all pieces, shape (pieces, 2, n + 1)."""
+        result = self._fixed.reshape(len(self.rows), -1).copy()
+        np.put_along_axis(result, self.local, self._offset + self.sign * unknowns[self.rows], 1)
+        return result.reshape(self._fixed.shape)
+
+    def at(self, unknowns: Array) -> Route:
+        """The route that crosses its seams where the unknowns say."""
+        ends = self.route.ends
+        if ends is not None:
+            start, end = (
+                here
+                if side is None
+                else AtlasPoint(here.patch, *on_side(side, float(unknowns[row])))
+                for row, side, here in zip((0, -1), self.slides, ends, strict=True)
+            )
+            ends = start, end
+        return Route(ends, self.route.crossings, tuple(unknowns[self.joints].tolist()))
+
+    def by_piece(self, unknowns: Array) -> tuple[Array, Array, Array]:
+        """The root of each piece, with its gradient and Hessian by the unknowns of the piece."""
+        energy = expand(ENERGY, self.surface, self.space, self.values(unknowns), ALL_NODES)
+        root = np.sqrt(2.0 * energy.value + EPSILON)
+        local, sign = self.local, self.sign
+        slope = np.take_along_axis(energy.gradient, local, axis=1) * sign / root[:, None]
+        piece = np.arange(len(root))[:, None, None]
+        bend = energy.hessian[piece, local[:, :, None], local[:, None, :]]
+        bend = bend * (sign[:, :, None] * sign[:, None, :]) / root[:, None, None]
+        bend -= slope[:, :, None] * slope[:, None, :] / root[:, None, None]
+        return root, slope, bend
+
+    def expand(self, unknowns: Array) -> SecondOrder:
+        """The sum over the pieces, to the second order."""
+        root, slope, bend = self.by_piece(unknowns)
+        gradient: Array = np.zeros(self.count)
+        np.add.at(gradient, self.rows, slope)
+        bands: Array = np.zeros(self._size_of_bands)
+        np.add.at(bands, self._places, bend[self._lower])
+        return SecondOrder(float(root.sum()), gradient, bands.reshape(-1, self.count))
+
+
+def _folded(count: int) -> Ints:
+    """The places of blocks 0, 1, ... in the order 0, k - 1, 1, k - 2, ..."""
+    number = np.arange(count)
+    return np.where(2 * number < count, 2 * number, 2 * (count - number) - 1)

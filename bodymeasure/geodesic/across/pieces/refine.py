@@ -1,0 +1,144 @@
+"""Refinement: the shortest path or loop along a route, as far as a trial space goes."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bodymeasure._typing import Array, Bools
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.seams import EDGES, sides_of
+from bodymeasure.geodesic.across.pieces.problem import RouteProblem
+from bodymeasure.geodesic.across.routes.route import Route
+from bodymeasure.geodesic.numerics.box_newton import BoxMinimum, minimize_in_box
+from bodymeasure.geodesic.spaces.polynomials import polynomial_space
+from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+
+# Pieces this near to a corner, in (u, v), are tried in the corner itself.
+IN_CORNER = 1e-3
+
+
+@dataclass(frozen=True, eq=False)
+class RefinedPath:
+    """A path or loop along a route.
+
+    Parameters
+    ----------
+    problem : RouteProblem
+    minimum : BoxMinimum
+    values : ndarray, shape (pieces, 2, n + 1)
+        (u, v) at the nodes of all pieces.
+    lengths : ndarray, shape (pieces,)
+        The length of each piece, as a part of the problem's size.
+    """
+
+    problem: RouteProblem
+    minimum: BoxMinimum
+    values: Array
+    lengths: Array
+
+    @property
+    def length(self) -> float:
+        """The length of the whole path, in the atlas's unit."""
+        return float(self.lengths.sum()) * self.problem.size
+
+    @property
+    def route(self) -> Route:
+        """The route, with its crossings where the path has them."""
+        return self.problem.at(self.minimum.unknowns)
+
+    @property
+    def held_nodes(self) -> Bools:
+        """Inner nodes that an edge of their patch holds, by coordinate: (pieces, 2, n - 1)."""
+        held = self.minimum.held[self.problem.rows[:, 1:-1]].reshape(len(self.lengths), 2, -1)
+        # A piece that stays in a corner runs along no edge.
+        return np.asarray(held & (self.lengths > 0.0)[:, None, None])
+
+    @property
+    def held_joints(self) -> Bools:
+        """Crossings that an end of their seam holds, shape (crossings,)."""
+        return self.minimum.held[self.problem.joints]
+
+
+def refine(
+    atlas: Atlas,
+    route: Route,
+    space: int | TrialSpace,
+    size: float,
+    before: RefinedPath | None = None,
+) -> RefinedPath:
+    """Return the shortest path or loop along a route.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    route : Route
+    space : int or TrialSpace
+        The trial space on each patch, or the degree of polynomials, at least 2.
+    size : float
+        About the length of the path.
+    before : RefinedPath, optional
+        A path with this very route to start from; straight lines in (u, v) if not given.
+    """
+    space = polynomial_space(space) if isinstance(space, int) else space
+    start, end = (None, None) if route.ends is None else route.ends
+    problem = RouteProblem(
+        atlas, route, space, size, (_pole_side(atlas, start), _pole_side(atlas, end))
+    )
+    guess = problem.straight() if before is None else resampled(before, problem)
+    minimum = minimize_in_box(problem.expand, guess, problem.idle)
+    refined = measured(problem, minimum)
+    corners = _corners(refined)
+    if not corners.any():
+        return refined
+    place = np.where(corners, np.round(minimum.unknowns), minimum.unknowns)
+    pinned = minimize_in_box(problem.expand, place, problem.idle | corners)
+    through = measured(problem, replace(pinned, held=pinned.held | corners))
+    return through if through.length < refined.length else refined
+
+
+def _pole_side(atlas: Atlas, end: AtlasPoint | None) -> int | None:
+    """The collapsed side on which a path ends: it leaves the point there in any direction."""
+    if end is None:
+        return None
+    sides = sides_of(atlas.index[[end.patch]])[0]
+    for side, (edge, row) in enumerate(zip(EDGES, sides, strict=True)):
+        if end[1 + edge.fixed_axis] == edge.fixed_value and (row == row[0]).all():
+            return side
+    return None
+
+
+def measured(problem: RouteProblem, minimum: BoxMinimum) -> RefinedPath:
+    """Return a path with its nodal values and the lengths of its pieces."""
+    values = problem.values(minimum.unknowns)
+    place, slopes, _ = problem.space.at_quadrature
+    du, dv = ((values - values[:, :, :1]) @ slopes.T).transpose(1, 0, 2)
+    _, s_u, s_v = problem.surface.jet((values @ place.T).transpose(0, 2, 1), 1)
+    speed = np.linalg.norm(s_u * du + s_v * dv, axis=0)
+    return RefinedPath(problem, minimum, values, speed @ problem.space.quadrature.weights)
+
+
+def _corners(refined: RefinedPath) -> Bools:
+    """The unknowns of pieces of hardly any length that seem to lie in a corner of their patch.
+
+    What makes the length smooth there (`problem.EPSILON`) keeps them a little away from it. A loop
+    has none: it slides past corners, and the search gives it other routes round them.
+    """
+    problem, values = refined.problem, refined.values
+    result = np.zeros(problem.count, bool)
+    if problem.route.closed:
+        return result
+    nearest = np.round(values)
+    inside = (np.abs(values - nearest) < IN_CORNER).all(axis=(1, 2))
+    same = (nearest == nearest[:, :, :1]).all(axis=(1, 2))
+    # The first and the last piece have an end that is given.
+    for piece in np.flatnonzero(inside & same):
+        if 0 < piece < len(values) - 1:
+            result[problem.rows[piece]] = True
+    return result
+
+
+def resampled(before: RefinedPath, problem: RouteProblem) -> Array:
+    """Return the unknowns of a path in another space along its route."""
+    place = before.problem.space.functions.values(problem.space.nodes[1:-1])
+    return problem.unknowns(before.values @ place.T)

@@ -1,0 +1,192 @@
+"""Other routes that a refined path or loop asks for: what holds it says where it would rather go.
+
+A change of a route is given by its first crossing that is replaced, the one before which they end,
+and the crossings that are put in their place (`Route.replaced`).
+"""
+
+from collections.abc import Collection, Iterator, Sequence
+
+import numpy as np
+
+from bodymeasure._typing import Bools
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors
+from bodymeasure.geodesic.across.pieces.refine import RefinedPath
+from bodymeasure.geodesic.across.routes.route import Route
+from bodymeasure.geodesic.across.search.sides import corners_along_seams, one_sided
+from bodymeasure.geodesic.lengths.measure import measure_length
+
+# A piece that is this part of the path may be one too many.
+SHORT = 1e-3
+# A crossing this near to a corner, in the parameter of its seam, may have to go round it.
+NEAR_CORNER = 1e-2
+# A piece that could be shorter by no more than this part of the path needs no neighbor, as one that
+# runs along a seam from which the surface falls alike to both sides.
+WORTHWHILE = 1e-10
+# Further than this outside the patch, between the nodes, the path lacks a neighbor.
+OUTSIDE = 1e-9
+
+_Change = tuple[int, int, Sequence[tuple[Crossing, float]]]
+
+
+def other_routes(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
+    """Yield routes over the same seams or fewer that may be shorter, the likeliest first."""
+    route = refined.route
+    yield from _without_empty_ends(neighbors, refined, route)
+    yield from _without_returns(refined, route)
+    yield from one_sided(neighbors, refined)
+    passed = corners_along_seams(neighbors, refined)
+    yield from (route.replaced(*change) for change in _round_corners(neighbors, route, passed))
+
+
+def over_missing_neighbors(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
+    """Yield routes over the neighbors that a path lacks."""
+    yield from (refined.route.replaced(*change) for change in _detours(neighbors, refined))
+
+
+def other_loops(neighbors: Neighbors, loop: RefinedPath) -> Iterator[Route]:
+    """Yield routes that may be shorter than a loop's, the likeliest first.
+
+    A loop that slides over the body is held by many corners at once, and by none once it is past
+    them: so all are passed together, then one by one.
+    """
+    first = _outside_corners(loop.route)
+    route = loop.route.begun_at(first)
+    held = np.roll(loop.held_joints, -first)
+    corners = list(_round_corners(neighbors, route))
+    yield from _all_at_once(route, [change for change in corners if held[slice(*change[:2])].any()])
+    yield from _without_returns(loop, loop.route)
+    detours = list(_detours(neighbors, loop))
+    yield from _all_at_once(loop.route, detours)
+    yield from (loop.route.replaced(*change) for change in detours)
+    yield from (route.replaced(*change) for change in corners)
+
+
+def _without_empty_ends(
+    neighbors: Neighbors, refined: RefinedPath, route: Route
+) -> Iterator[Route]:
+    """Without a first or last piece that has no length, since its end lies on the seam."""
+    if not route.crossings:
+        return
+    (first, *_, last), total = refined.lengths, refined.lengths.sum()
+    if first < SHORT * total:
+        for step in neighbors.steps(route.start):
+            if step.crossing == route.crossings[0]:
+                yield Route((step.place, route.end), route.crossings[1:], route.along[1:])
+    if last < SHORT * total:
+        for step in neighbors.steps(route.end):
+            if step.crossing == _back(route.crossings[-1], route.patches[-2]):
+                yield Route((route.start, step.place), route.crossings[:-1], route.along[:-1])
+
+
+def _back(crossing: Crossing, patch: int) -> Crossing:
+    """The crossing of the same seam back to the patch that it leaves."""
+    return Crossing(crossing.edge, crossing.to_side, crossing.from_side, patch, crossing.flipped)
+
+
+def _without_returns(refined: RefinedPath, route: Route) -> Iterator[Route]:
+    """Without a piece that only goes over a seam and comes back."""
+    patches, count = route.patches, len(route.crossings)
+    for piece in range(0 if route.closed else 1, count):
+        enter = piece if route.closed else piece - 1
+        leave = (enter + 1) % count
+        same_edge = route.crossings[enter].edge == route.crossings[leave].edge
+        returns = same_edge and patches[piece - 1] == patches[(piece + 1) % len(patches)]
+        if count > 1 and returns and refined.lengths[piece] < SHORT * refined.lengths.sum():
+            # Over the end of a loop's crossings, those are begun anew.
+            begun = route.begun_at(enter) if route.closed else route
+            first = 0 if route.closed else enter
+            yield begun.replaced(first, first + 2)
+
+
+def _round_corners(
+    neighbors: Neighbors, route: Route, passed: Collection[int] = ()
+) -> Iterator[_Change]:
+    """Round the other side of corners that a path runs into or nearly so; not of those passed."""
+    first, count = 0, len(route.crossings)
+    while first < count:
+        leave = corner_near(route.left_at(first))
+        if leave is None or first in passed:
+            first += 1
+            continue
+        last = first
+        while last + 1 < count:
+            here, there = corner_near(route.entered_at(last)), corner_near(route.left_at(last + 1))
+            if there is None or here != there:
+                break
+            last += 1
+        enter = corner_near(route.entered_at(last))
+        current = route.crossings[first : last + 1]
+        for way in neighbors.ways(leave, enter) if enter else ():
+            if tuple(step.crossing for step in way) != current:
+                yield first, last + 1, [step[:2] for step in way]
+        first = last + 1
+
+
+def _outside_corners(route: Route) -> int:
+    """A crossing before which a loop does not stay in a corner."""
+    for crossing in range(len(route.crossings)):
+        corner = corner_near(route.entered_at(crossing - 1))
+        if corner is None or corner != corner_near(route.left_at(crossing)):
+            return crossing
+    return 0
+
+
+def corner_near(place: AtlasPoint) -> AtlasPoint | None:
+    """Return the corner of its patch that a place on an edge is near to; None if there is none."""
+    nearest = AtlasPoint(place.patch, float(round(place.u)), float(round(place.v)))
+    apart = max(abs(place.u - nearest.u), abs(place.v - nearest.v))
+    return nearest if apart <= NEAR_CORNER else None
+
+
+def _detours(neighbors: Neighbors, refined: RefinedPath) -> Iterator[_Change]:
+    """Over the neighbor behind an edge that holds a path, or that it passes between its nodes."""
+    route, space, values = refined.route, refined.problem.space, refined.values
+    times = np.concatenate([space.nodes[1:-1], space.times_between])
+    order = np.argsort(times, kind="stable")
+    samples = values @ space.between_nodes.T
+    held = refined.held_nodes
+    # How much shorter each piece could be if nothing held it.
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        gain = np.abs(measure_length(refined.problem.surface, space, values).correction)
+    for piece in np.flatnonzero(~(gain < WORTHWHILE * refined.lengths.sum())).tolist():
+        patch = route.patches[piece]
+        # The number of the crossing that leaves the piece.
+        leaving = piece + route.closed
+        for side, edge in enumerate(EDGES):
+            crossings = neighbors.over.get((patch, side), ())
+            axis, value = edge.fixed_axis, edge.fixed_value
+            beyond = (samples[piece, axis] - value) * (2.0 * value - 1.0) > OUTSIDE
+            on_edge = held[piece, axis] & (values[piece, axis, 1:-1] == value)
+            runs = _runs(np.concatenate([on_edge, beyond])[order]) if crossings else []
+            for first, last in runs[:1] if route.closed else runs:
+                ends = times[order][[max(first - 1, 0), min(last + 1, len(times) - 1)]]
+                along = space.functions.values(ends) @ values[piece, 1 - axis]
+                leave, enter = np.clip(along, 0.0, 1.0).tolist()
+                for crossing in crossings:
+                    there = 1.0 - enter if crossing.flipped else enter
+                    yield leaving, leaving, [(crossing, leave), (_back(crossing, patch), there)]
+
+
+def _runs(mask: Bools) -> list[tuple[int, int]]:
+    """First and last of all true values, then of each run of them if there are several.
+
+    Held at its nodes, a polynomial winds about the edge: its runs are mostly one.
+    """
+    changes = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(np.int8)))
+    runs = [(int(first), int(last) - 1) for first, last in changes.reshape(-1, 2)]
+    return [(runs[0][0], runs[-1][1]), *runs] if len(runs) > 1 else runs
+
+
+def _all_at_once(route: Route, changes: list[_Change]) -> Iterator[Route]:
+    """The route with the first change of each stretch, if there are several."""
+    chosen: list[_Change] = []
+    for change in changes:
+        first, *_ = change
+        if not chosen or (first >= chosen[-1][1] and first > chosen[-1][0]):
+            chosen.append(change)
+    if len(chosen) > 1:
+        for change in reversed(chosen):
+            route = route.replaced(*change)
+        yield route

@@ -1,0 +1,201 @@
+"""From a first route to the shortest path or loop: refine, look for a shorter route, refine."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.topology.neighbors import Neighbors
+from bodymeasure.errors import InputError
+from bodymeasure.geodesic.across.contact.solve import held_path
+from bodymeasure.geodesic.across.pieces.error import LoopKind, route_length
+from bodymeasure.geodesic.across.pieces.part import PathPart
+from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
+from bodymeasure.geodesic.across.routes.route import Route, RouteKey
+from bodymeasure.geodesic.across.search.repair import (
+    other_loops,
+    other_routes,
+    over_missing_neighbors,
+)
+from bodymeasure.geodesic.lengths.length import Length
+from bodymeasure.geodesic.status import Status
+
+# Degrees of the polynomial on each patch, tried in turn.
+DEGREES = (8, 12, 16, 24, 32, 48, 72)
+# The degree while a loop slides: its polynomials only have to tell which way.
+SLIDING = 3
+# Beyond this, only for paths that have no length yet, such as through the crotch of a body, where
+# patches bend sharply.
+ORDINARY = 32
+# Relative error of the length that is asked for, and what is good enough if the last degree has not
+# met it, as where patches bend sharply near a corner.
+TOLERANCE, GOOD_ENOUGH = 1e-9, 1e-6
+# What holds a path is read at degrees up to this: where it cannot be, it hardly can at higher ones.
+HIGHEST_READ = 12
+# Routes that are refined for a path, at most, and for a loop at each degree: from the hip to the
+# waist it takes some twenty.
+MOST_ROUTES, MOST_LOOPS = 60, 400
+# A route must be shorter by this part to be better: less is the trial space's. One with fewer
+# crossings is better if it is not longer by more than rounding.
+SHORTER, ROUNDING = 1e-9, 1e-12
+# Where a path runs along an edge, it is no geodesic, and its error is read off the last three
+# degrees: the polynomials do not bend as sharply as it does, and this many times their largest
+# difference is left.
+CONTACT_SAFETY = 4.0
+CONTACT_TOLERANCE = 1e-4
+# Of the first loop's length: one so short has contracted to a point.
+COLLAPSED = 1e-3
+NO_LOOP = (
+    "the loop contracts to a point: it goes round no part of the body; choose one round the trunk "
+    "or a limb"
+)
+
+
+@dataclass(frozen=True, eq=False)
+class SearchResult:
+    """The shortest path or loop that was found.
+
+    Parameters
+    ----------
+    refined : RefinedPath
+    part : PathPart
+        The path, which is made of legs and arcs where edges hold it from all sides.
+    kind : LoopKind or None
+        None for a path with ends.
+    contact : bool
+        Whether an edge of the atlas holds it for a part.
+    good : bool
+        Whether its length is known.
+    """
+
+    refined: RefinedPath
+    part: PathPart
+    kind: LoopKind | None
+    contact: bool
+    good: bool
+
+    @property
+    def length(self) -> Length:
+        """The length of the path, in the atlas's unit."""
+        return self.part.length
+
+    @property
+    def status(self) -> Status:
+        """What became of the search."""
+        if not self.good:
+            return Status.NOT_CONVERGED
+        if self.contact:
+            return Status.ON_BOUNDARY
+        saddle = self.kind is LoopKind.SADDLE if self.kind else not self.length.minimal
+        return Status.NOT_A_MINIMUM if saddle else Status.CONVERGED
+
+
+def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float) -> SearchResult:
+    """Return the shortest path or loop along a route, or along those that it asks for.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    neighbors : Neighbors
+    route : Route
+    size : float
+        About the length of the path.
+
+    Raises
+    ------
+    InputError
+        If a loop contracts to a point.
+    """
+    if route.closed and not route.crossings:
+        raise InputError(NO_LOOP)
+    degrees = (SLIDING, *DEGREES) if route.closed else DEGREES
+    best = refine(atlas, route, degrees[0], size)
+    tried: set[RouteKey] = set()
+    history: list[float] = []
+    for degree in degrees:
+        if degree > degrees[0]:
+            best = refine(atlas, best.route, degree, size, best)
+        # Polynomials of a low degree may make a loop shorter over a neighbor only because they are
+        # two there: what was tried at another degree is tried again.
+        tried = {best.problem.route.key} if route.closed else tried | {route.key}
+        best, missed, held = _repaired(atlas, neighbors, best, tried)
+        if route.closed and best.length < COLLAPSED * size:
+            raise InputError(NO_LOOP)
+        contact = _on_boundary(neighbors, best)
+        if held is not None:
+            return SearchResult(best, held, None, contact, good=True)
+        length, kind = route_length(best)
+        length = replace(length, error=length.error + missed)
+        if contact:
+            # The formulas hold for geodesics, which a path along an edge is not.
+            changes = [abs(best.length - before) for before in history[-2:]]
+            error = CONTACT_SAFETY * max(changes, default=np.inf)
+            length = replace(length, correction=np.zeros(()), error=np.asarray(error))
+            good = bool(error <= CONTACT_TOLERANCE * length.raw)
+        else:
+            good = bool(length.is_known_to(GOOD_ENOUGH))
+        history.append(best.length)
+        # Newton's method comes to rest on a saddle, too, but cannot tell that it has.
+        good = good and (best.minimum.converged or kind is LoopKind.SADDLE)
+        exact = not contact and length.error <= TOLERANCE * length.raw
+        if good and degree > SLIDING and (exact or degree >= ORDINARY):
+            break
+    return SearchResult(best, PathPart.of(best, length), kind, contact, good)
+
+
+def _repaired(
+    atlas: Atlas, neighbors: Neighbors, best: RefinedPath, tried: set[RouteKey]
+) -> tuple[RefinedPath, float, PathPart | None]:
+    """The best along any route that a path asks for, and those ask for, as long as it gets shorter.
+
+    Also by how much a route was shorter that was not better by enough; and the path of legs and
+    arcs, if edges hold it from all sides, so that it asks for no neighbor. Keys of routes that are
+    tried are added to `tried`.
+    """
+    degree, missed, improved = best.problem.space.size, 0.0, True
+    while improved:
+        improved = False
+        for route in _wanted(atlas, neighbors, best):
+            if isinstance(route, PathPart):
+                return best, missed, route
+            if route.closed and not route.crossings:
+                raise InputError(NO_LOOP)
+            most = MOST_LOOPS if route.closed else MOST_ROUTES
+            if route.key in tried or len(tried) >= most:
+                continue
+            tried.add(route.key)
+            other = refine(atlas, route, degree, best.problem.size)
+            simpler = len(route.crossings) < len(best.problem.route.crossings)
+            margin = 1.0 + ROUNDING if simpler else 1.0 - SHORTER
+            if other.length < best.length * margin:
+                best, improved, missed = other, True, 0.0
+                break
+            missed = max(missed, best.length - other.length)
+    return best, missed, None
+
+
+def _wanted(atlas: Atlas, neighbors: Neighbors, best: RefinedPath) -> Iterator[Route | PathPart]:
+    """Routes that may be shorter, and between them the path itself where edges hold it."""
+    if best.problem.route.closed:
+        yield from other_loops(neighbors, best)
+        return
+    yield from other_routes(neighbors, best)
+    if best.held_nodes.any() and best.problem.space.size <= HIGHEST_READ:
+        held = held_path(atlas, neighbors, best, TOLERANCE)
+        if held is not None:
+            yield held
+    yield from over_missing_neighbors(neighbors, best)
+
+
+def _on_boundary(neighbors: Neighbors, refined: RefinedPath) -> bool:
+    """Whether an edge without a neighbor holds a path."""
+    held, values = refined.held_nodes, refined.values[:, :, 1:-1]
+    for piece, patch in enumerate(refined.problem.route.patches):
+        for side, edge in enumerate(EDGES):
+            axis = edge.fixed_axis
+            here = held[piece, axis] & (values[piece, axis] == edge.fixed_value)
+            if here.any() and not neighbors.over.get((patch, side)):
+                return True
+    return False
