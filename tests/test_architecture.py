@@ -43,6 +43,9 @@ LAYERS = (
 # groups do not import from there.
 ORDERS = {
     "bench": "problems · entrants · size · records · timing · summary · figure",
+    "chart": "accuracy, formula, landmarks/choice, landmarks/names, picks, tapes · entry,"
+    " landmarks/paths · body, sides · kinds, landmarks/rules · landmarks · definitions ·"
+    " needed, reading, chart · evaluate",
     "cli": "console, tables · options · atlases, docs, landmarks, measuring, study · main",
     "compare": "names, records · readings · iso20685, read, shown · comparison, page",
     "formats": "groups, json_faults, options, patches, spline_patches, text · atlas_json, bez, bpt,"

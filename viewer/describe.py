@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from bodymeasure.atlas import Unit, convert_length
-from bodymeasure.chart import FormulaMeasure
 
 if TYPE_CHECKING:
     from bodymeasure.chart import Measured
@@ -66,8 +65,9 @@ def describe_measured(item: "Measured", unit: Unit) -> str:
     definition = item.definition
     lines = [f"{definition.name} ({definition.key})"]
     if np.isfinite(item.value):
-        angle = isinstance(definition, FormulaMeasure) and definition.angle
-        lines.append(f"{item.value:.2f} degrees" if angle else _centimetres(item.value, unit))
+        lines.append(
+            f"{item.value:.2f} degrees" if definition.in_degrees else _centimetres(item.value, unit)
+        )
         if np.isfinite(item.contact) and np.isfinite(item.taut):
             skin, taut = _centimetres(item.contact, unit), _centimetres(item.taut, unit)
             lines.append(f"along the skin {skin}, taut {taut}")

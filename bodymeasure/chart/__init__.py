@@ -1,62 +1,41 @@
-"""A chart of body measurements: definitions as data, landmarks by rule, results with statuses."""
+"""A chart of body measurements: definitions as data, landmarks by rule, results with statuses.
 
-from bodymeasure.chart.accuracy import AccuracyClass, accuracy_class
-from bodymeasure.chart.chart import Chart, Measured, Outcome, Tape, TapeKind
+The kinds of measurements are in `bodymeasure.chart.kinds`, and the rules for landmarks are in
+`bodymeasure.chart.landmarks.rules`.
+"""
+
+from bodymeasure.chart.accuracy import AccuracyClass
+from bodymeasure.chart.chart import Chart
+from bodymeasure.chart.definitions import Definitions, definitions_schema
 from bodymeasure.chart.evaluate import measure_chart
-from bodymeasure.chart.kinds.definitions import (
-    BreadthMeasure,
-    ChordMeasure,
-    ClosedMeasure,
-    Definitions,
-    DepthMeasure,
-    DropMeasure,
-    ExtremeGirthMeasure,
-    FormulaMeasure,
-    GirthArcMeasure,
-    GirthMeasure,
-    HeightMeasure,
-    Iso,
-    LimbGirthMeasure,
-    Measurement,
-    OverMeasure,
-    PathMeasure,
-    TiltedGirthMeasure,
-    definitions_schema,
-)
+from bodymeasure.chart.kinds.base import Iso, Measured, MeasurementDefinition, Outcome
 from bodymeasure.chart.landmarks.derive import Derived, derive_landmarks
-from bodymeasure.chart.reading.read import default_set, load_definitions
-from bodymeasure.chart.reading.sides import both_sides
+from bodymeasure.chart.landmarks.rules.base import LandmarkRule
+from bodymeasure.chart.needed import Lacking, lacking, names_in
+from bodymeasure.chart.reading.guide import default_set
+from bodymeasure.chart.reading.read import load_definitions
+from bodymeasure.chart.sides import both_sides
+from bodymeasure.chart.tapes import Tape, TapeKind
 
 __all__ = [
     "AccuracyClass",
-    "BreadthMeasure",
     "Chart",
-    "ChordMeasure",
-    "ClosedMeasure",
     "Definitions",
-    "DepthMeasure",
     "Derived",
-    "DropMeasure",
-    "ExtremeGirthMeasure",
-    "FormulaMeasure",
-    "GirthArcMeasure",
-    "GirthMeasure",
-    "HeightMeasure",
     "Iso",
-    "LimbGirthMeasure",
+    "Lacking",
+    "LandmarkRule",
     "Measured",
-    "Measurement",
+    "MeasurementDefinition",
     "Outcome",
-    "OverMeasure",
-    "PathMeasure",
     "Tape",
     "TapeKind",
-    "TiltedGirthMeasure",
-    "accuracy_class",
     "both_sides",
     "default_set",
     "definitions_schema",
     "derive_landmarks",
+    "lacking",
     "load_definitions",
     "measure_chart",
+    "names_in",
 ]

@@ -3,8 +3,6 @@
 import re
 from enum import StrEnum
 
-from bodymeasure.chart.kinds.definitions import Measurement
-
 
 class AccuracyClass(StrEnum):
     """A class of measurements that share a maximum allowable error."""
@@ -18,7 +16,7 @@ class AccuracyClass(StrEnum):
 
     @property
     def maximum_error_mm(self) -> float:
-        """Maximum allowable mean difference from a skilled measurer's, in millimeters.
+        """Maximum allowable mean difference from a skilled measurer's value, in millimeters.
 
         ISO 20685-1, table 1.
         """
@@ -34,47 +32,24 @@ _MAXIMUM_ERROR_MM = {
     AccuracyClass.SMALL_GIRTH: 4.0,
 }
 
-# Kinds of which every one is a girth.
-GIRTHS = ("girth", "tilted girth", "extreme girth", "closed")
-
-# The standard's examples are the chest for large girths and the neck for small ones. Those of the
-# trunk are taken as large here, all others as small: the stricter reading.
+# The standard names the chest as an example of a large girth and the neck as one of a small girth.
+# Girths of the trunk are taken as large here, and all others as small, which is the stricter
+# reading.
 _NOT_TRUNK = re.compile(
     r"neck|head|armscye|thigh|leg|knee|calf|ankle|foot|heel|arm\b|elbow|wrist|hand|biceps",
     re.IGNORECASE,
 )
 _GIRTH = re.compile(r"\bgirth|\bcircumference", re.IGNORECASE)
-_BREADTH = re.compile(r"\bbreadth", re.IGNORECASE)
 
 
-def accuracy_class(definition: Measurement) -> AccuracyClass | None:
-    """The class of a measurement, by its kind and, where that leaves it open, its name.
+def girth_class(name: str) -> AccuracyClass:
+    """The class of a girth of that name."""
+    return AccuracyClass.SMALL_GIRTH if _NOT_TRUNK.search(name) else AccuracyClass.LARGE_GIRTH
 
-    Parameters
-    ----------
-    definition : Measurement
 
-    Returns
-    -------
-    AccuracyClass or None
-        None for angles, which the standard has no class for.
+def length_class(name: str) -> AccuracyClass:
+    """The class of a length of that name, which is a girth if the name says so.
+
+    A path may lead round the body through landmarks, and a formula may be a sum of arcs.
     """
-    kind, name = definition.__struct_config__.tag, definition.name
-    if getattr(definition, "angle", False):
-        return None
-    if kind == "girth arc":
-        return AccuracyClass.SEGMENT_LENGTH
-    if kind == "limb girth" or getattr(definition, "limb", False):
-        return AccuracyClass.SMALL_GIRTH
-    # A formula may be the sum of arcs, and a path may lead round the body through landmarks.
-    if kind in GIRTHS or _GIRTH.search(name):
-        small = _NOT_TRUNK.search(name)
-        return AccuracyClass.SMALL_GIRTH if small else AccuracyClass.LARGE_GIRTH
-    if kind == "height" and getattr(definition, "above", None) is None:
-        return AccuracyClass.HEIGHT
-    if kind == "breadth" or (kind == "chord" and _BREADTH.search(name)):
-        return AccuracyClass.BREADTH
-    if kind == "depth":
-        return AccuracyClass.DEPTH
-    # Among them heights above another landmark than the floor.
-    return AccuracyClass.SEGMENT_LENGTH
+    return girth_class(name) if _GIRTH.search(name) else AccuracyClass.SEGMENT_LENGTH

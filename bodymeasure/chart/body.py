@@ -12,11 +12,11 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.normals import unit_normals
 from bodymeasure.atlas.queries.outside import outward_sign
-from bodymeasure.chart.chart import Tape, TapeKind
 from bodymeasure.chart.landmarks.paths import leg_between
+from bodymeasure.chart.tapes import Tape, TapeKind
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import AtlasPath
-from bodymeasure.measure import Girth, plane_girth
+from bodymeasure.measure import Girth, body_girth, plane_girth
 from bodymeasure.section import DrawnTape, Plane
 from bodymeasure.wording import hint
 
@@ -81,9 +81,23 @@ class Body:
             self._girths[key] = plane_girth(self.atlas, plane, self.point(at), limb=limb)
         return self._girths[key]
 
-    def level_girth(self, at: str, *, limb: bool = False) -> Girth:
-        """The horizontal girth at a landmark's height; with `limb`, of one limb alone."""
-        return self.girth(Plane(self.position(at), self.atlas.axes.up_vector), at, limb=limb)
+    def level_girth(
+        self, at: str, *, cut: tuple[str, str] | None = None, limb: bool = False
+    ) -> Girth:
+        """The horizontal girth at a landmark's height.
+
+        Parameters
+        ----------
+        at : str
+        cut : tuple of (str, str), optional
+            The armpits at which arms that the loop merges with the trunk are cut off.
+        limb : bool
+            Whether the loop has to go round one leg or arm alone.
+        """
+        if cut is None:
+            return self.girth(Plane(self.position(at), self.atlas.axes.up_vector), at, limb=limb)
+        left, right = (self.point(name) for name in cut)
+        return body_girth(self.atlas, self.point(at), cut=(left, right))
 
     def tape(self, kind: TapeKind, drawn: DrawnTape) -> Tape:
         """A tape along a section, to be drawn."""

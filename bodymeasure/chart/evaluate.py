@@ -1,50 +1,17 @@
 """All measurements of a body, each with its outcome."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.chart.body import Body, MissingLandmarkError
-from bodymeasure.chart.chart import Chart, Measured, Outcome
-from bodymeasure.chart.formula.checks import evaluation_order
-from bodymeasure.chart.formula.parse import parse_formula
-from bodymeasure.chart.kinds.arithmetic import measure_formula
-from bodymeasure.chart.kinds.definitions import (
-    BreadthMeasure,
-    ChordMeasure,
-    ClosedMeasure,
-    Definitions,
-    DepthMeasure,
-    DropMeasure,
-    ExtremeGirthMeasure,
-    FormulaMeasure,
-    GirthArcMeasure,
-    GirthMeasure,
-    HeightMeasure,
-    LimbGirthMeasure,
-    Measurement,
-    OverMeasure,
-    PathMeasure,
-    TiltedGirthMeasure,
-)
-from bodymeasure.chart.kinds.lengths import measure_closed, measure_drop, measure_path
-from bodymeasure.chart.kinds.over import measure_over
-from bodymeasure.chart.kinds.rounds import (
-    measure_extreme_girth,
-    measure_girth,
-    measure_girth_arc,
-    measure_limb_girth,
-    measure_tilted_girth,
-)
-from bodymeasure.chart.kinds.straight import (
-    measure_breadth,
-    measure_chord,
-    measure_depth,
-    measure_height,
-)
-from bodymeasure.chart.landmarks.complete import completed
+from bodymeasure.chart.chart import Chart
+from bodymeasure.chart.definitions import Definitions
+from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome
+from bodymeasure.chart.landmarks.derive import derive_landmarks
 from bodymeasure.chart.reading.read import load_definitions
-from bodymeasure.chart.reading.sides import both_sides
+from bodymeasure.chart.sides import both_sides
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.measure import package_versions
 
@@ -94,68 +61,50 @@ def measure_chart(
     """
     begin = time.perf_counter()
     definitions = load_definitions() if definitions is None else definitions
-    body = completed(atlas, definitions.landmark)
+    derived = derive_landmarks(atlas, definitions.landmark, strict=False)
+    body = Body(atlas, derived.landmarks, derived.missing)
     every = {one.key: one for one in both_sides(definitions.measurement)}
-    formulas = {
-        key: parse_formula(one.formula)
-        for key, one in every.items()
-        if isinstance(one, FormulaMeasure)
-    }
-    order = [key for key in every if key not in formulas] + list(evaluation_order(formulas))
-    measured: dict[str, Measured] = {}
-    for number, key in enumerate(order, start=1):
-        measured[key] = _measured(body, every[key], measured)
+    taken = _Taken(body, every)
+    measured = []
+    for number, key in enumerate(every, start=1):
+        measured.append(taken[key])
         if progress is not None:
-            progress(number, len(order))
+            progress(number, len(every))
     return Chart(
         atlas,
         definitions,
         body.landmarks,
         body.missing,
-        tuple(measured[key] for key in every),
+        tuple(measured),
         time.perf_counter() - begin,
         package_versions(PACKAGES),
     )
 
 
-def _measured(body: Body, definition: Measurement, others: dict[str, Measured]) -> Measured:
-    try:
-        return _by_kind(body, definition, others)
-    except MissingLandmarkError as error:
-        return Measured(definition, Outcome.MISSING_LANDMARK, str(error))
-    except InputError as error:
-        return Measured(definition, Outcome.REFUSED, str(error))
-    except ConvergenceError as error:
-        return Measured(definition, Outcome.NOT_CONVERGED, str(error))
+class _Taken(dict[str, Measured]):
+    """The measurements of a body by key; each is taken when it is first asked for.
 
+    A formula that asks for its operands so never comes before them.
+    """
 
-def _by_kind(body: Body, definition: Measurement, others: dict[str, Measured]) -> Measured:
-    match definition:
-        case PathMeasure():
-            return measure_path(body, definition)
-        case ClosedMeasure():
-            return measure_closed(body, definition)
-        case DropMeasure():
-            return measure_drop(body, definition)
-        case OverMeasure():
-            return measure_over(body, definition)
-        case GirthMeasure():
-            return measure_girth(body, definition)
-        case GirthArcMeasure():
-            return measure_girth_arc(body, definition)
-        case TiltedGirthMeasure():
-            return measure_tilted_girth(body, definition)
-        case LimbGirthMeasure():
-            return measure_limb_girth(body, definition)
-        case ExtremeGirthMeasure():
-            return measure_extreme_girth(body, definition)
-        case HeightMeasure():
-            return measure_height(body, definition)
-        case ChordMeasure():
-            return measure_chord(body, definition)
-        case BreadthMeasure():
-            return measure_breadth(body, definition)
-        case DepthMeasure():
-            return measure_depth(body, definition)
-        case FormulaMeasure():
-            return measure_formula(definition, others)
+    def __init__(self, body: Body, definitions: Mapping[str, MeasurementDefinition]) -> None:
+        super().__init__()
+        self.body, self.definitions = body, definitions
+        self._begun: set[str] = set()
+
+    def __missing__(self, key: str) -> Measured:
+        if key not in self.definitions or key in self._begun:
+            raise InputError(f"{key!r} is no measurement of the set, or needs itself in a circle")
+        self._begun.add(key)
+        definition = self.definitions[key]
+        try:
+            found = definition.measure(self.body, self)
+        except MissingLandmarkError as error:
+            found = Measured(definition, Outcome.MISSING_LANDMARK, str(error))
+        except InputError as error:
+            found = Measured(definition, Outcome.REFUSED, str(error))
+        except ConvergenceError as error:
+            found = Measured(definition, Outcome.NOT_CONVERGED, str(error))
+        unit = "deg" if definition.in_degrees else self.body.atlas.unit.value
+        self[key] = replace(found, unit=unit)
+        return self[key]

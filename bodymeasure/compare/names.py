@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from bodymeasure.chart import Measurement, accuracy_class
+from bodymeasure.chart import MeasurementDefinition
 from bodymeasure.errors import InputError
 from bodymeasure.wording import nearest
 
@@ -30,14 +30,14 @@ class Known:
     angle: bool = False
 
 
-def known_from(definitions: Iterable[Measurement]) -> tuple[Known, ...]:
+def known_from(definitions: Iterable[MeasurementDefinition]) -> tuple[Known, ...]:
     """What definitions, with left and right put in, define."""
     return tuple(
         Known(
             key=definition.key,
             name=definition.name,
-            accuracy_class=None if (found := accuracy_class(definition)) is None else found.value,
-            angle=bool(getattr(definition, "angle", False)),
+            accuracy_class=None if (found := definition.accuracy_class) is None else found.value,
+            angle=definition.in_degrees,
         )
         for definition in definitions
     )

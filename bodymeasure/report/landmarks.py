@@ -6,12 +6,9 @@ from msgspec import Struct
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Unit, convert_length
-from bodymeasure.chart.kinds.definitions import Definitions
-from bodymeasure.chart.kinds.needed import lacking, names_in
-from bodymeasure.chart.landmarks.derive import Derived, derive_landmarks
+from bodymeasure.chart import Definitions, Derived, derive_landmarks, lacking, names_in
 from bodymeasure.chart.landmarks.names import other_side, suggested_name
 from bodymeasure.chart.landmarks.symmetry import SymmetryCheck, check_symmetry
-from bodymeasure.chart.landmarks.words import rule_words
 from bodymeasure.report.serial import csv_bytes, records_csv
 
 # In meters. Experienced measurers find a landmark on a body again within about this distance.
@@ -107,7 +104,7 @@ def _landmarks(atlas: Atlas, derived: Derived, unit: Unit) -> list[LandmarkRecor
                 y,
                 z,
                 origin="picked" if rule is None else "rule",
-                rule="" if rule is None else rule_words(rule),
+                rule="" if rule is None else rule.description,
             )
         )
     return records

@@ -1,7 +1,7 @@
 import pytest
 
-from bodymeasure.chart import (
-    AccuracyClass,
+from bodymeasure.chart import AccuracyClass, MeasurementDefinition, both_sides, load_definitions
+from bodymeasure.chart.kinds import (
     BreadthMeasure,
     ChordMeasure,
     ClosedMeasure,
@@ -12,11 +12,7 @@ from bodymeasure.chart import (
     GirthMeasure,
     HeightMeasure,
     LimbGirthMeasure,
-    Measurement,
     PathMeasure,
-    accuracy_class,
-    both_sides,
-    load_definitions,
 )
 
 
@@ -55,9 +51,9 @@ from bodymeasure.chart import (
     ],
 )
 def test_the_class_follows_from_kind_and_name(
-    definition: Measurement, expected: str | None
+    definition: MeasurementDefinition, expected: str | None
 ) -> None:
-    assert accuracy_class(definition) == expected
+    assert definition.accuracy_class == expected
 
 
 def test_the_classes_allow_what_the_standard_does() -> None:
@@ -73,7 +69,7 @@ def test_the_classes_allow_what_the_standard_does() -> None:
 
 
 def test_every_default_measurement_but_the_angles_has_a_class() -> None:
-    classes = {one.key: accuracy_class(one) for one in both_sides(load_definitions().measurement)}
+    classes = {one.key: one.accuracy_class for one in both_sides(load_definitions().measurement)}
     without = {key for key, found in classes.items() if found is None}
     assert without
     assert all("slope" in key for key in without)

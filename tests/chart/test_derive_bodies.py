@@ -11,15 +11,8 @@ from numpy.typing import NDArray
 from bodymeasure import load_sample
 from bodymeasure.atlas import Atlas, Axes
 from bodymeasure.bezier import evaluate
-from bodymeasure.chart import Derived, derive_landmarks, load_definitions
-from bodymeasure.chart.landmarks.rules import (
-    Boundary,
-    Fork,
-    LandmarkRule,
-    Level,
-    Median,
-    Prominent,
-)
+from bodymeasure.chart import Derived, LandmarkRule, derive_landmarks, load_definitions
+from bodymeasure.chart.landmarks.rules import Boundary, Fork, Level, Median, Prominent
 
 BODIES = ["female_average", "female_full_bust", "female_heavy", "female_old", "male_average"]
 # Of the size of a body: what rules may change under a rigid motion, or from left to right.

@@ -9,13 +9,12 @@ from helpers.surfaces.tubes import QUARTER, joined, tube
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Axes
-from bodymeasure.chart import Derived, derive_landmarks
+from bodymeasure.chart import Derived, LandmarkRule, derive_landmarks
 from bodymeasure.chart.landmarks.rules import (
     Between,
     Boundary,
     GirthLevel,
     Hollow,
-    LandmarkRule,
     Level,
     Median,
     Prominent,

@@ -7,16 +7,8 @@ import pytest
 from helpers.surfaces.tubes import tube
 
 from bodymeasure.atlas import Atlas, AtlasPoint
-from bodymeasure.chart import derive_landmarks, load_definitions
-from bodymeasure.chart.landmarks.rules import (
-    Boundary,
-    GirthLevel,
-    LandmarkRule,
-    Level,
-    Median,
-    Prominent,
-)
-from bodymeasure.chart.landmarks.words import rule_words
+from bodymeasure.chart import LandmarkRule, derive_landmarks, load_definitions
+from bodymeasure.chart.landmarks.rules import Boundary, GirthLevel, Level, Median, Prominent
 from bodymeasure.errors import InputError
 
 PICKED = {"crotch point": AtlasPoint(0, 0.25, 0.25), "back neck point": AtlasPoint(2, 0.5, 0.75)}
@@ -63,7 +55,7 @@ def test_a_rule_for_both_sides_gives_two(atlas: Atlas) -> None:
     left, right = (atlas.position(derived.landmarks[f"edge {side}"]) for side in ("left", "right"))
     np.testing.assert_allclose(left, right * [-1.0, 1.0, 1.0], rtol=0.0, atol=1e-14)
     assert left[0] > 0.0
-    assert rule_words(derived.rules["edge right"]) == (
+    assert derived.rules["edge right"].description == (
         "outermost to the right at the height of crotch point"
     )
     assert {"end left", "end right"} <= set(derived.landmarks)
@@ -148,9 +140,9 @@ def test_the_default_rules_know_all_names_that_they_need() -> None:
 
 
 def test_all_rules_have_words() -> None:
-    words = [rule_words(rule) for rule in load_definitions().landmark]
+    words = [rule.description for rule in load_definitions().landmark]
     assert len(set(words)) == len(words)
     chest = Prominent(name="c", direction="front", regions=("torso", "neck"), above="a", below="b")
-    assert rule_words(chest) == "farthest to the front of torso, neck above a and below b"
+    assert chest.description == "farthest to the front of torso, neck above a and below b"
     girth = GirthLevel(name="c", start="a", end="b", extreme="largest", facing="back")
-    assert rule_words(girth) == "outermost to the back at the largest girth from a to b"
+    assert girth.description == "outermost to the back at the largest girth from a to b"

@@ -10,11 +10,18 @@ from helpers.surfaces.tubes import joined, ring_length, tube
 
 from bodymeasure.atlas import Atlas, AtlasPoint, Axes
 from bodymeasure.chart import (
-    BreadthMeasure,
     Chart,
+    Definitions,
+    LandmarkRule,
+    MeasurementDefinition,
+    Outcome,
+    TapeKind,
+    measure_chart,
+)
+from bodymeasure.chart.kinds import (
+    BreadthMeasure,
     ChordMeasure,
     ClosedMeasure,
-    Definitions,
     DepthMeasure,
     DropMeasure,
     ExtremeGirthMeasure,
@@ -22,15 +29,11 @@ from bodymeasure.chart import (
     GirthMeasure,
     HeightMeasure,
     LimbGirthMeasure,
-    Measurement,
-    Outcome,
     OverMeasure,
     PathMeasure,
-    TapeKind,
     TiltedGirthMeasure,
-    measure_chart,
 )
-from bodymeasure.chart.landmarks.rules import Between, LandmarkRule
+from bodymeasure.chart.landmarks.rules import Between
 from bodymeasure.errors import InputError
 
 RADIUS = 1.5
@@ -55,7 +58,7 @@ def post(radii: Sequence[float] = (RADIUS,) * 4) -> Atlas:
 
 
 def chart_of(
-    atlas: Atlas, measurements: Sequence[Measurement], rules: Sequence[LandmarkRule] = ()
+    atlas: Atlas, measurements: Sequence[MeasurementDefinition], rules: Sequence[LandmarkRule] = ()
 ) -> Chart:
     definitions = Definitions(
         format="bodymeasure measurements",
@@ -67,7 +70,7 @@ def chart_of(
     return measure_chart(atlas, definitions)
 
 
-CLOSED_FORMS: list[tuple[Measurement, float]] = [
+CLOSED_FORMS: list[tuple[MeasurementDefinition, float]] = [
     (HeightMeasure(key="a", name="a", at="front"), 1.5),
     (HeightMeasure(key="a", name="a", at="high front", above="low front"), 1.5),
     (HeightMeasure(key="a", name="a", at="low front", above="high front"), 1.5),
@@ -92,7 +95,7 @@ CLOSED_FORMS: list[tuple[Measurement, float]] = [
 
 
 @pytest.mark.parametrize(("measurement", "expected"), CLOSED_FORMS)
-def test_closed_forms(measurement: Measurement, expected: float) -> None:
+def test_closed_forms(measurement: MeasurementDefinition, expected: float) -> None:
     if measurement.key == "round":
         expected *= ring_length()
     (found,) = chart_of(post(), [measurement]).measured
@@ -239,7 +242,7 @@ def test_formulas_take_what_was_measured() -> None:
     assert keys == ["twice", "sum", "girth", "way", "slope"]
 
 
-def refused(atlas: Atlas, measurement: Measurement, outcome: Outcome) -> str:
+def refused(atlas: Atlas, measurement: MeasurementDefinition, outcome: Outcome) -> str:
     chart = chart_of(atlas, [measurement, HeightMeasure(key="other", name="other", at="front")])
     found = chart[measurement.key]
     assert found.outcome is outcome

@@ -13,15 +13,14 @@ from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.chart import (
     Chart,
     Definitions,
-    GirthArcMeasure,
-    GirthMeasure,
     Measured,
-    Measurement,
+    MeasurementDefinition,
     Outcome,
     TapeKind,
     load_definitions,
     measure_chart,
 )
+from bodymeasure.chart.kinds import GirthArcMeasure, GirthMeasure
 from bodymeasure.errors import InputError
 from bodymeasure.measure import body_girth, girth_arc
 from bodymeasure.samples import load_sample
@@ -152,7 +151,7 @@ PAIRS = {"bust": "bust_girth", "waist": "waist_girth", "hip": "hip_girth"}
 
 @cache
 def chart_of(tape: Literal["contact", "taut"]) -> Chart:
-    kept: list[Measurement] = []
+    kept: list[MeasurementDefinition] = []
     for one in DEFAULT.measurement:
         if isinstance(one, GirthArcMeasure | GirthMeasure):
             members = {name: getattr(one, name) for name in one.__struct_fields__}

@@ -9,15 +9,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bodymeasure.chart import (
-    Definitions,
+from bodymeasure.chart import Definitions, both_sides, definitions_schema, load_definitions
+from bodymeasure.chart.kinds import (
     FormulaMeasure,
     GirthMeasure,
     HeightMeasure,
     PathMeasure,
-    both_sides,
-    definitions_schema,
-    load_definitions,
 )
 from bodymeasure.chart.reading.read import DEFAULT, definitions_from
 from bodymeasure.errors import InputError
@@ -113,7 +110,7 @@ FAULTS = [
     (HEAD + "drop = 3", r"line 4: drop: expected a list, got a whole number"),
     (
         HEAD + PATH.replace("kind", "knid"),
-        r"line 5: measurement 'back': has no 'kind'; add one of 'path', 'drop', 'over', 'girth', ",
+        r"line 5: measurement 'back': has no 'kind'; add one of 'formula', 'extreme girth', 'gi",
     ),
     (
         HEAD + PATH.replace('"path"', '"pth"'),

@@ -11,14 +11,13 @@ from bodymeasure import load_sample
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.chart import load_definitions
-from bodymeasure.chart.kinds.definitions import (
+from bodymeasure.chart.kinds import (
     ChordMeasure,
     FormulaMeasure,
     GirthMeasure,
     LimbGirthMeasure,
     PathMeasure,
 )
-from bodymeasure.chart.kinds.needed import lacking, landmarks_of, names_in
 from bodymeasure.chart.landmarks.names import (
     KNOWN_NAMES,
     SYNONYMS,
@@ -27,6 +26,7 @@ from bodymeasure.chart.landmarks.names import (
     suggested_name,
 )
 from bodymeasure.chart.landmarks.symmetry import check_symmetry
+from bodymeasure.chart.needed import lacking, names_in
 
 
 @pytest.fixture(scope="module")
@@ -138,7 +138,7 @@ def test_measurements_tell_what_they_lack() -> None:
         FormulaMeasure(key="all", name="all", formula="2 * (path + limb_left) - max(chord, girth)"),
         FormulaMeasure(key="none", name="none", formula="chord / 2"),
     )
-    assert landmarks_of(measurements[0]) == ("a left", "b left")
+    assert measurements[0].landmarks == ("a left", "b left")
     lacks = lacking(measurements, {"a left", "a right", "b left", "c"})
     assert {lack.measurement.key: lack.landmarks for lack in lacks} == {
         "limb_left": ("d left",),

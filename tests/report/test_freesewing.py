@@ -5,7 +5,7 @@ import msgspec
 import pytest
 from helpers.charts.hand_made_chart import BUST, SLOPE, hand_made_chart
 
-from bodymeasure.chart import Definitions, Measurement
+from bodymeasure.chart import Definitions, MeasurementDefinition
 from bodymeasure.errors import InputError
 from bodymeasure.report.body import (
     FREESEWING_KEYS,
@@ -45,7 +45,7 @@ def test_values_are_in_millimeters_and_degrees(unit: str) -> None:
     assert f"Missing: {', '.join(missing)}." in content["notes"]
 
 
-def _set(*measurements: Measurement) -> Definitions:
+def _set(*measurements: MeasurementDefinition) -> Definitions:
     return Definitions(
         format="bodymeasure measurements", version=1, name="a set", measurement=measurements
     )
@@ -63,7 +63,7 @@ def _set(*measurements: Measurement) -> Definitions:
         (msgspec.structs.replace(BUST, seamly=("bust circ",)), "'bust circ' cannot be a name"),
     ],
 )
-def test_wrong_codes_are_refused(definition: Measurement, message: str) -> None:
+def test_wrong_codes_are_refused(definition: MeasurementDefinition, message: str) -> None:
     with pytest.raises(InputError, match=message):
         check_codes(_set(definition))
 

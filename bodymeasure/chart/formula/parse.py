@@ -3,6 +3,7 @@
 import ast
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 
 from bodymeasure.errors import InputError
 
@@ -34,8 +35,10 @@ class Formula:
     names: tuple[str, ...]
 
 
+# As many as several sets of measurements hold.
+@lru_cache(maxsize=1024)
 def parse_formula(text: str) -> Formula:
-    """A formula from its text.
+    """The formula that a text holds, which is parsed once.
 
     Raises
     ------

@@ -1,29 +1,14 @@
 """Landmarks that follow from others by rule."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 
 from bodymeasure.atlas import Atlas, AtlasPoint
-from bodymeasure.chart.landmarks.boundary import boundary_point
-from bodymeasure.chart.landmarks.extremes import prominent_point
-from bodymeasure.chart.landmarks.heights import at_height_point
-from bodymeasure.chart.landmarks.order import expanded, in_order, references
-from bodymeasure.chart.landmarks.paths import between_point, hollow_point
-from bodymeasure.chart.landmarks.rules import (
-    AtHeight,
-    Between,
-    Boundary,
-    Fork,
-    GirthLevel,
-    Hollow,
-    LandmarkRule,
-    Level,
-    Median,
-    Prominent,
-)
-from bodymeasure.chart.landmarks.sections import girth_level_point, level_point, median_point
-from bodymeasure.errors import BodymeasureError
-from bodymeasure.measure.body.forks import fork_point
+from bodymeasure.chart.landmarks.names import KNOWN_NAMES
+from bodymeasure.chart.landmarks.rules.base import LandmarkRule
+from bodymeasure.chart.sides import both_sides
+from bodymeasure.errors import BodymeasureError, InputError
+from bodymeasure.wording import hint
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,84 +18,130 @@ class Derived:
     Parameters
     ----------
     landmarks : mapping of str to AtlasPoint
-        The atlas's own first.
+        The atlas's own landmarks come first.
     missing : mapping of str to str
-        Landmarks that rules could not give, and why.
+        The landmarks that rules could not give, each with the reason.
     rules : mapping of str to LandmarkRule
-        The rule of each landmark that is not the atlas's own, with left or right put in for
-        ``{side}``; of those that are missing, too.
+        The rule of each landmark that is not the atlas's own, with left or right in place of
+        ``{side}``; the rules of missing landmarks are among them.
     """
 
     landmarks: Mapping[str, AtlasPoint]
     missing: Mapping[str, str]
-    rules: Mapping[str, LandmarkRule] = field(default_factory=dict)
+    rules: Mapping[str, LandmarkRule] = field(default_factory=dict, repr=False)
 
 
-def derive_landmarks(atlas: Atlas, rules: Iterable[LandmarkRule]) -> Derived:
+def derive_landmarks(
+    atlas: Atlas, rules: Iterable[LandmarkRule], *, strict: bool = True
+) -> Derived:
     """Find the landmarks that rules give on an atlas.
 
     Parameters
     ----------
     atlas : Atlas
-        Its own landmarks win over rules of the same name.
+        Its own landmarks take precedence over rules of the same name.
     rules : iterable of LandmarkRule
         In any order; they may refer to one another. ``{side}`` stands for left and right in turn.
+    strict : bool
+        Whether it is an error if a rule needs a landmark whose name is neither the atlas's, nor a
+        rule's, nor one that ISO 8559-1 or this program knows. Otherwise the rule's landmark is
+        missing.
 
     Returns
     -------
     Derived
+        A landmark whose rule cannot be fulfilled on this body is missing, with the reason.
 
     Raises
     ------
     InputError
         If two rules give one landmark, rules need one another in a circle, or a name is unknown.
-        A rule that this body cannot fulfill is no error: its landmark is missing, with the reason.
 
     Notes
     -----
-    All points lie on the smooth surface and are exact but for rounding, those on geodesics but for
-    the geodesics' own error. Of points that are equally far because they are mirror images, the one
-    on the side of the landmark referred to is taken, else the wearer's left.
+    All points lie on the smooth surface and are exact but for rounding; points on geodesics are as
+    exact as the geodesics. If points are equally far because they are mirror images, the one on the
+    side of the landmark to which the rule refers is taken, else the one on the wearer's left.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> from bodymeasure.chart.landmarks.rules import Median
+    >>> navel = Median(name="navel", of="elbow point left", through="crotch point", facing="front")
+    >>> derived = derive_landmarks(bm.load_sample("female_average"), [navel])
+    >>> "navel" in derived.landmarks, derived.missing
+    (True, {})
     """
-    landmarks = dict(atlas.landmarks)
-    missing: dict[str, str] = {}
-    ordered = in_order(expanded(rules), landmarks)
-    for rule in ordered:
-        lacking = [name for name in references(rule) if name not in landmarks]
-        if lacking:
-            missing[rule.name] = _lacks(lacking[0], missing)
-            continue
+    by_name: dict[str, LandmarkRule] = {}
+    for rule in both_sides(rules):
+        if rule.name in by_name:
+            raise InputError(
+                f"two rules give landmark {rule.name!r}; leave one of them out, or rename it "
+                "(a rule with {side} needs it in its name, too)"
+            )
+        by_name[rule.name] = rule
+    known = {*atlas.landmarks, *by_name, *KNOWN_NAMES}
+    search = _Search(atlas, by_name, known, strict, dict(atlas.landmarks))
+    for name in by_name:
+        search.find(name, ())
+    return Derived(search.landmarks, search.missing, search.done)
+
+
+@dataclass
+class _Search:
+    """A search for landmarks in which each rule follows those whose landmarks it needs."""
+
+    atlas: Atlas
+    rules: Mapping[str, LandmarkRule]
+    known: Collection[str]
+    strict: bool
+    landmarks: dict[str, AtlasPoint]
+    missing: dict[str, str] = field(default_factory=dict)
+    done: dict[str, LandmarkRule] = field(default_factory=dict)
+
+    def find(self, name: str, chain: tuple[str, ...]) -> None:
+        """Find the landmark of a rule that the rules in `chain` need, or why there is none."""
+        if name in chain:
+            circle = " needs ".join(repr(link) for link in (*chain[chain.index(name) :], name))
+            raise InputError(
+                f"rules for landmarks need one another in a circle: {circle}; pick one of these "
+                "landmarks, or give one another rule"
+            )
+        if name in self.done:
+            return
+        rule, chain = self.rules[name], (*chain, name)
+        picked = name in self.atlas.landmarks
+        for needed in rule.landmarks:
+            # A picked landmark needs no rule, but its rule may be misspelled all the same.
+            if needed not in self.known and self.strict:
+                needs = " needs ".join(repr(link) for link in (*chain, needed))
+                raise InputError(
+                    f"no landmark is called {needed!r} ({needs}); {self._remedy(needed)}"
+                )
+            if needed in self.rules and needed not in self.atlas.landmarks and not picked:
+                self.find(needed, chain)
+        if picked:
+            return
+        self.done[name] = rule
+        reason = next(filter(None, map(self._lack, rule.landmarks)), "")
         try:
-            landmarks[rule.name] = _point(atlas, rule, landmarks)
+            if not reason:
+                self.landmarks[name] = rule.point(self.atlas, self.landmarks)
         except BodymeasureError as error:
-            missing[rule.name] = str(error)
-    return Derived(landmarks, missing, {rule.name: rule for rule in ordered})
+            reason = str(error)
+        if reason:
+            self.missing[name] = reason
 
+    def _lack(self, name: str) -> str:
+        """Why a rule cannot have a landmark that it needs; empty if it can."""
+        if name in self.landmarks:
+            return ""
+        if name in self.missing:
+            return f"it needs {name!r}, which is missing: {self.missing[name]}"
+        if name in self.known:
+            return f"it needs {name!r}, which the atlas lacks and no rule gives; pick it"
+        return f"it needs {name!r}, which no landmark is called; {self._remedy(name)}"
 
-def _lacks(name: str, missing: Mapping[str, str]) -> str:
-    if name not in missing:
-        return f"it needs {name!r}, which the atlas lacks and no rule gives; pick it"
-    return f"it needs {name!r}, which is missing: {missing[name]}"
-
-
-def _point(atlas: Atlas, rule: LandmarkRule, landmarks: dict[str, AtlasPoint]) -> AtlasPoint:
-    positions = {name: atlas.position(landmarks[name]) for name in references(rule)}
-    match rule:
-        case Between():
-            return between_point(atlas, rule, landmarks)
-        case AtHeight():
-            return at_height_point(atlas, rule, landmarks)
-        case Hollow():
-            return hollow_point(atlas, rule, landmarks)
-        case Level():
-            return level_point(atlas, rule, positions)
-        case Median():
-            return median_point(atlas, rule, positions)
-        case GirthLevel():
-            return girth_level_point(atlas, rule, positions)
-        case Prominent():
-            return prominent_point(atlas, rule, positions)
-        case Boundary():
-            return boundary_point(atlas, rule)
-        case Fork():
-            return fork_point(atlas, rule.regions)
+    def _remedy(self, name: str) -> str:
+        near = hint(name, sorted(self.known))
+        return near if near.startswith("did you mean") else "pick it, or give it a rule"

@@ -3,24 +3,14 @@
 import re
 import unicodedata
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
 
-import msgspec
-
-from bodymeasure.chart.formula.checks import Fault, formula_faults
+from bodymeasure.chart.definitions import Definitions
+from bodymeasure.chart.entry import Entry, Fault, texts
 from bodymeasure.chart.formula.parse import FUNCTIONS
-from bodymeasure.chart.kinds.definitions import (
-    ChordMeasure,
-    Definitions,
-    GirthArcMeasure,
-    GirthMeasure,
-    HeightMeasure,
-    LimbGirthMeasure,
-    Measurement,
-    PathMeasure,
-)
-from bodymeasure.chart.landmarks.rules import Between, LandmarkRule
-from bodymeasure.chart.reading.sides import SIDE, both_sides, texts
+from bodymeasure.chart.kinds.base import MeasurementDefinition
+from bodymeasure.chart.landmarks.rules.base import LandmarkRule
+from bodymeasure.chart.reading.formulas import formula_fault
+from bodymeasure.chart.sides import SIDE, both_sides
 
 _KEY = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _BRACED = re.compile(r"\{[^{}]*\}|[{}]")
@@ -28,28 +18,21 @@ _BRACED = re.compile(r"\{[^{}]*\}|[{}]")
 
 def first_fault(definitions: Definitions) -> Fault | None:
     """The first thing that is wrong with a set; None if nothing is."""
-    return next(_faults(definitions), None)
+    return next(_faults(definitions), None) or formula_fault(definitions.measurement)
 
 
 def _faults(definitions: Definitions) -> Iterator[Fault]:
-    for rule in definitions.landmark:
-        yield from _rule_faults(rule)
-    for measurement in definitions.measurement:
-        yield from _measurement_faults(measurement)
-    yield from _repeated(definitions.landmark, "name")
-    yield from _repeated(definitions.measurement, "key")
-    yield from formula_faults(definitions.measurement)
+    for entry in (*definitions.landmark, *definitions.measurement):
+        yield from _text_faults(entry)
+        if isinstance(entry, MeasurementDefinition):
+            yield from _key_faults(entry)
+        yield from _side_faults(entry, getattr(entry, entry.label))
+        yield from entry.faults()
+    yield from _repeated(definitions.landmark)
+    yield from _repeated(definitions.measurement)
 
 
-def _rule_faults(rule: LandmarkRule) -> Iterator[Fault]:
-    yield from _text_faults(rule)
-    yield from _side_faults(rule, "name", rule.name)
-    if isinstance(rule, Between) and not 0.0 <= rule.fraction <= 1.0:
-        yield Fault(rule, "fraction", f"fraction is {rule.fraction}; expected 0 to 1")
-
-
-def _measurement_faults(measurement: Measurement) -> Iterator[Fault]:
-    yield from _text_faults(measurement)
+def _key_faults(measurement: MeasurementDefinition) -> Iterator[Fault]:
     plain = measurement.key.replace(SIDE, "side")
     if not _KEY.fullmatch(plain):
         yield Fault(
@@ -60,40 +43,13 @@ def _measurement_faults(measurement: Measurement) -> Iterator[Fault]:
         )
     if plain in FUNCTIONS:
         yield Fault(measurement, "key", f"the key {plain!r} is a function's name; choose another")
-    yield from _side_faults(measurement, "key", measurement.key)
-    match measurement:
-        case PathMeasure(through=through) if len(through) < 2:
-            yield Fault(measurement, "through", "through needs two landmarks or more")
-        case PathMeasure(through=through):
-            for one, other in pairwise(through):
-                yield from _one_place(measurement, "through", one, other)
-        case ChordMeasure(start=start, end=end) | GirthArcMeasure(start=start, end=end):
-            yield from _one_place(measurement, "end", start, end)
-        case HeightMeasure(at=at, above=above):
-            yield from _one_place(measurement, "above", at, above)
-        case GirthMeasure(cut=cut, limb=True) if cut is not None:
-            yield Fault(measurement, "cut", "cut is for the trunk, limb for a leg or arm; give one")
-        case LimbGirthMeasure(at=float() as at) if not 0.0 <= at <= 1.0:
-            yield Fault(measurement, "at", f"at is {at}; expected 0 to 1, or a landmark's name")
 
 
-def _one_place(
-    measurement: Measurement, member: str, one: str, other: str | None
-) -> Iterator[Fault]:
-    """A slip that would be measured as 0."""
-    if one == other:
-        yield Fault(
-            measurement,
-            member,
-            f"leads from {one!r} to the same landmark, which is 0 on every body; name two",
-        )
-
-
-# Words may be left out; everything else that is text names something.
+# These may be left out; every other text names something.
 _MAY_BE_EMPTY = ("words", "group", "iso")
 
 
-def _text_faults(definition: msgspec.Struct) -> Iterator[Fault]:
+def _text_faults(definition: Entry) -> Iterator[Fault]:
     for member, text in texts(definition):
         if not text.strip() and member not in _MAY_BE_EMPTY:
             yield Fault(definition, member, f"{member} is empty; expected a name")
@@ -106,12 +62,14 @@ def _text_faults(definition: msgspec.Struct) -> Iterator[Fault]:
                 )
 
 
-# Members of measurements and rules that tell a reader something, and name no place on the body.
-_TELLING = ("key", "name", "words", "group", "iso", "seamly", "freesewing")
+# The members that all measurements and rules have tell a reader something; the others say what is
+# measured.
+_TELLING = {*MeasurementDefinition.__struct_fields__, *LandmarkRule.__struct_fields__}
 
 
-def _side_faults(definition: msgspec.Struct, label: str, named: str) -> Iterator[Fault]:
-    """``{side}`` stands in the label and the name, and in what is measured, or nowhere."""
+def _side_faults(definition: Entry, named: str) -> Iterator[Fault]:
+    """Refuse ``{side}`` unless it is in the label, the name and what is measured."""
+    label = definition.label
     sided = [member for member, text in texts(definition) if SIDE in text]
     places = [member for member in sided if member not in _TELLING]
     if SIDE not in named:
@@ -141,9 +99,11 @@ def _side_faults(definition: msgspec.Struct, label: str, named: str) -> Iterator
         )
 
 
-def _repeated(definitions: Sequence[msgspec.Struct], label: str) -> Iterator[Fault]:
+def _repeated(definitions: Sequence[Entry]) -> Iterator[Fault]:
+    """Refuse two entries that are known by the same name."""
     seen: dict[str, str] = {}
     for definition in definitions:
+        label = definition.label
         written = getattr(definition, label)
         for one in both_sides([definition]):
             name = getattr(one, label)

@@ -10,24 +10,22 @@ from typing import Any
 
 import msgspec
 
-from bodymeasure.chart.kinds.definitions import Definitions
+from bodymeasure.chart.definitions import FORMAT, VERSION, Definitions
 from bodymeasure.chart.reading.checks import first_fault
-from bodymeasure.chart.reading.entries import (
+from bodymeasure.chart.reading.convert import (
+    LANDMARKS,
     MEASUREMENTS,
-    RULES,
-    EntryKind,
     MisfitError,
+    Table,
     converted,
     entry_of,
 )
-from bodymeasure.chart.reading.sides import SIDE
 from bodymeasure.chart.reading.source_lines import SourceLines
+from bodymeasure.chart.sides import SIDE
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes
 from bodymeasure.wording import hint
 
-FORMAT = "bodymeasure measurements"
-VERSION = 1
 DEFAULT = Path(__file__).parents[1] / "data" / "default.toml"
 
 
@@ -61,11 +59,6 @@ def load_definitions(path: str | Path | None = None) -> Definitions:
     return definitions_from(read_bytes(Path(path)), str(path))
 
 
-def default_set() -> str:
-    """The file of the default set, with its comments: what to copy and change."""
-    return read_bytes(DEFAULT).decode()
-
-
 @lru_cache(maxsize=1)
 def _default() -> Definitions:
     return definitions_from(read_bytes(DEFAULT), str(DEFAULT))
@@ -82,7 +75,7 @@ def definitions_from(content: bytes, source: str) -> Definitions:
     text, raw = _parsed(content, source)
     lines = SourceLines.of(text)
     _check_header(raw, lines, source)
-    rules = _entries(RULES, raw, lines, source)
+    rules = _entries(LANDMARKS, raw, lines, source)
     measurements = _entries(MEASUREMENTS, raw, lines, source)
     try:
         own = converted({**raw, "landmark": [], "measurement": []}, Definitions)
@@ -94,7 +87,7 @@ def definitions_from(content: bytes, source: str) -> Definitions:
     whole = _extended(own, lines, source)
     fault = first_fault(whole)
     if fault is not None:
-        place = _place(fault.definition, fault.member, own, lines)
+        place = _place(fault.entry, fault.member, own, lines)
         raise InputError(f"{source}, {place}: {fault.words}")
     return whole
 
@@ -157,40 +150,38 @@ def _check_header(raw: dict[str, Any], lines: SourceLines, source: str) -> None:
         )
 
 
-def _entries(
-    kind: EntryKind, raw: dict[str, Any], lines: SourceLines, source: str
-) -> tuple[Any, ...]:
-    entries = raw.get(kind.table, [])
+def _entries(table: Table, raw: dict[str, Any], lines: SourceLines, source: str) -> tuple[Any, ...]:
+    entries = raw.get(table.name, [])
     if not isinstance(entries, list):
         raise InputError(
-            f"{source}, line {lines.member(kind.table)}: {kind.table} is no list of entries; "
-            f"begin each with a line [[{kind.table}]]"
+            f"{source}, line {lines.member(table.name)}: {table.name} is no list of entries; "
+            f"begin each with a line [[{table.name}]]"
         )
     result = []
     for number, entry in enumerate(entries):
         try:
-            result.append(entry_of(kind, entry))
+            result.append(entry_of(table, entry))
         except MisfitError as misfit:
-            line = lines.entry(kind.table, number)
+            line = lines.entry(table.name, number)
             if misfit.member:
-                line = lines.entry_member(kind.table, number, misfit.member)
-            label = entry.get(kind.label) if isinstance(entry, dict) else None
+                line = lines.entry_member(table.name, number, misfit.member)
+            label = entry.get(table.label) if isinstance(entry, dict) else None
             called = repr(label) if isinstance(label, str) else str(number + 1)
-            raise InputError(f"{source}, line {line}: {kind.table} {called}: {misfit}") from None
+            raise InputError(f"{source}, line {line}: {table.name} {called}: {misfit}") from None
     return tuple(result)
 
 
 def _check_repeated(own: Definitions, lines: SourceLines, source: str) -> None:
     """Refuse what one file defines twice, which replacing would hide."""
-    for kind, entries in ((RULES, own.landmark), (MEASUREMENTS, own.measurement)):
+    for table, entries in ((LANDMARKS, own.landmark), (MEASUREMENTS, own.measurement)):
         first: dict[str, int] = {}
         for number, entry in enumerate(entries):
-            label = getattr(entry, kind.label)
+            label = getattr(entry, table.label)
             if label in first:
                 raise InputError(
-                    f"{source}, line {lines.entry_member(kind.table, number, kind.label)}: "
-                    f"{kind.table} {label!r}: the {kind.label} {label!r} is there twice, first on "
-                    f"line {lines.entry_member(kind.table, first[label], kind.label)}; rename or "
+                    f"{source}, line {lines.entry_member(table.name, number, table.label)}: "
+                    f"{table.name} {label!r}: the {table.label} {label!r} is there twice, first on "
+                    f"line {lines.entry_member(table.name, first[label], table.label)}; rename or "
                     "remove one of the two"
                 )
             first[label] = number
@@ -221,8 +212,8 @@ def _extended(own: Definitions, lines: SourceLines, source: str) -> Definitions:
         own,
         extends="",
         drop=(),
-        landmark=_merged(rules, own.landmark, own.drop, "name"),
-        measurement=_merged(measurements, own.measurement, own.drop, "key"),
+        landmark=_merged(rules, own.landmark, own.drop),
+        measurement=_merged(measurements, own.measurement, own.drop),
     )
 
 
@@ -231,23 +222,22 @@ def _as_written(name: str) -> str:
     return re.sub(r"(?<![^\W_])(left|right)(?![^\W_])", SIDE, name)
 
 
-def _merged(
-    base: Sequence[Any], own: Sequence[Any], drop: Sequence[str], label: str
-) -> tuple[Any, ...]:
-    result = {getattr(entry, label): entry for entry in base}
+def _merged(base: Sequence[Any], own: Sequence[Any], drop: Sequence[str]) -> tuple[Any, ...]:
+    """The entries of a base set and a set's own, which take the place of those of their names."""
+    result = {getattr(entry, entry.label): entry for entry in base}
     result = {name: entry for name, entry in result.items() if name not in drop}
     # What is there already keeps its place.
-    result |= {getattr(entry, label): entry for entry in own}
+    result |= {getattr(entry, entry.label): entry for entry in own}
     return tuple(result.values())
 
 
 def _place(definition: Any, member: str, own: Definitions, lines: SourceLines) -> str:
     """Line and name of a definition at fault, which may be one of those that are extended."""
-    for kind, entries in ((RULES, own.landmark), (MEASUREMENTS, own.measurement)):
+    for table, entries in ((LANDMARKS, own.landmark), (MEASUREMENTS, own.measurement)):
         for number, entry in enumerate(entries):
             if entry is definition:
-                line = lines.entry_member(kind.table, number, member)
-                return f"line {line}: {kind.table} {getattr(entry, kind.label)!r}"
+                line = lines.entry_member(table.name, number, member)
+                return f"line {line}: {table.name} {getattr(entry, table.label)!r}"
     label = getattr(definition, "key", None) or definition.name
     line = lines.member("drop" if own.drop else "extends")
     return f"line {line}: {label!r} of the default set, with the changes that this file makes"

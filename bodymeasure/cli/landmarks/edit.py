@@ -222,8 +222,7 @@ def _vertex(path: Path, number: int, *, from_one: bool) -> list[float]:
 
 
 def _print_pick(atlas: Atlas, pick: "Pick", unit: str | None) -> None:
-    from bodymeasure.chart import load_definitions
-    from bodymeasure.chart.kinds.needed import names_in
+    from bodymeasure.chart import load_definitions, names_in
     from bodymeasure.chart.landmarks.names import suggested_name
 
     point = pick.point

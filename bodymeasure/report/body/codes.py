@@ -77,7 +77,7 @@ def check_codes(definitions: Definitions) -> None:
                 f"measurement {definition.key!r}: {key!r} is no measurement of FreeSewing; "
                 f"{hint(key, FREESEWING_KEYS)}"
             )
-        angle = bool(getattr(definition, "angle", False))
+        angle = definition.in_degrees
         if angle != (key in FREESEWING_DEGREES):
             expected, given = ("a length", "an angle") if angle else ("an angle", "a length")
             raise InputError(

@@ -5,7 +5,7 @@ from collections import Counter
 from datetime import UTC, datetime
 
 from bodymeasure.atlas import Unit, convert_length
-from bodymeasure.chart import Chart, Measured, Measurement, accuracy_class
+from bodymeasure.chart import Chart, Measured
 from bodymeasure.report.body.records import (
     BodyRecord,
     ChartDocument,
@@ -64,19 +64,9 @@ def chart_document(
     )
 
 
-def kind_of(definition: Measurement) -> str:
-    """How a measurement is taken, as the file of definitions says it."""
-    return str(definition.__struct_config__.tag)
-
-
-def is_angle(definition: Measurement) -> bool:
-    """Whether a measurement is in degrees, not a length."""
-    return bool(getattr(definition, "angle", False))
-
-
 def _record(item: Measured, number: int | None, source: Unit, target: Unit) -> BodyRecord:
     definition = item.definition
-    angle = is_angle(definition)
+    angle = definition.in_degrees
 
     def converted(value: float) -> float | None:
         if not math.isfinite(value):
@@ -84,13 +74,13 @@ def _record(item: Measured, number: int | None, source: Unit, target: Unit) -> B
         return float(value) if angle else float(convert_length(value, source, target))
 
     unit: ValueUnit = DEGREES if angle else target.value
-    iso, class_ = definition.iso, accuracy_class(definition)
+    iso, class_ = definition.iso, definition.accuracy_class
     return BodyRecord(
         number=number,
         key=definition.key,
         name=definition.name,
         group=definition.group,
-        kind=kind_of(definition),
+        kind=definition.tag(),
         value=converted(item.value),
         unit=unit,
         error_estimate=converted(item.error_estimate),

@@ -12,17 +12,19 @@ from bodymeasure.atlas import Atlas
 from bodymeasure.atlas.normals import normal_vectors
 from bodymeasure.chart import (
     Chart,
-    ChordMeasure,
     Definitions,
+    Measured,
+    MeasurementDefinition,
+    Outcome,
+    Tape,
+    TapeKind,
+)
+from bodymeasure.chart.kinds import (
+    ChordMeasure,
     GirthMeasure,
     HeightMeasure,
     LimbGirthMeasure,
-    Measured,
-    Measurement,
-    Outcome,
     PathMeasure,
-    Tape,
-    TapeKind,
 )
 from bodymeasure.measure import Girth
 
@@ -101,7 +103,7 @@ def missing(key: str) -> Measured:
 
 
 def _measured(
-    definition: Measurement, value: float, landmarks: tuple[str, ...], *tapes: Tape
+    definition: MeasurementDefinition, value: float, landmarks: tuple[str, ...], *tapes: Tape
 ) -> Measured:
     return Measured(
         definition, Outcome.MEASURED, value=value, contact=value, landmarks=landmarks, tapes=tapes
@@ -109,7 +111,7 @@ def _measured(
 
 
 def _girth(
-    atlas: Atlas, definition: Measurement, girth: Girth, landmarks: tuple[str, ...]
+    atlas: Atlas, definition: MeasurementDefinition, girth: Girth, landmarks: tuple[str, ...]
 ) -> Measured:
     loop = girth.loop
     normals = _normals(atlas, loop.patch, loop.parameters)
@@ -139,7 +141,7 @@ def _taut(contact: Tape) -> Tape:
 
 
 def _straight(
-    definition: Measurement,
+    definition: MeasurementDefinition,
     start: NDArray[np.float64],
     end: NDArray[np.float64],
     landmarks: tuple[str, ...],

@@ -9,15 +9,17 @@ import numpy as np
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.chart import (
     Chart,
-    ChordMeasure,
     Definitions,
+    Iso,
+    Measured,
+    Outcome,
+)
+from bodymeasure.chart.kinds import (
+    ChordMeasure,
     FormulaMeasure,
     GirthMeasure,
     HeightMeasure,
-    Iso,
     LimbGirthMeasure,
-    Measured,
-    Outcome,
     PathMeasure,
 )
 

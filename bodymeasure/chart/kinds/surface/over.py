@@ -1,23 +1,27 @@
-"""A tape down the middle of the body, over another tape that spans a hollow."""
+"""A taut tape down the front of the body, over another tape that spans a hollow."""
 
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 import scipy
 
 from bodymeasure._typing import Array
+from bodymeasure.chart.accuracy import AccuracyClass, length_class
 from bodymeasure.chart.body import Body
-from bodymeasure.chart.chart import Measured, Outcome, Tape, TapeKind
-from bodymeasure.chart.kinds.definitions import OverMeasure
+from bodymeasure.chart.entry import Landmark
+from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome
+from bodymeasure.chart.tapes import Tape, TapeKind
 from bodymeasure.measure import vertical_drop
 from bodymeasure.section import SectionLoop
 
 # Points on each piece of the profile.
 SAMPLES = 256
-# A chain of chords falls short of its arc by what goes with the square of their lengths: chords
-# twice as long fall short four times as much, three times more than what the shorter ones lack.
+# A chain of chords falls short of its arc by an amount that grows with the square of their length.
+# Chords twice as long fall short four times as much, so that the two chains differ by three times
+# what the finer one lacks.
 REST = 1.0 / 3.0
-# Of the chord: points that stand out less are on it, but for rounding.
+# As a fraction of the chord: points that stand out less lie on it, but for rounding.
 STANDING_OUT = 1e-12
 
 
@@ -39,24 +43,53 @@ class _Profile(NamedTuple):
     outwards: Array
 
 
-def measure_over(body: Body, definition: OverMeasure) -> Measured:
-    """A drop, taut, and over the middle of a straight line between two landmarks."""
-    start, level, over = definition.start, definition.level, definition.over
-    arc = vertical_drop(body.atlas, body.point(start), body.point(level)).arc
-    profile = _Profile(arc, _middle(body, start, over), _outwards(body, start, arc))
-    coarse, _ = _hull(profile, SAMPLES // 2)
-    fine, places = _hull(profile, SAMPLES)
-    rest = REST * (_length(fine) - _length(coarse))
-    length = _length(fine) + rest
-    return Measured(
-        definition,
-        Outcome.MEASURED,
-        value=length,
-        taut=length,
-        error_estimate=abs(rest) + arc.error_estimate,
-        landmarks=(start, level, *over),
-        tapes=(_tape(body, arc, fine, places),),
-    )
+class OverMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="over"):
+    """The length of a taut tape in a vertical plane that also passes over another, straight tape.
+
+    The plane runs from front to back.
+
+    Parameters
+    ----------
+    start : str
+        The landmark at which the tape starts and through which the plane runs.
+    level : str
+        The landmark at whose height the tape ends.
+    over : tuple of (str, str)
+        The landmarks between which the straight tape runs, such as the bust points; the measured
+        tape passes over its middle.
+    """
+
+    example: ClassVar[str] = """
+        start = "front neck point"
+        level = "front waist point"
+        over = ["bust point left", "bust point right"]
+    """
+
+    start: Landmark
+    level: Landmark
+    over: tuple[Landmark, Landmark]
+
+    @property
+    def accuracy_class(self) -> AccuracyClass:
+        return length_class(self.name)
+
+    def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
+        arc = vertical_drop(body.atlas, body.point(self.start), body.point(self.level)).arc
+        middle = _middle(body, self.start, self.over)
+        profile = _Profile(arc, middle, _outwards(body, self.start, arc))
+        coarse, _ = _hull(profile, SAMPLES // 2)
+        fine, places = _hull(profile, SAMPLES)
+        rest = REST * (_length(fine) - _length(coarse))
+        length = _length(fine) + rest
+        return Measured(
+            self,
+            Outcome.MEASURED,
+            value=length,
+            taut=length,
+            error_estimate=abs(rest) + arc.error_estimate,
+            landmarks=self.landmarks,
+            tapes=(_tape(body, arc, fine, places),),
+        )
 
 
 def _middle(body: Body, start: str, over: tuple[str, str]) -> Array:
@@ -67,7 +100,7 @@ def _middle(body: Body, start: str, over: tuple[str, str]) -> Array:
 
 
 def _outwards(body: Body, start: str, arc: SectionLoop) -> Array:
-    """Across the chord of the tape, to the side on which the skin at its start faces."""
+    """The unit vector across the tape's chord, to the side that the skin faces at its start."""
     first, last = arc.positions_at(np.array([0.0, float(arc.count)]))
     across = np.cross(body.atlas.axes.left_vector, last - first)
     across /= np.linalg.norm(across)
@@ -77,9 +110,9 @@ def _outwards(body: Body, start: str, arc: SectionLoop) -> Array:
 
 
 def _hull(profile: _Profile, count: int) -> tuple[Array, Array]:
-    """The tape over points of the profile, and their places on it; NaN where it stands free.
+    """The corners of the tape, and their places on the profile (NaN where it stands free).
 
-    What stands out beyond the line from start to end is gone round, as a convex hull.
+    The tape is the convex hull of all that stands out beyond the line from start to end.
     """
     arc = profile.arc
     place = np.append(np.arange(count * arc.count + 1) / count, np.nan)
@@ -96,7 +129,7 @@ def _hull(profile: _Profile, count: int) -> tuple[Array, Array]:
     kept = np.concatenate([[0], kept, [len(points) - 2]])
     flat = np.stack([(points[kept] - first) @ chord / size, out[kept]], axis=1)
     corners = scipy.spatial.ConvexHull(flat).vertices
-    # Both ends are corners, side by side: the way round is the other one.
+    # Both ends are corners, one beside the other: the tape runs the other way round.
     corners = np.roll(corners, -int(np.flatnonzero(corners == 0)[0]))
     if corners[1] == len(kept) - 1:
         corners = np.roll(corners[::-1], 1)

@@ -1,45 +1,43 @@
 """One entry of a file of definitions: from what TOML gives to a definition, or what is wrong."""
 
 import re
-from typing import Any, NamedTuple, TypeVar, get_args
+from collections.abc import Mapping
+from typing import Any, Literal, NamedTuple, TypeVar, get_args, get_origin
 
 import msgspec
 
-from bodymeasure.chart.kinds.definitions import Measurement
-from bodymeasure.chart.landmarks.rules import LandmarkRule
+from bodymeasure.chart.entry import Entry
+from bodymeasure.chart.kinds import KINDS
+from bodymeasure.chart.kinds.base import MeasurementDefinition
+from bodymeasure.chart.landmarks.rules import RULES
+from bodymeasure.chart.landmarks.rules.base import LandmarkRule
 from bodymeasure.wording import hint
 
-Entry = TypeVar("Entry", bound=msgspec.Struct)
+Struct = TypeVar("Struct", bound=msgspec.Struct)
 
 
-class EntryKind(NamedTuple):
-    """What an array of a file of definitions holds.
+class Table(NamedTuple):
+    """An array of a file of definitions.
 
     Parameters
     ----------
-    table : str
-        Name of the array.
+    name : str
     tag : str
-        Member that says which kind of entry it is.
+        The member that says of which kind an entry is.
     label : str
-        Member by which entries are known.
-    structs : mapping of str to type
+        The member by which entries are known.
+    kinds : mapping of str to type
         The kind of entry for each value of `tag`.
     """
 
-    table: str
+    name: str
     tag: str
     label: str
-    structs: dict[str, type[msgspec.Struct]]
+    kinds: Mapping[str, type[Entry]]
 
 
-def _kind(table: str, tag: str, label: str, union: Any) -> EntryKind:
-    structs = {struct.__struct_config__.tag: struct for struct in get_args(union)}
-    return EntryKind(table, tag, label, structs)
-
-
-MEASUREMENTS = _kind("measurement", "kind", "key", Measurement)
-RULES = _kind("landmark", "rule", "name", LandmarkRule)
+MEASUREMENTS = Table("measurement", "kind", MeasurementDefinition.label, KINDS)
+LANDMARKS = Table("landmark", "rule", LandmarkRule.label, RULES)
 
 # What msgspec calls things, in words for who writes a file.
 _WORDS = {
@@ -62,7 +60,7 @@ class MisfitError(Exception):
         self.member = member
 
 
-def entry_of(kind: EntryKind, raw: Any) -> msgspec.Struct:
+def entry_of(table: Table, raw: Any) -> Entry:
     """The definition that an entry describes.
 
     Raises
@@ -70,34 +68,34 @@ def entry_of(kind: EntryKind, raw: Any) -> msgspec.Struct:
     MisfitError
     """
     if not isinstance(raw, dict):
-        raise MisfitError(f"expected a table of members, got {_as_toml(raw)}")
-    given = raw.get(kind.tag)
+        raise MisfitError(f"expected a table of members, got {as_toml(raw)}")
+    given = raw.get(table.tag)
     if given is None:
-        kinds = ", ".join(map(repr, kind.structs))
-        raise MisfitError(f"has no {kind.tag!r}; add one of {kinds}")
-    if not isinstance(given, str) or given not in kind.structs:
-        near = hint(str(given), kind.structs)
-        raise MisfitError(f"has the unknown {kind.tag} {given!r}; {near}", kind.tag)
-    struct = kind.structs[given]
-    known = [kind.tag, *struct.__struct_fields__]
+        kinds = ", ".join(map(repr, table.kinds))
+        raise MisfitError(f"has no {table.tag!r}; add one of {kinds}")
+    if not isinstance(given, str) or given not in table.kinds:
+        near = hint(str(given), table.kinds)
+        raise MisfitError(f"has the unknown {table.tag} {given!r}; {near}", table.tag)
+    struct = table.kinds[given]
+    known = [table.tag, *struct.__struct_fields__]
     for member in raw:
         if member not in known:
             raise MisfitError(
                 f"has the unknown member {member!r}; {hint(member, known)} "
-                f"(a {kind.table} of the {kind.tag} {given!r} has: {', '.join(known)})",
+                f"(a {table.name} of the {table.tag} {given!r} has: {', '.join(known)})",
                 member,
             )
     for field in msgspec.structs.fields(struct):
         if field.required and field.name not in raw:
             raise MisfitError(
-                f"has no {field.name!r}, which the {kind.tag} {given!r} needs; add it"
+                f"has no {field.name!r}, which the {table.tag} {given!r} needs; add it"
             )
         if field.name in raw:
             _check_choice(field, raw[field.name])
     return converted(raw, struct)
 
 
-def converted(raw: Any, struct: type[Entry]) -> Entry:
+def converted(raw: Any, struct: type[Struct]) -> Struct:
     """A struct from what TOML gives.
 
     Raises
@@ -121,13 +119,19 @@ def converted(raw: Any, struct: type[Entry]) -> Entry:
 
 def _check_choice(field: msgspec.structs.FieldInfo, value: Any) -> None:
     """Refuse a word that is none of those which a member may be."""
-    choices = [choice for choice in get_args(field.type) if isinstance(choice, str)]
-    if choices and value not in choices:
+    allowed = choices(field.type)
+    if allowed and value not in allowed:
         raise MisfitError(
-            f"{field.name} is {_as_toml(value)}; expected one of {', '.join(map(repr, choices))}",
+            f"{field.name} is {as_toml(value)}; expected one of {', '.join(map(repr, allowed))}",
             field.name,
         )
 
 
-def _as_toml(value: Any) -> str:
+def choices(annotation: Any) -> tuple[str, ...]:
+    """The words of which a member of that type has to be one; empty if it may be others."""
+    return get_args(annotation) if get_origin(annotation) is Literal else ()
+
+
+def as_toml(value: Any) -> str:
+    """A value as messages and comments show it."""
     return {True: "true", False: "false"}[value] if isinstance(value, bool) else repr(value)

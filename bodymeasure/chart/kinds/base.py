@@ -1,0 +1,156 @@
+"""What all kinds of measurements share: how one is written, and what comes of it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from typing import ClassVar, Literal
+
+import msgspec
+import numpy as np
+
+from bodymeasure.chart.accuracy import AccuracyClass
+from bodymeasure.chart.body import Body
+from bodymeasure.chart.entry import Entry
+from bodymeasure.chart.formula.parse import parse_formula
+from bodymeasure.chart.tapes import Tape
+
+TapeWanted = Literal["contact", "taut", "both"]
+"""Along the skin; drawn taut; or along the skin, with the taut length beside it."""
+
+
+class Iso(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """The name and the clause of a measurement in ISO 8559-1."""
+
+    name: str
+    clause: str = ""
+
+
+class MeasurementDefinition(Entry, frozen=True, kw_only=True, tag_field="kind"):
+    """How a body is measured; each kind adds members of its own.
+
+    Parameters
+    ----------
+    key : str
+        The name that formulas, tables and files use: letters, digits and underscores. ``{side}`` in
+        the key, name, words and landmarks stands for left and right in turn, which gives two
+        measurements.
+    name : str
+    words : str
+        What is measured, and how the tape lies.
+    group : str
+        Heading in tables, such as "Girths".
+    iso : Iso, optional
+    seamly : tuple of str
+        Names in Seamly2D's list of measurements.
+    freesewing : str, optional
+        Key in FreeSewing's list of measurements.
+    """
+
+    label: ClassVar[str] = "key"
+
+    key: str
+    name: str
+    words: str = ""
+    group: str = ""
+    iso: Iso | None = None
+    seamly: tuple[str, ...] = ()
+    freesewing: str | None = None
+
+    @property
+    def in_degrees(self) -> bool:
+        """Whether the measurement is an angle, in degrees, and not a length."""
+        return False
+
+    @property
+    def operands(self) -> tuple[str, ...]:
+        """The keys of the measurements that the formulas of this one name, each once."""
+        names = (name for text in self.formulas for name in parse_formula(text).names)
+        return tuple(dict.fromkeys(names))
+
+    @property
+    def accuracy_class(self) -> AccuracyClass | None:
+        """The measurement's class in ISO 20685-1; None for angles, for which it has none."""
+        raise NotImplementedError
+
+    def measure(self, body: Body, others: Mapping[str, "Measured"]) -> "Measured":
+        """Measure a body.
+
+        Parameters
+        ----------
+        body : Body
+        others : mapping of str to Measured
+            The measurements that the formulas of this one name, by key.
+
+        Raises
+        ------
+        InputError
+            If the measurement cannot be taken on this body; in particular,
+            `MissingLandmarkError` if a landmark is missing.
+        ConvergenceError
+            If a solver does not converge.
+        """
+        raise NotImplementedError
+
+
+class Outcome(StrEnum):
+    """What came of a measurement; `Measured.reason` explains it in words."""
+
+    MEASURED = "measured"
+    MISSING_LANDMARK = "missing landmark"
+    MISSING_OPERAND = "missing operand"
+    REFUSED = "refused"
+    NOT_CONVERGED = "not converged"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Measured:
+    """One measurement of a body.
+
+    Parameters
+    ----------
+    definition : MeasurementDefinition
+        With left or right in place of ``{side}``.
+    outcome : Outcome
+    reason : str
+        What is the matter and what to do; empty if there is nothing to remark.
+    status : str
+        Name of the solver's status (`bodymeasure.Status`); empty where there is none.
+    value : float
+        The length that is asked for, in `unit`; NaN if there is none.
+    contact, taut : float
+        Lengths along the skin and drawn taut; NaN where not asked for or not applicable.
+    error_estimate : float
+        Estimated error of `value`, in its unit; where both contact and taut are computed, the
+        larger one of their errors.
+    landmarks : tuple of str
+        Names of the landmarks used.
+    tapes : tuple of Tape
+    length_by_region : mapping of str to float
+        Length of the contact tape inside each body region.
+    unit : str
+        The atlas's unit, or ``deg`` for an angle; empty if it is not known.
+    """
+
+    definition: MeasurementDefinition
+    outcome: Outcome
+    reason: str = ""
+    status: str = ""
+    value: float = np.nan
+    contact: float = np.nan
+    taut: float = np.nan
+    error_estimate: float = np.nan
+    landmarks: tuple[str, ...] = ()
+    tapes: tuple[Tape, ...] = ()
+    length_by_region: Mapping[str, float] = field(default_factory=dict)
+    unit: str = ""
+
+    @property
+    def gap(self) -> float:
+        """By how much the taut tape is shorter than the one along the skin."""
+        return self.contact - self.taut
+
+    def __repr__(self) -> str:
+        value = f"{self.value:.6g} {self.unit}".rstrip()
+        error = f"{self.error_estimate:.1g}"
+        found = f"{value} (error {error})" if np.isfinite(self.value) else "no value"
+        return f"<Measured {self.definition.key}: {found}, {self.outcome}>"

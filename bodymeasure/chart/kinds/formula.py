@@ -1,0 +1,64 @@
+"""Measurements that follow from others by a formula."""
+
+from collections.abc import Mapping
+from typing import ClassVar
+
+from bodymeasure.chart.accuracy import AccuracyClass, length_class
+from bodymeasure.chart.body import Body
+from bodymeasure.chart.entry import FormulaText
+from bodymeasure.chart.formula.parse import parse_formula
+from bodymeasure.chart.formula.value import Estimate, evaluate_formula
+from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome
+from bodymeasure.errors import InputError
+
+
+class FormulaMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="formula"):
+    """Arithmetic with other measurements.
+
+    Parameters
+    ----------
+    formula : str
+        Keys of other measurements, numbers, ``+ - * / ( )``, min and max.
+    angle : bool
+        Whether the result is in degrees and not a length; asin, acos and atan give angles.
+    """
+
+    example: ClassVar[str] = 'formula = "outer_leg_length_left - knee_height_left"'
+
+    formula: FormulaText
+    angle: bool = False
+
+    @property
+    def in_degrees(self) -> bool:
+        return self.angle
+
+    @property
+    def accuracy_class(self) -> AccuracyClass | None:
+        return None if self.angle else length_class(self.name)
+
+    def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
+        formula = parse_formula(self.formula)
+        operands = {name: others[name] for name in formula.names}
+        used = [landmark for operand in operands.values() for landmark in operand.landmarks]
+        landmarks = tuple(dict.fromkeys(used))
+        failed = [name for name in formula.names if operands[name].outcome is not Outcome.MEASURED]
+        if failed:
+            # A formula is never evaluated without one of its operands.
+            what = ", ".join(f"{name!r} ({operands[name].outcome})" for name in failed)
+            return Measured(
+                self,
+                Outcome.MISSING_OPERAND,
+                f"the formula {self.formula!r} lacks {what}: {operands[failed[0]].reason}",
+                landmarks=landmarks,
+            )
+        estimates = {
+            name: Estimate(operand.value, operand.error_estimate)
+            for name, operand in operands.items()
+        }
+        try:
+            value, error = evaluate_formula(formula, estimates)
+        except InputError as refusal:
+            return Measured(self, Outcome.REFUSED, str(refusal), landmarks=landmarks)
+        return Measured(
+            self, Outcome.MEASURED, value=value, error_estimate=error, landmarks=landmarks
+        )

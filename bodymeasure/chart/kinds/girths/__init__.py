@@ -1,0 +1,1 @@
+"""Girths, and parts of them."""

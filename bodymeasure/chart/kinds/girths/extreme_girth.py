@@ -1,0 +1,58 @@
+"""The largest or smallest girth of a stretch."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import ClassVar, Literal
+
+from bodymeasure.chart.accuracy import AccuracyClass, girth_class
+from bodymeasure.chart.body import Body
+from bodymeasure.chart.entry import Landmark
+from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, TapeWanted
+from bodymeasure.chart.kinds.taped import sentence, taped
+from bodymeasure.measure import Extremum, extreme_girth
+
+
+class ExtremeGirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="extreme girth"):
+    """The largest or smallest girth between two landmarks.
+
+    Parameters
+    ----------
+    start, end : str
+        The two landmarks.
+    extreme : {"largest", "smallest"}
+    limb : bool
+        Whether the girths are square to the line between the landmarks, and not horizontal.
+    tape : {"contact", "taut", "both"}
+    """
+
+    example: ClassVar[str] = """
+        start = "patella point left"
+        end = "ankle point left"
+        extreme = "largest"
+    """
+
+    start: Landmark
+    end: Landmark
+    extreme: Literal["largest", "smallest"]
+    limb: bool = False
+    tape: TapeWanted = "taut"
+
+    @property
+    def accuracy_class(self) -> AccuracyClass:
+        return AccuracyClass.SMALL_GIRTH if self.limb else girth_class(self.name)
+
+    def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
+        extreme = extreme_girth(
+            body.atlas,
+            body.point(self.start),
+            body.point(self.end),
+            self.extreme,
+            tape="contact" if self.tape == "contact" else "taut",
+            limb=self.limb,
+        )
+        girth = extreme.girth
+        remarks = [sentence(girth.remark)]
+        if extreme.status is not Extremum.INSIDE:
+            remarks.insert(0, f"The extreme is {extreme.status.value}.")
+        found = taped(body, self, self.tape, girth, girth.tape.length_by_region)
+        return replace(found, reason=" ".join(filter(None, remarks)))

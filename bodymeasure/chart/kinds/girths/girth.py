@@ -1,0 +1,47 @@
+"""Horizontal girths."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import ClassVar
+
+from bodymeasure.chart.accuracy import AccuracyClass, girth_class
+from bodymeasure.chart.body import Body
+from bodymeasure.chart.entry import Fault, Landmark
+from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, TapeWanted
+from bodymeasure.chart.kinds.taped import sentence, taped
+
+
+class GirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="girth"):
+    """The horizontal girth of the trunk or of a limb at a landmark's height.
+
+    Parameters
+    ----------
+    at : str
+        The landmark, which lies on the part of the body that is measured.
+    tape : {"contact", "taut", "both"}
+    cut : tuple of (str, str), optional
+        Two landmarks (armpits) in whose vertical front-to-back planes a loop that merges trunk and
+        arms is cut; the gaps are bridged straight.
+    limb : bool
+        Whether the loop has to go round one leg or arm alone.
+    """
+
+    example: ClassVar[str] = 'at = "bust point left"'
+
+    at: Landmark
+    tape: TapeWanted = "taut"
+    cut: tuple[Landmark, Landmark] | None = None
+    limb: bool = False
+
+    @property
+    def accuracy_class(self) -> AccuracyClass:
+        return AccuracyClass.SMALL_GIRTH if self.limb else girth_class(self.name)
+
+    def faults(self) -> Iterator[Fault]:
+        if self.limb and self.cut is not None:
+            yield Fault(self, "cut", "cut is for the trunk, limb for a leg or arm; give one")
+
+    def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
+        girth = body.level_girth(self.at, cut=self.cut, limb=self.limb)
+        found = taped(body, self, self.tape, girth, girth.tape.length_by_region)
+        return replace(found, reason=sentence(girth.remark))

@@ -1,0 +1,46 @@
+"""Girths of limbs, square to them."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import ClassVar
+
+from bodymeasure.chart.accuracy import AccuracyClass
+from bodymeasure.chart.body import Body
+from bodymeasure.chart.entry import Fault, Landmark
+from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, TapeWanted
+from bodymeasure.chart.kinds.taped import sentence, taped
+from bodymeasure.measure import limb_girth
+
+
+class LimbGirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="limb girth"):
+    """The girth of a limb, square to the line between two landmarks.
+
+    Parameters
+    ----------
+    start, end : str
+        The two landmarks.
+    at : float or str
+        Where the girth is taken: a fraction of the line, from 0 to 1, or a landmark.
+    tape : {"contact", "taut", "both"}
+    """
+
+    example: ClassVar[str] = 'start = "shoulder point left"\nend = "elbow point left"\nat = 0.5'
+
+    start: Landmark
+    end: Landmark
+    at: float | Landmark = 0.5
+    tape: TapeWanted = "taut"
+
+    @property
+    def accuracy_class(self) -> AccuracyClass:
+        return AccuracyClass.SMALL_GIRTH
+
+    def faults(self) -> Iterator[Fault]:
+        if isinstance(self.at, float) and not 0.0 <= self.at <= 1.0:
+            yield Fault(self, "at", f"at is {self.at}; expected 0 to 1, or a landmark's name")
+
+    def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
+        place = body.point(self.at) if isinstance(self.at, str) else float(self.at)
+        girth = limb_girth(body.atlas, body.point(self.start), body.point(self.end), at=place)
+        found = taped(body, self, self.tape, girth, girth.tape.length_by_region)
+        return replace(found, reason=sentence(girth.remark))

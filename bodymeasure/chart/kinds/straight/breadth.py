@@ -1,0 +1,32 @@
+"""The breadth of a horizontal loop."""
+
+from collections.abc import Mapping
+from typing import ClassVar
+
+from bodymeasure.chart.accuracy import AccuracyClass
+from bodymeasure.chart.body import Body
+from bodymeasure.chart.entry import Landmark
+from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition
+from bodymeasure.chart.kinds.straight.line import extent
+from bodymeasure.measure import breadth
+
+
+class BreadthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="breadth"):
+    """The horizontal distance from left to right of the loop at a landmark's height.
+
+    Parameters
+    ----------
+    at : str
+        The landmark.
+    """
+
+    example: ClassVar[str] = 'at = "side hip point left"'
+
+    at: Landmark
+
+    @property
+    def accuracy_class(self) -> AccuracyClass:
+        return AccuracyClass.BREADTH
+
+    def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
+        return extent(body, self, self.at, body.atlas.axes.left_vector, breadth)

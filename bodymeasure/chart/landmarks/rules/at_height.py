@@ -1,0 +1,78 @@
+"""Landmarks where a geodesic passes a height."""
+
+from typing import ClassVar
+
+import numpy as np
+import scipy
+
+from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.bezier import evaluate
+from bodymeasure.chart.entry import Landmark
+from bodymeasure.chart.landmarks.paths import path_between
+from bodymeasure.chart.landmarks.rules.base import LandmarkRule, Landmarks
+from bodymeasure.errors import InputError
+from bodymeasure.geodesic import AtlasPath
+
+# Steps on a piece of the path, so that it passes the height at most once in each.
+STEPS = 24
+# As a fraction of a piece: the height is passed there to rounding.
+ROOT_TOLERANCE = 1e-15
+
+
+class AtHeight(LandmarkRule, frozen=True, kw_only=True, tag="at height"):
+    """The point where the geodesic between two landmarks first passes the height of a third.
+
+    Parameters
+    ----------
+    start, end : str
+        The landmarks between which the geodesic runs.
+    of : str
+        The landmark at whose height the point lies.
+    """
+
+    example: ClassVar[str] = """
+        start = "bust point left"
+        end = "front waist point"
+        of = "elbow point left"
+    """
+
+    start: Landmark
+    end: Landmark
+    of: Landmark
+
+    @property
+    def description(self) -> str:
+        return f"on the way from {self.start} to {self.end} at the height of {self.of}"
+
+    def point(self, atlas: Atlas, landmarks: Landmarks) -> AtlasPoint:
+        path = path_between(atlas, self.start, self.end, landmarks)
+        height = float(atlas.position(landmarks[self.of]) @ atlas.axes.up_vector)
+        for number in range(len(path.pieces)):
+            grid = np.arange(STEPS + 1) / STEPS
+            above = np.array([_above(path, number, t, height) for t in grid.tolist()])
+            passed = np.flatnonzero(above[:-1] * above[1:] <= 0.0)
+            if len(passed):
+                low, high = grid[passed[0]], grid[passed[0] + 1]
+                fraction = scipy.optimize.brentq(
+                    lambda t, number=number: _above(path, number, t, height),
+                    low,
+                    high,
+                    xtol=ROOT_TOLERANCE,
+                )
+                return _point(path, number, fraction)
+        raise InputError(
+            f"the path from {self.start!r} to {self.end!r} does not pass the height of {self.of!r}"
+        )
+
+
+def _point(path: AtlasPath, number: int, fraction: float) -> AtlasPoint:
+    piece = path.pieces[number]
+    values = piece.space.functions.values(np.array([fraction]))[0] @ piece.values.T
+    u, v = np.clip(values, 0.0, 1.0).tolist()
+    return AtlasPoint(piece.patch, u, v)
+
+
+def _above(path: AtlasPath, number: int, fraction: float, height: float) -> float:
+    point = _point(path, number, fraction)
+    position = evaluate(path.atlas.control_points[point.patch], (point.u, point.v))
+    return float(position @ path.atlas.axes.up_vector) - height

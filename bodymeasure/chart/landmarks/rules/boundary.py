@@ -1,0 +1,101 @@
+"""Landmarks that lie farthest in a direction of the atlas's open boundary."""
+
+from typing import ClassVar
+
+import numpy as np
+
+from bodymeasure._typing import Array, Ints
+from bodymeasure.atlas import EDGES, Atlas, AtlasPoint, edge_table
+from bodymeasure.atlas.seams import sides_of
+from bodymeasure.bezier import bernstein, evaluate, project
+from bodymeasure.chart.landmarks.choice import (
+    TIE,
+    atlas_size,
+    direction_vector,
+    patches_of_regions,
+    preferred,
+)
+from bodymeasure.chart.landmarks.rules.base import Direction, LandmarkRule, Landmarks, towards
+from bodymeasure.errors import InputError
+from bodymeasure.section.roots import roots_of_polynomials
+
+
+class Boundary(LandmarkRule, frozen=True, kw_only=True, tag="boundary"):
+    """The point of the atlas's open boundary in some regions that lies farthest in a direction.
+
+    Parameters
+    ----------
+    direction : {"front", "back", "left", "right", "{side}", "up", "down"}
+    regions : tuple of str
+        The beginnings of the regions' names.
+    """
+
+    example: ClassVar[str] = 'direction = "back"\nregions = ["forearm left"]'
+
+    direction: Direction
+    regions: tuple[str, ...]
+
+    @property
+    def description(self) -> str:
+        regions = ", ".join(self.regions)
+        return f"farthest {towards(self.direction)} of the boundary of {regions}"
+
+    def point(self, atlas: Atlas, landmarks: Landmarks) -> AtlasPoint:
+        patches = patches_of_regions(atlas, self.regions)
+        direction = direction_vector(atlas, self.direction)
+        patch, side = _open_sides(atlas, patches)
+        nets = sides_of(atlas.control_points)[patch, side]
+        tie = TIE * atlas_size(atlas)
+
+        edge, along = _stations(nets, direction)
+        fixed = np.array([e.fixed_value for e in EDGES])[side[edge]]
+        over_v = (np.array([e.fixed_axis for e in EDGES]) == 0)[side[edge], None]
+        parameters = np.where(
+            over_v, np.stack([fixed, along], axis=-1), np.stack([along, fixed], axis=-1)
+        )
+        far = evaluate(atlas.control_points[patch[edge]], parameters) @ direction
+        if ((project(nets) @ direction).min(axis=1) >= far.max() - tie).any():
+            raise InputError(
+                f"the boundary is level where it is farthest {self.direction}, so that many "
+                "points are equally far; choose another rule, or pick the point"
+            )
+        best = np.flatnonzero(far >= far.max() - tie)
+        return preferred(
+            atlas, [AtlasPoint(int(patch[edge[k]]), *parameters[k].tolist()) for k in best]
+        )
+
+
+def _open_sides(atlas: Atlas, patches: Ints) -> tuple[Ints, Ints]:
+    """Patch and side (in the order of `EDGES`) of each open edge of some patches."""
+    table = edge_table(atlas.index)
+    control = table.control_index[patches]
+    collapsed = (control == control[:, :, :1]).all(axis=2)
+    row, side = np.nonzero((table.sides[table.edge[patches]] == 1) & ~collapsed)
+    if not len(row):
+        raise InputError("the atlas has no open boundary in these regions; choose others")
+    return patches[row], side
+
+
+def _stations(nets: Array, direction: Array) -> tuple[Ints, Array]:
+    """Ends of curves (k, m + 1, 3 or 4), and where they turn back: number of the curve, and t."""
+    roots = roots_of_polynomials(_slopes(nets, direction))
+    along = np.concatenate([np.broadcast_to([0.0, 1.0], (len(nets), 2)), roots], axis=1)
+    curve, number = np.nonzero(np.isfinite(along))
+    return curve, along[curve, number]
+
+
+def _slopes(nets: Array, direction: Array) -> Array:
+    """Bernstein coefficients of what has the sign of a coordinate's slope, a row for each curve.
+
+    Of a rational curve f / w that is f' w - f w', of degree 2 m - 1, by interpolation.
+    """
+    coordinate = nets[..., :3] @ direction
+    if nets.shape[-1] == 3:
+        return np.diff(coordinate, axis=1)
+    degree = nets.shape[1] - 1
+    nodes = 0.5 - 0.5 * np.cos(np.pi * (np.arange(2 * degree) + 0.5) / (2 * degree))
+    value, slope = bernstein(degree, nodes, order=1).swapaxes(0, 1)
+    weight = nets[..., 3]
+    numerator = (coordinate @ slope.T) * (weight @ value.T)
+    numerator -= (coordinate @ value.T) * (weight @ slope.T)
+    return np.linalg.solve(bernstein(2 * degree - 1, nodes)[:, 0], numerator.T).T

@@ -1,0 +1,104 @@
+"""Landmarks in the hollow between two others."""
+
+from typing import ClassVar
+
+import numpy as np
+import scipy
+
+from bodymeasure._typing import Array
+from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.atlas.queries.outside import outward_sign
+from bodymeasure.bezier import derivatives
+from bodymeasure.chart.entry import Landmark
+from bodymeasure.chart.landmarks.paths import on_the_left, path_between
+from bodymeasure.chart.landmarks.rules.base import LandmarkRule, Landmarks
+from bodymeasure.errors import InputError
+from bodymeasure.geodesic import AtlasPath
+
+# Steps on a piece of the path, so that its distance from the chord has at most one extreme in each.
+STEPS = 24
+ROOT_TOLERANCE = 1e-15
+# As a fraction of the chord: a path that runs below it by no more is straight.
+STRAIGHT = 1e-9
+
+
+class Hollow(LandmarkRule, frozen=True, kw_only=True, tag="hollow"):
+    """The point of the geodesic between two landmarks that lies deepest below its chord.
+
+    A point is below the chord where the surface's outer side faces the chord.
+
+    Parameters
+    ----------
+    start, end : str
+        The two landmarks.
+    """
+
+    example: ClassVar[str] = 'start = "bust point left"\nend = "front waist point"'
+
+    start: Landmark
+    end: Landmark
+
+    @property
+    def description(self) -> str:
+        return f"deepest below the chord from {self.start} to {self.end}"
+
+    def point(self, atlas: Atlas, landmarks: Landmarks) -> AtlasPoint:
+        path = path_between(atlas, self.start, self.end, landmarks)
+        ends = np.stack([atlas.position(landmarks[name]) for name in (self.start, self.end)])
+        length = float(np.linalg.norm(ends[1] - ends[0]))
+        if length == 0.0:
+            raise InputError(f"{self.start!r} and {self.end!r} are one place, without a chord")
+        axis = (ends[1] - ends[0]) / length
+        found: list[tuple[float, AtlasPoint]] = []
+        sign = outward_sign(atlas)
+        for number, fraction in _turns(path, ends[0], axis):
+            point, offset, _, normal = _state(path, number, fraction, ends[0], axis)
+            depth = float(np.linalg.norm(offset))
+            if depth > STRAIGHT * length and sign * float(offset @ normal) < 0.0:
+                found.append((depth, point))
+        if not found:
+            raise InputError(
+                f"the path from {self.start!r} to {self.end!r} nowhere runs below its chord, so "
+                "it has no hollow"
+            )
+        return on_the_left(path, max(found, key=lambda candidate: candidate[0])[1])
+
+
+def _turns(path: AtlasPath, start: Array, axis: Array) -> list[tuple[int, float]]:
+    """Places (number of a piece, fraction of it) where the distance from the chord is extreme.
+
+    These are the places where ``x . x' = 0`` for the offset x from the chord.
+    """
+    result = []
+    for number, piece in enumerate(path.pieces):
+        if piece.length == 0.0:
+            continue
+
+        def slope(fraction: float, number: int = number) -> float:
+            return _state(path, number, fraction, start, axis)[2]
+
+        grid = np.arange(STEPS + 1) / STEPS
+        values = np.array([slope(float(t)) for t in grid])
+        for k in np.flatnonzero(values[:-1] * values[1:] < 0.0):
+            root = scipy.optimize.brentq(slope, grid[k], grid[k + 1], xtol=ROOT_TOLERANCE)
+            result.append((number, float(root)))
+        # The slope may jump over zero at seams, where the path may have a kink in space.
+        result += [(number, 0.0), (number, 1.0)]
+    return result
+
+
+def _state(
+    path: AtlasPath, number: int, fraction: float, start: Array, axis: Array
+) -> tuple[AtlasPoint, Array, float, Array]:
+    """Point, offset from the chord, half the slope of the offset's square, and the normal."""
+    piece = path.pieces[number]
+    matrices = piece.space.matrices(fraction)[:2, 0]
+    (u, v), (u_slope, v_slope) = (matrices @ piece.values.T).tolist()
+    u, v = min(max(u, 0.0), 1.0), min(max(v, 0.0), 1.0)
+    net = path.atlas.control_points[piece.patch]
+    jet = derivatives(net, (u, v), order=1)
+    offset = jet[0, 0] - start
+    offset -= (offset @ axis) * axis
+    velocity = u_slope * jet[1, 0] + v_slope * jet[0, 1]
+    normal = np.cross(jet[1, 0], jet[0, 1])
+    return AtlasPoint(piece.patch, u, v), offset, float(offset @ velocity), normal
