@@ -1,4 +1,4 @@
-"""What the viewer says about a patch or a tape that was picked."""
+"""The words that the viewer shows about a patch or a tape that was picked."""
 
 from typing import TYPE_CHECKING
 
@@ -14,7 +14,7 @@ DIAGONALS = ("(0, 0) - (1, 1)", "(1, 0) - (0, 1)")
 
 
 def describe(survey: "Survey", patch: int, diagonal: int | None = None) -> str:
-    """A patch's name and region, and the lengths of its diagonals in centimetres.
+    """Describe a patch by its name, its region, and the lengths of its diagonals in centimeters.
 
     Parameters
     ----------
@@ -26,7 +26,7 @@ def describe(survey: "Survey", patch: int, diagonal: int | None = None) -> str:
     Returns
     -------
     str
-        A few lines; only the picked diagonal, if there is one.
+        A few lines; of the diagonals only the picked one, if one was picked.
     """
     atlas = survey.atlas
     title = atlas.patch_names[patch]
@@ -49,32 +49,33 @@ def _diagonal(survey: "Survey", patch: int, diagonal: int) -> str:
 
 
 def describe_measured(item: "Measured", unit: Unit) -> str:
-    """A measurement's name and value in centimetres, and how the tape lies.
+    """Describe a measurement by its name, its value in centimeters, and how the tape lies.
 
     Parameters
     ----------
     item : Measured
     unit : Unit
-        Of its lengths.
+        Unit of its lengths.
 
     Returns
     -------
     str
-        A few lines: name and key, value, along the skin and taut if there are both, remark.
+        A few lines: name and key, value, lengths along the skin and taut if there are both, and
+        a remark.
     """
     definition = item.definition
     lines = [f"{definition.name} ({definition.key})"]
     if np.isfinite(item.value):
         lines.append(
-            f"{item.value:.2f} degrees" if definition.in_degrees else _centimetres(item.value, unit)
+            f"{item.value:.2f} degrees" if definition.in_degrees else _centimeters(item.value, unit)
         )
         if np.isfinite(item.contact) and np.isfinite(item.taut):
-            skin, taut = _centimetres(item.contact, unit), _centimetres(item.taut, unit)
+            skin, taut = _centimeters(item.contact, unit), _centimeters(item.taut, unit)
             lines.append(f"along the skin {skin}, taut {taut}")
     if item.reason:
         lines.append(item.reason)
     return "\n".join(lines)
 
 
-def _centimetres(length: float, unit: Unit) -> str:
+def _centimeters(length: float, unit: Unit) -> str:
     return f"{convert_length(length, unit, Unit.CM):.2f} cm"

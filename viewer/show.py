@@ -1,12 +1,13 @@
-"""Opening the window, or saving what it would show."""
+"""Open a window, or save what it would show."""
 
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from bodymeasure.viewer.tape_window import TapeWindow, build_tapes
-from bodymeasure.viewer.window import Window, build
+from bodymeasure.viewer.base_window import BodyWindow
+from bodymeasure.viewer.tape_window import TapeWindow
+from bodymeasure.viewer.window import Window
 
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.files import write_bytes
@@ -30,7 +31,7 @@ def view(survey: "Survey", screenshot: Path | None = None) -> str:
     Returns
     -------
     str
-        A sentence for the user if it had to be done in another way than usual, otherwise empty.
+        Why it had to be done in another way than usual, as a sentence; empty if it had not.
 
     Raises
     ------
@@ -40,7 +41,7 @@ def view(survey: "Survey", screenshot: Path | None = None) -> str:
         If pyvista is not installed.
     """
     return _show(
-        lambda off_screen: build(survey, off_screen=off_screen),
+        lambda off_screen: Window(survey, off_screen=off_screen),
         lambda: body_overview(survey, renderer=SOFTWARE),
         screenshot,
     )
@@ -55,31 +56,33 @@ def view_chart(chart: "Chart", screenshot: Path | None = None, *, key: str | Non
     screenshot : Path, optional
         PNG file to write instead of opening a window.
     key : str, optional
-        The only measurement to show; it has a tape.
+        The only measurement to show, which must have a tape.
 
     Returns
     -------
     str
-        As of `view`.
+        Why it had to be done in another way than usual, as a sentence; empty if it had not.
 
     Raises
     ------
-    InputError, MissingExtraError
-        As `view`.
+    InputError
+        If a window is wanted but there is no display, or the file cannot be written.
+    MissingExtraError
+        If pyvista is not installed.
     """
     return _show(
-        lambda off_screen: build_tapes(chart, key, off_screen=off_screen),
+        lambda off_screen: TapeWindow(chart, key, off_screen=off_screen),
         lambda: tapes_overview(chart, key, renderer=SOFTWARE),
         screenshot,
     )
 
 
 def _show(
-    window: Callable[[bool], Window | TapeWindow],
+    window: Callable[[bool], BodyWindow],
     without_opengl: Callable[[], bytes],
     screenshot: Path | None,
 ) -> str:
-    """Open a window, or save what it shows, if need be drawn without OpenGL."""
+    """Open a window, or save what it shows, drawn without OpenGL where there is none."""
     try:
         import pyvista
     except ImportError:

@@ -6,10 +6,11 @@ Importing this loads neither VTK nor matplotlib; drawing does.
 from bodymeasure.scene.camera import SIDES, View, body_views, cut_away, patch_view
 from bodymeasure.scene.colors import ColorScale
 from bodymeasure.scene.diagonals.build import body_scene, patch_scene
-from bodymeasure.scene.diagonals.gallery import Pictures, pictures, png
+from bodymeasure.scene.diagonals.gallery import Pictures, pictures
 from bodymeasure.scene.diagonals.overview import body_overview
 from bodymeasure.scene.drawing.opengl_check import Choice, choose_renderer
-from bodymeasure.scene.figures.color_bar import color_bar, histogram
+from bodymeasure.scene.figures.canvas import png
+from bodymeasure.scene.figures.color_bar import color_bar
 from bodymeasure.scene.model import (
     BodyScene,
     Label,
@@ -44,7 +45,6 @@ __all__ = [
     "choose_renderer",
     "color_bar",
     "cut_away",
-    "histogram",
     "patch_scene",
     "patch_view",
     "pictures",

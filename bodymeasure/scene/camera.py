@@ -1,6 +1,7 @@
 """Orthographic views of a body."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,7 +43,7 @@ class View:
     width: float
     height: float
 
-    @property
+    @cached_property
     def right(self) -> NDArray[np.float64]:
         """Unit vector to the right in the picture, shape (3,)."""
         return np.cross(self.up, self.towards)

@@ -3,15 +3,18 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.chart import TapeKind
+from bodymeasure.mesh.tubes import Mesh
 
 
 class PathKind(Enum):
-    """What is known of a path's length; the value is its caption in a legend."""
+    """What is known about a path's length; the value is its caption in a legend."""
 
     COMPARED = "difference from libigl exact"
     NOT_COMPARED = "length not compared"
@@ -30,16 +33,16 @@ class Surface:
         Unit normals at the vertices, of either orientation.
     triangles : ndarray of int, shape (m, 3)
     patch : ndarray of int, shape (m,)
-        Number of the patch that each triangle lies on.
+        Number of the patch that each triangle is part of.
     faded : ndarray of bool, shape (n,)
         Whether a vertex belongs to the surroundings of what is shown, to be drawn paler.
     """
 
-    points: NDArray[np.float64]
-    normals: NDArray[np.float64]
-    triangles: NDArray[np.int64]
-    patch: NDArray[np.int64]
-    faded: NDArray[np.bool_]
+    points: Array
+    normals: Array
+    triangles: Ints
+    patch: Ints
+    faded: Bools
 
 
 @dataclass(frozen=True)
@@ -54,8 +57,8 @@ class Polylines:
         Unit normals of the surface there, to lift a curve off the surface by.
     """
 
-    points: NDArray[np.float64]
-    normals: NDArray[np.float64]
+    points: Array
+    normals: Array
 
 
 @dataclass(frozen=True)
@@ -75,17 +78,17 @@ class Paths:
     """
 
     lines: Polylines
-    patch: NDArray[np.int64]
-    diagonal: NDArray[np.int64]
+    patch: Ints
+    diagonal: Ints
     kind: NDArray[np.object_]
-    value: NDArray[np.float64]
+    value: Array
 
 
 @dataclass(frozen=True)
 class Label:
     """A short text at a point of space."""
 
-    position: NDArray[np.float64]
+    position: Array
     text: str
 
 
@@ -111,6 +114,22 @@ class BodyScene:
     labels: tuple[Label, ...] = ()
 
 
+class TapeTube(NamedTuple):
+    """A tape as a tube of any width.
+
+    Parameters
+    ----------
+    base, offset : ndarray, shape (n, 3)
+        At a radius r of contact tapes, the vertices are ``base + r * offset``.
+    mesh : Mesh
+        Normals, triangles and colors.
+    """
+
+    base: Array
+    offset: Array
+    mesh: Mesh
+
+
 @dataclass(frozen=True, eq=False)
 class TapeLine:
     """A tape as it is drawn: a curve of evenly spaced points.
@@ -118,35 +137,42 @@ class TapeLine:
     Parameters
     ----------
     number : int
-        Of its measurement, as the labels say it.
+        The number of its measurement in the pictures.
     key, group : str
-        Of its measurement.
+        Key and group of its measurement.
     kind : TapeKind
     points : ndarray, shape (k, 3)
         In the atlas's unit; a closed tape ends at its first point.
     normals : ndarray, shape (k, 3)
-        Vectors away from the body; of length 1 where the tape lies on it, 0 where it stands free.
+        Vectors away from the body: of length 1 where the tape lies on it, 0 where it stands free.
     lift : ndarray, shape (k, 3)
-        The same, but where the tape stands free, turned from the one end to the other.
+        The same vectors, interpolated where the tape stands free, and smoothed.
+    tube : TapeTube
     """
 
     number: int
     key: str
     group: str
     kind: TapeKind
-    points: NDArray[np.float64]
-    normals: NDArray[np.float64]
-    lift: NDArray[np.float64]
+    points: Array
+    normals: Array
+    lift: Array
+    tube: TapeTube
 
     @property
-    def free(self) -> NDArray[np.bool_]:
+    def free(self) -> Bools:
         """Where the tape stands free of the body, shape (k,)."""
-        return np.asarray(np.linalg.norm(self.normals, axis=-1) < 0.5)
+        return free_of_body(self.normals)
 
     @property
     def through_body(self) -> bool:
-        """Whether it runs straight, whatever lies in its way, and is drawn over the body."""
+        """Whether it runs straight through whatever lies in its way, and is drawn over the body."""
         return self.kind is TapeKind.STRAIGHT
+
+
+def free_of_body(normals: Array) -> Bools:
+    """Where a tape with such normals, shape (k, 3), stands free of the body, shape (k,)."""
+    return np.asarray(np.linalg.norm(normals, axis=-1) < 0.5)
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,8 +183,8 @@ class TapeScene:
     ----------
     surface : Surface
     size : float
-        Of the body: its extent upwards, or a fraction of its largest if it is flat. Widths of tapes
-        are said in it.
+        The body's extent upwards, or a fraction of its largest extent if it is flat. The widths of
+        tapes are fractions of it.
     numbers : mapping of str to int
         Number of each measurement that has a value, by its key.
     tapes : tuple of TapeLine

@@ -1,3 +1,6 @@
+from collections.abc import Iterator, Mapping
+from typing import Any
+
 import numpy as np
 import pytest
 from helpers.charts.hand_charts import (
@@ -9,12 +12,19 @@ from helpers.charts.hand_charts import (
     missing,
     path_between,
 )
+from helpers.charts.straight_survey import straight_survey
 
 import bodymeasure as bm
 from bodymeasure.atlas import Atlas
 from bodymeasure.chart import Chart
 from bodymeasure.samples import load_sample
-from bodymeasure.scene import TapeScene, tapes_scene
+from bodymeasure.scene import BodyScene, TapeScene, View, body_scene, body_views, tapes_scene
+from bodymeasure.scene.drawing import RENDERERS
+from bodymeasure.scene.drawing.opengl_check import PYVISTA, SOFTWARE, opengl_trouble
+from bodymeasure.scene.drawing.picture import Draw
+from bodymeasure.scene.drawing.visibility import Sight, sight
+from bodymeasure.scene.tapes.camera import sights
+from bodymeasure.scene.tapes.gallery import roomy_views
 
 
 @pytest.fixture(scope="session")
@@ -22,7 +32,7 @@ def body() -> Atlas:
     return load_sample("female_average")
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def square() -> Atlas:
     """A flat square of 10 cm, upright, facing the front."""
     ticks = np.linspace(0.0, 0.1, 4)
@@ -52,3 +62,40 @@ def chart(body: Atlas) -> Chart:
 @pytest.fixture(scope="session")
 def scene(chart: Chart) -> TapeScene:
     return tapes_scene(chart)
+
+
+@pytest.fixture(scope="session")
+def seen(scene: TapeScene, chart: Chart) -> Mapping[str, Sight]:
+    """What is seen of the body from its four sides, in views with room for labels."""
+    views = roomy_views(scene, chart.atlas.axes)
+    return {side: sight(scene.surface, view) for side, view in views.items()}
+
+
+@pytest.fixture(scope="session")
+def around(scene: TapeScene, chart: Chart) -> list[Sight]:
+    """What is seen of the body from all around."""
+    return sights(scene.surface, chart.atlas.axes, 0.01)
+
+
+@pytest.fixture(scope="session")
+def survey(body: Atlas) -> Any:
+    return straight_survey(body)
+
+
+@pytest.fixture(scope="session")
+def survey_scene(survey: Any) -> BodyScene:
+    return body_scene(survey)
+
+
+@pytest.fixture(scope="session")
+def views(survey_scene: BodyScene, body: Atlas) -> Mapping[str, View]:
+    return body_views(survey_scene, body.axes)
+
+
+@pytest.fixture(scope="module", params=[SOFTWARE, pytest.param(PYVISTA, marks=pytest.mark.slow)])
+def draw(request: pytest.FixtureRequest) -> Iterator[Draw]:
+    """Draws pictures with each of the renderers."""
+    if request.param == PYVISTA and opengl_trouble():
+        pytest.skip(opengl_trouble())
+    with RENDERERS[request.param]() as draw:
+        yield draw

@@ -1,6 +1,7 @@
 import io
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,10 +12,12 @@ from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError
 from bodymeasure.scene import body_overview, body_views, pictures
 from bodymeasure.scene.diagonals.build import body_scene
+from bodymeasure.scene.diagonals.strokes import BODY_STYLE
 
 
 def test_all_pictures_of_a_small_atlas(square: Atlas, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("bodymeasure.scene.diagonals.gallery.BODY_PIXELS", 200)
+    style = replace(BODY_STYLE, height=200)
+    monkeypatch.setattr("bodymeasure.scene.diagonals.gallery.BODY_STYLE", style)
     seen: list[str] = []
     shots = pictures(straight_survey(square), [0], renderer="software", advance=seen.append)
     assert seen == ["front", "back", "left", "right", "patch 0"]

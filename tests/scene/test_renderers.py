@@ -1,31 +1,38 @@
+from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
+import scipy.ndimage
 from helpers.charts.straight_survey import straight_survey
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas
-from bodymeasure.scene import ColorScale, body_scene, body_views, cut_away, patch_scene, patch_view
-from bodymeasure.scene.diagonals.gallery import RENDERERS
-from bodymeasure.scene.drawing.opengl_check import PYVISTA, SOFTWARE, opengl_trouble
-from bodymeasure.scene.drawing.strokes import BODY_STYLE, CLOSEUP_STYLE
+from bodymeasure.scene import (
+    BodyScene,
+    ColorScale,
+    PathKind,
+    View,
+    body_scene,
+    body_views,
+    cut_away,
+    patch_scene,
+    patch_view,
+)
+from bodymeasure.scene.diagonals.strokes import BODY_STYLE, CLOSEUP_STYLE, scene_picture
+from bodymeasure.scene.drawing import software
+from bodymeasure.scene.drawing.picture import Draw, Picture, Stroke
 
 PIXELS = 300
 
 
-@pytest.fixture(params=[SOFTWARE, pytest.param(PYVISTA, marks=pytest.mark.slow)])
-def renderer(request: pytest.FixtureRequest) -> str:
-    if request.param == PYVISTA and opengl_trouble():
-        pytest.skip(opengl_trouble())
-    return str(request.param)
+STYLE = replace(BODY_STYLE, height=PIXELS)
 
 
-def draw(survey: Any, side: str, renderer: str, pixels: int = PIXELS) -> NDArray[np.uint8]:
+def picture(survey: Any, view: View) -> Picture:
     scene = body_scene(survey)
-    view = body_views(scene, survey.atlas.axes)[side]
-    scale = ColorScale.of(scene.paths)
-    return RENDERERS[renderer](scene, view, view.size(pixels), scale, BODY_STYLE)
+    return scene_picture(scene, view, ColorScale.of(scene.paths), STYLE)
 
 
 def crimson(image: NDArray[np.uint8]) -> NDArray[np.bool_]:
@@ -44,25 +51,32 @@ def crimson(image: NDArray[np.uint8]) -> NDArray[np.bool_]:
     ],
 )
 def test_a_marked_patch_is_where_its_landmark_is(
-    body: Atlas, renderer: str, landmark: str, shown: str, hidden: str
+    body: Atlas,
+    survey_scene: BodyScene,
+    views: Mapping[str, View],
+    draw: Draw,
+    landmark: str,
+    shown: str,
+    hidden: str,
 ) -> None:
-    marked = np.zeros((len(body), 2), dtype=bool)
-    marked[body.landmarks[landmark].patch] = True
-    survey = straight_survey(body, no_length=marked)
-    image = draw(survey, shown, renderer)
-    view = body_views(body_scene(survey), body.axes)[shown]
-    place, _ = view.project(
-        body.control_points[body.landmarks[landmark].patch].mean(axis=(0, 1)), view.size(PIXELS)
-    )
+    patch = body.landmarks[landmark].patch
+    paths = survey_scene.paths
+    kind = paths.kind.copy()
+    kind[paths.patch == patch] = PathKind.NO_LENGTH
+    marked = replace(survey_scene, paths=replace(paths, kind=kind))
+    scale = ColorScale.of(paths)
+    image, other = (draw(scene_picture(marked, views[s], scale, STYLE)) for s in (shown, hidden))
+    view = views[shown]
+    place, _ = view.project(body.control_points[patch].mean(axis=(0, 1)), view.size(PIXELS))
     rows, columns = np.nonzero(crimson(image))
     assert len(rows) > 10
     # A patch is about a tenth of the body's height.
     assert np.hypot(columns - place[0], rows - place[1]).max() < 0.1 * PIXELS
-    assert not crimson(draw(survey, hidden, renderer)).any()
+    assert not crimson(other).any()
 
 
-def test_a_picture_is_a_body_on_white(body: Atlas, renderer: str) -> None:
-    image = draw(straight_survey(body), "front", renderer)
+def test_a_picture_is_a_body_on_white(survey: Any, views: Mapping[str, View], draw: Draw) -> None:
+    image = draw(picture(survey, views["front"]))
     assert image.dtype == np.uint8
     assert image.shape[0] == PIXELS
     white = (image == 255).all(axis=-1)
@@ -72,10 +86,11 @@ def test_a_picture_is_a_body_on_white(body: Atlas, renderer: str) -> None:
     assert 0.2 < 1.0 - white.mean() < 0.5
 
 
-def test_colors_follow_the_difference(square: Atlas, renderer: str) -> None:
+def test_colors_follow_the_difference(square: Atlas, draw: Draw) -> None:
     survey = straight_survey(square, difference=np.array([[1e-9, 1e-4]]))
-    image = draw(survey, "front", renderer) / 255.0
-    scale = ColorScale.of(body_scene(survey).paths)
+    scene = body_scene(survey)
+    image = draw(picture(survey, body_views(scene, square.axes)["front"])) / 255.0
+    scale = ColorScale.of(scene.paths)
     assert scale is not None
     # A quarter along each diagonal of the square: (u, v) runs right and up in the picture.
     low, high = scale.rgb(np.array([1e-9, 1e-4]))
@@ -84,13 +99,12 @@ def test_colors_follow_the_difference(square: Atlas, renderer: str) -> None:
         assert np.abs(found - expected).max() < 0.2
 
 
-def test_a_closeup_shows_the_boundary_and_both_paths(body: Atlas, renderer: str) -> None:
-    survey = straight_survey(body)
+def test_a_closeup_shows_the_boundary_and_both_paths(survey: Any, body: Atlas, draw: Draw) -> None:
     scene = patch_scene(survey, 100)
     view = patch_view(scene, body.axes)
     scale = ColorScale.of(scene.paths)
-    part = cut_away(scene, view)
-    image = RENDERERS[renderer](part, view, view.size(PIXELS), scale, CLOSEUP_STYLE) / 255.0
+    style = replace(CLOSEUP_STYLE, height=PIXELS)
+    image = draw(scene_picture(cut_away(scene, view), view, scale, style)) / 255.0
     assert scale is not None
     color = scale.rgb(scene.paths.value[:1])[0]
     for path in scene.paths.lines.points:
@@ -104,19 +118,38 @@ def test_a_closeup_shows_the_boundary_and_both_paths(body: Atlas, renderer: str)
         assert (image[row, column].mean(axis=-1) < 0.75).mean() > 0.9
 
 
-def test_the_software_renderer_repeats_itself(body: Atlas) -> None:
-    survey = straight_survey(body)
-    first, second = (draw(survey, "left", SOFTWARE) for _ in range(2))
-    np.testing.assert_array_equal(first, second)
+def test_the_software_renderer_repeats_itself(survey: Any, views: Mapping[str, View]) -> None:
+    images = []
+    for _ in range(2):
+        with software.session() as draw:
+            images.append(draw(picture(survey, views["left"])))
+    np.testing.assert_array_equal(images[0], images[1])
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("side", ["front", "left"])
-def test_both_renderers_draw_the_same_silhouette(body: Atlas, side: str) -> None:
-    if opengl_trouble():
-        pytest.skip(opengl_trouble())
-    survey = straight_survey(body)
-    ours, theirs = (
-        (draw(survey, side, renderer, 600) < 250).any(axis=-1) for renderer in (SOFTWARE, PYVISTA)
-    )
-    assert (ours & theirs).sum() > 0.98 * (ours | theirs).sum()
+def test_a_line_is_drawn_where_the_surface_does_not_hide_it(
+    survey_scene: BodyScene, views: Mapping[str, View], draw: Draw
+) -> None:
+    view = views["front"]
+    surface = survey_scene.surface
+    size = view.size(PIXELS)
+    middle = surface.points.mean(axis=0)
+    extent = float(np.ptp(surface.points, axis=0).max())
+    across = np.linspace(-0.5, 0.5, 101)[:, None] * extent * view.right
+    magenta = np.array([[1.0, 0.0, 1.0]])
+    images = []
+    for depth in (extent, -extent):
+        points = (middle + across + depth * view.towards)[None]
+        stroke = Stroke(points, magenta, 3.0)
+        image = draw(Picture(surface, view, size, strokes=[stroke])).astype(int)
+        images.append((image[..., 0] - image[..., 1] > 128) & (image[..., 2] > 128))
+    before, behind = images
+    plain = draw(Picture(surface, view, size))
+    body = (plain < 250).any(axis=-1)
+    assert before.any(axis=0).mean() > 0.9
+    assert (before & body).any()
+    # Behind the body the same line is seen beside it alone, but for its own width.
+    assert behind.any()
+    inner = scipy.ndimage.binary_erosion(body, iterations=4)
+    assert not (behind & inner).any()
+    outer = ~scipy.ndimage.binary_dilation(body, iterations=4)
+    np.testing.assert_array_equal(behind & outer, before & outer)

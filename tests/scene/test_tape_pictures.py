@@ -1,4 +1,5 @@
 import io
+from collections.abc import Mapping
 
 import numpy as np
 import pytest
@@ -10,14 +11,15 @@ from bodymeasure.atlas import Atlas
 from bodymeasure.chart import Chart, TapeKind
 from bodymeasure.errors import InputError
 from bodymeasure.scene import SIDES, TapeScene, tape_pictures
-from bodymeasure.scene.drawing.opengl_check import PYVISTA, SOFTWARE, opengl_trouble
-from bodymeasure.scene.drawing.visibility import Sight, sight
-from bodymeasure.scene.tapes.camera import sights
+from bodymeasure.scene.drawing.opengl_check import SOFTWARE
+from bodymeasure.scene.drawing.picture import Draw, Picture
+from bodymeasure.scene.drawing.visibility import Sight
+from bodymeasure.scene.tapes.camera import best_sides
 from bodymeasure.scene.tapes.closeup import SIZE, closeup
-from bodymeasure.scene.tapes.gallery import SESSIONS, body_picture, roomy_views
+from bodymeasure.scene.tapes.gallery import body_picture
 from bodymeasure.scene.tapes.label_layout import Columns
 from bodymeasure.scene.tapes.labels import numbered
-from bodymeasure.scene.tapes.mesh import BAND, COLORS, forward, tape_mesh
+from bodymeasure.scene.tapes.mesh import BAND, COLORS, tape_mesh
 from bodymeasure.scene.tapes.text import column_texts
 
 PIXELS = 420
@@ -25,16 +27,10 @@ PIXELS = 420
 TONE = 0.25
 
 
-@pytest.fixture(params=[SOFTWARE, pytest.param(PYVISTA, marks=pytest.mark.slow)])
-def renderer(request: pytest.FixtureRequest) -> str:
-    if request.param == PYVISTA and opengl_trouble():
-        pytest.skip(opengl_trouble())
-    return str(request.param)
-
-
 @pytest.fixture(scope="module")
-def around(scene: TapeScene, chart: Chart) -> list[Sight]:
-    return sights(scene.surface, chart.atlas.axes, 0.01)
+def sides(scene: TapeScene, around: list[Sight]) -> Mapping[str, Sight]:
+    """The side that each measurement is looked at from."""
+    return best_sides(scene, around)
 
 
 def like(image: NDArray[np.uint8], color: tuple[float, float, float]) -> NDArray[np.bool_]:
@@ -47,29 +43,31 @@ def like(image: NDArray[np.uint8], color: tuple[float, float, float]) -> NDArray
     )
 
 
-def test_tapes_are_drawn_where_they_are_seen(scene: TapeScene, chart: Chart, renderer: str) -> None:
-    views = roomy_views(scene, chart)
+def test_tapes_are_drawn_where_they_are_seen(
+    scene: TapeScene, seen: Mapping[str, Sight], draw: Draw
+) -> None:
     nape = [line for line in scene.tapes if line.key.startswith("path")]
-    with SESSIONS[renderer](scene.surface) as draw:
-        for side, drawn in (("front", False), ("back", True), ("front", False)):
-            view = views[side]
-            size = view.size(PIXELS)
-            image = draw(view, size, tape_mesh(nape, 0.006, np.zeros(3)))
-            blue = like(image, COLORS[TapeKind.CONTACT])
-            assert image.shape == (size[1], size[0], 3)
-            assert blue.any() == drawn
-            if drawn:
-                places, _ = view.project(nape[0].points, size)
-                column, row = np.floor(places).astype(int).T
-                assert blue[row, column].mean() > 0.95
+    tubes = tape_mesh(nape, 0.006, np.zeros(3))
+    for side, drawn in (("front", False), ("back", True), ("front", False)):
+        view = seen[side].view
+        size = view.size(PIXELS)
+        image = draw(Picture(scene.surface, view, size, tubes=tubes))
+        blue = like(image, COLORS[TapeKind.CONTACT])
+        assert image.shape == (size[1], size[0], 3)
+        assert blue.any() == drawn
+        if drawn:
+            places, _ = view.project(nape[0].points, size)
+            column, row = np.floor(places).astype(int).T
+            assert blue[row, column].mean() > 0.95
 
 
 def test_contact_taut_and_straight_look_different(
-    scene: TapeScene, around: list[Sight], renderer: str
+    scene: TapeScene, sides: Mapping[str, Sight], draw: Draw
 ) -> None:
-    with SESSIONS[renderer](scene.surface) as draw:
-        bust = closeup(scene, "girth_bust_point_left", around, draw)
-        span = closeup(scene, "chord_bust_point_left_bust_point_right", around, draw)
+    bust, span = (
+        draw(closeup(scene, key, sides[key]))
+        for key in ("girth_bust_point_left", "chord_bust_point_left_bust_point_right")
+    )
     assert bust.shape == span.shape == (SIZE[1], SIZE[0], 3)
     blue, orange = (like(bust, COLORS[kind]) for kind in (TapeKind.CONTACT, TapeKind.TAUT))
     band = like(bust, BAND) & (bust.max(axis=-1) - bust.min(axis=-1).astype(int) > 40)
@@ -83,17 +81,14 @@ def test_contact_taut_and_straight_look_different(
 
 
 def test_numbers_stand_beside_the_body(
-    scene: TapeScene, chart: Chart, renderer: str, monkeypatch: pytest.MonkeyPatch
+    scene: TapeScene, seen: Mapping[str, Sight], draw: Draw, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("bodymeasure.scene.tapes.gallery.BODY_PIXELS", 600)
     monkeypatch.setattr("bodymeasure.scene.tapes.gallery.LABEL_PIXELS", 14)
-    views = roomy_views(scene, chart)
     for side in ("front", "left"):
-        seen = sight(scene.surface, views[side])
-        with SESSIONS[renderer](scene.surface) as draw:
-            blank = body_picture(scene, list(scene.tapes), {}, seen, draw)
-            labeled = dict.fromkeys(scene.numbers.values())
-            image = body_picture(scene, list(scene.tapes), labeled, seen, draw)
+        blank = draw(body_picture(scene, scene.tapes, [], seen[side]))
+        labeled = list(scene.numbers.values())
+        image = draw(body_picture(scene, scene.tapes, labeled, seen[side]))
         assert blank.shape == image.shape
         margin = blank.min(axis=(0, 2)) == 255
         inked = image.min(axis=-1) < 250
@@ -106,16 +101,15 @@ def test_numbers_stand_beside_the_body(
 
 
 def test_labels_are_clear_of_the_silhouette_and_of_each_other(
-    scene: TapeScene, chart: Chart
+    scene: TapeScene, seen: Mapping[str, Sight]
 ) -> None:
-    for view in roomy_views(scene, chart).values():
-        seen = sight(scene.surface, view)
-        size = view.size(1400)
-        low, high = (size[0] * end for end in seen.columns)
+    for side in seen.values():
+        size = side.view.size(1400)
+        low, high = (size[0] * end for end in side.columns)
         columns = Columns(low - 16, high + 16, 0.0, size[1], 26)
-        found = numbered(scene.tapes, list(scene.numbers.values()), seen, size, columns)
-        texts = [str(number) for number in found.numbers]
-        placed = column_texts(texts, found.layout, columns, found.layout.label_height)
+        found, layout = numbered(scene.tapes, list(scene.numbers.values()), side, size, columns)
+        texts = [str(number) for number in found]
+        placed = column_texts(texts, layout, columns, layout.label_height)
         boxes = []
         for text in placed:
             width = 0.65 * text.size * len(text.text)
@@ -123,8 +117,8 @@ def test_labels_are_clear_of_the_silhouette_and_of_each_other(
             boxes.append((left, text.y - text.size / 2, left + width, text.y + text.size / 2))
             assert left > 0.0
             assert left + width < size[0]
-            first, last = (round(edge * seen.size[0] / size[0]) for edge in (left, left + width))
-            assert not np.isfinite(seen.depth[:, first : last + 1]).any()
+            first, last = (round(edge * side.size[0] / size[0]) for edge in (left, left + width))
+            assert not np.isfinite(side.depth[:, first : last + 1]).any()
         for number, one in enumerate(boxes):
             for other in boxes[:number]:
                 apart = (
@@ -165,18 +159,3 @@ def test_a_chart_without_tapes_has_no_pictures(square: Atlas) -> None:
 def test_an_unknown_renderer_is_named(chart: Chart) -> None:
     with pytest.raises(InputError, match="renderer is 'povray'"):
         tape_pictures(chart, renderer="povray")
-
-
-@pytest.mark.slow
-def test_both_renderers_draw_the_same(scene: TapeScene, chart: Chart) -> None:
-    if opengl_trouble():
-        pytest.skip(opengl_trouble())
-    view = roomy_views(scene, chart)["front"]
-    lines = list(scene.tapes)
-    mesh = tape_mesh(lines, 0.006, forward(scene, lines, view))
-    images = []
-    for renderer in (SOFTWARE, PYVISTA):
-        with SESSIONS[renderer](scene.surface) as draw:
-            images.append(draw(view, view.size(PIXELS), mesh).astype(int))
-    differing = np.abs(images[0] - images[1]).max(axis=-1) > 40
-    assert differing.mean() < 0.004

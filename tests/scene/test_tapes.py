@@ -1,3 +1,5 @@
+from collections.abc import Mapping
+
 import numpy as np
 import pytest
 
@@ -5,22 +7,16 @@ from bodymeasure.atlas import Atlas
 from bodymeasure.atlas.normals import normal_vectors
 from bodymeasure.chart import Chart, TapeKind
 from bodymeasure.scene import TapeScene
-from bodymeasure.scene.drawing.visibility import Sight, sight
+from bodymeasure.scene.drawing.visibility import Sight
 from bodymeasure.scene.tapes.build import evenly_spaced, smoothed, without_gaps
 from bodymeasure.scene.tapes.camera import (
     best,
     closeup_directions,
     closeup_view,
-    seen_length,
-    sights,
+    seen_lengths,
 )
-from bodymeasure.scene.tapes.gallery import roomy_views, shown_sides
+from bodymeasure.scene.tapes.gallery import shown_sides
 from bodymeasure.scene.tapes.mesh import BAND, COLORS, forward, tape_colors, tape_mesh
-
-
-@pytest.fixture(scope="module")
-def seen(scene: TapeScene, chart: Chart) -> dict[str, Sight]:
-    return {side: sight(scene.surface, view) for side, view in roomy_views(scene, chart).items()}
 
 
 def test_measurements_with_a_value_are_numbered_in_order(chart: Chart, scene: TapeScene) -> None:
@@ -71,7 +67,7 @@ def test_taut_tapes_are_banded_where_they_stand_free(scene: TapeScene) -> None:
     taut = [line for line in scene.tapes if line.kind is TapeKind.TAUT]
     assert any(line.free.any() for line in taut)
     for line in taut:
-        colors = tape_colors(line)
+        colors = tape_colors(line.free, line.kind)
         banded = (colors == BAND).all(axis=1)
         plain = (colors == COLORS[TapeKind.TAUT]).all(axis=1)
         assert (banded | plain).all()
@@ -93,7 +89,9 @@ def test_tubes_stand_off_the_skin_by_less_than_their_radius(scene: TapeScene) ->
     assert (away[on_skin].max(axis=1) > 0.01).all()
 
 
-def test_straight_tapes_are_drawn_before_the_body(scene: TapeScene, seen: dict[str, Sight]) -> None:
+def test_straight_tapes_are_drawn_before_the_body(
+    scene: TapeScene, seen: Mapping[str, Sight]
+) -> None:
     lines = [line for line in scene.tapes if line.kind is TapeKind.STRAIGHT]
     view = seen["front"].view
     mesh = tape_mesh(lines, 0.001, forward(scene, lines, view))
@@ -112,7 +110,7 @@ def test_straight_tapes_are_drawn_before_the_body(scene: TapeScene, seen: dict[s
     ],
 )
 def test_a_landmark_is_seen_from_its_sides(
-    body: Atlas, seen: dict[str, Sight], landmark: str, sides: set[str]
+    body: Atlas, seen: Mapping[str, Sight], landmark: str, sides: set[str]
 ) -> None:
     point = body.landmarks[landmark]
     normal = normal_vectors(body.control_points[point.patch], np.array([point.u, point.v]))
@@ -123,7 +121,9 @@ def test_a_landmark_is_seen_from_its_sides(
     assert found == sides
 
 
-def test_what_lies_behind_or_outside_is_not_seen(scene: TapeScene, seen: dict[str, Sight]) -> None:
+def test_what_lies_behind_or_outside_is_not_seen(
+    scene: TapeScene, seen: Mapping[str, Sight]
+) -> None:
     front = seen["front"]
     center = scene.surface.points.mean(axis=0)
     outside = center + 10.0 * front.view.right
@@ -133,7 +133,7 @@ def test_what_lies_behind_or_outside_is_not_seen(scene: TapeScene, seen: dict[st
 
 
 def test_measurements_are_numbered_where_they_are_seen(
-    scene: TapeScene, seen: dict[str, Sight]
+    scene: TapeScene, seen: Mapping[str, Sight]
 ) -> None:
     shown = list(shown_sides(scene, seen).values())
     bust, waist, left_thigh, right_thigh, nape, span, _ = shown
@@ -147,9 +147,10 @@ def test_measurements_are_numbered_where_they_are_seen(
     assert not {"left", "right"} & span
 
 
-def test_closeups_are_taken_from_where_a_tape_is_seen(scene: TapeScene, chart: Chart) -> None:
+def test_closeups_are_taken_from_where_a_tape_is_seen(
+    scene: TapeScene, chart: Chart, around: list[Sight]
+) -> None:
     axes = chart.atlas.axes
-    around = sights(scene.surface, axes, 0.01)
     expected = {
         "path_back_neck_point_back_waist_point": -axes.front_vector,
         "chord_bust_point_left_bust_point_right": axes.front_vector,
@@ -158,7 +159,7 @@ def test_closeups_are_taken_from_where_a_tape_is_seen(scene: TapeScene, chart: C
     }
     for key, direction in expected.items():
         line = next(line for line in scene.tapes if line.key == key)
-        side = around[best([seen_length(line, view) for view in around])]
+        side = around[best([seen_lengths([line], view)[0] for view in around])]
         assert side.view.towards @ direction > -0.1, key
         view = closeup_view(scene, line.points, side, 1.2)
         places, _ = view.project(line.points, (600, 500))

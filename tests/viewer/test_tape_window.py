@@ -4,8 +4,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bodymeasure.viewer import controls, describe_measured, view_chart
-from bodymeasure.viewer import tape_window as tape_window_module
+from bodymeasure.viewer import describe_measured, view_chart
+from bodymeasure.viewer.base_window import PICK_TOLERANCE
+from bodymeasure.viewer.tape_window import TapeWindow
 from helpers.charts.hand_charts import chart_of, chord_between, girth_at, height_of, missing
 from PIL import Image
 
@@ -45,7 +46,7 @@ def window(chart: Chart) -> Any:
     import pyvista
 
     with pyvista.vtk_verbosity("off"):
-        made = tape_window_module.build_tapes(chart, off_screen=True)
+        made = TapeWindow(chart, off_screen=True)
         yield made
         made.plotter.close()
 
@@ -91,7 +92,7 @@ def test_picking_a_tape_names_its_measurement(window: Any, chart: Chart) -> None
     front = line.points[np.argmin(line.points[:, 1])]
     (x, y), _ = window.framed("front").project(front, size)
     picker = pyvista._vtk.vtkCellPicker()
-    picker.SetTolerance(controls.PICK_TOLERANCE)
+    picker.SetTolerance(PICK_TOLERANCE)
     picker.Pick(x, size[1] - y, 0.0, plotter.renderer)
     words = window.pick(picker.GetDataSet(), picker.GetCellId())
     assert words == describe_measured(chart["girth_bust_point_left"], chart.atlas.unit)

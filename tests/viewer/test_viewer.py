@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bodymeasure.viewer import controls, describe, view
-from bodymeasure.viewer import window as window_module
+from bodymeasure.viewer import describe, view
+from bodymeasure.viewer.base_window import PICK_TOLERANCE
+from bodymeasure.viewer.window import Window
 from helpers.charts.straight_survey import straight_survey
 from PIL import Image
 
@@ -99,7 +100,7 @@ def test_picking_finds_the_patch_under_the_pointer(body: Atlas, landmark: str) -
 
     survey = straight_survey(body)
     with pyvista.vtk_verbosity("off"):
-        window = window_module.build(survey, off_screen=True)
+        window = Window(survey, off_screen=True)
         window.plotter.screenshot(None, return_img=True)
         window.toggle_paths()  # so that the surface is hit
         patch = body.landmarks[landmark].patch
@@ -110,7 +111,7 @@ def test_picking_finds_the_patch_under_the_pointer(body: Atlas, landmark: str) -
         spot = evaluate(body.control_points[patch], (0.5, 0.25))
         (x, y), _ = framed.project(spot, tuple(window.plotter.window_size))
         picker = pyvista._vtk.vtkCellPicker()
-        picker.SetTolerance(controls.PICK_TOLERANCE)
+        picker.SetTolerance(PICK_TOLERANCE)
         picker.Pick(x, window.plotter.window_size[1] - y, 0.0, window.plotter.renderer)
         words = window.pick(picker.GetDataSet(), picker.GetCellId())
         assert words == describe(survey, patch)
@@ -125,7 +126,7 @@ def test_picking_a_diagonal_names_only_it(body: Atlas) -> None:
 
     survey = straight_survey(body)
     with pyvista.vtk_verbosity("off"):
-        window = window_module.build(survey, off_screen=True)
+        window = Window(survey, off_screen=True)
         mesh = next(
             actor.mapper.dataset for actor in window.path_actors if actor.mapper.dataset.n_cells
         )
@@ -141,7 +142,7 @@ def test_keys_hide_lines_and_turn_the_body(body: Atlas) -> None:
     import pyvista
 
     with pyvista.vtk_verbosity("off"):
-        window = window_module.build(straight_survey(body), off_screen=True)
+        window = Window(straight_survey(body), off_screen=True)
         shots = []
         for change in (
             lambda: None,

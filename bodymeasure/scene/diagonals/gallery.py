@@ -1,48 +1,22 @@
 """All pictures of a survey."""
 
-import io
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
-
-from bodymeasure.errors import InputError, MissingExtraError
-from bodymeasure.scene.camera import View, body_views, cut_away, patch_view
+from bodymeasure.errors import InputError
+from bodymeasure.scene.camera import body_views, cut_away, patch_view
 from bodymeasure.scene.colors import ColorScale
 from bodymeasure.scene.diagonals.annotate import annotated
 from bodymeasure.scene.diagonals.build import body_scene, patch_scene
-from bodymeasure.scene.drawing import opengl, software
-from bodymeasure.scene.drawing.opengl_check import PYVISTA, SOFTWARE, choose_renderer
-from bodymeasure.scene.drawing.strokes import BODY_STYLE, CLOSEUP_STYLE, Style
+from bodymeasure.scene.diagonals.strokes import BODY_STYLE, CLOSEUP_STYLE, scene_picture
+from bodymeasure.scene.drawing import RENDERERS
+from bodymeasure.scene.drawing.opengl_check import choose_renderer
+from bodymeasure.scene.figures.canvas import png
 from bodymeasure.scene.figures.color_bar import color_bar
-from bodymeasure.scene.model import BodyScene
 
 if TYPE_CHECKING:
     from bodymeasure.measure import Survey
-
-BODY_PIXELS = 1100
-CLOSEUP_PIXELS = 640
-# Of PNG files, from 1 to 9: more takes twice the time for a tenth of the size.
-COMPRESSION = 4
-
-
-class Renderer(Protocol):
-    """Draws a scene; both renderers are such a function."""
-
-    def __call__(
-        self,
-        scene: BodyScene,
-        view: View,
-        size: tuple[int, int],
-        scale: ColorScale | None,
-        style: Style,
-    ) -> NDArray[np.uint8]:
-        """A picture of a scene; see `software.render`."""
-
-
-RENDERERS: Mapping[str, Renderer] = {PYVISTA: opengl.render, SOFTWARE: software.render}
 
 
 @dataclass(frozen=True)
@@ -57,11 +31,11 @@ class Pictures:
     closeups : mapping of int to bytes
         Square PNG files by patch number.
     color_bar : bytes
-        SVG file: what the colors mean.
+        SVG file that explains the colors.
     renderer : str
-        What drew them: ``pyvista`` or ``software``.
+        The renderer that drew them: ``pyvista`` or ``software``.
     note : str
-        A sentence for the user if it had to be another than usual, otherwise empty.
+        Why it was not the usual one, as a sentence; empty if it was.
     """
 
     body: Mapping[str, bytes]
@@ -86,7 +60,7 @@ def pictures(
     closeups : sequence of int
         Numbers of the patches to draw from near.
     renderer : str, optional
-        ``pyvista`` or ``software``; see `choose_renderer` for what is taken by default.
+        ``pyvista`` or ``software``; by default as `choose_renderer` says.
     advance : callable, optional
         Called after each picture with its name.
 
@@ -103,33 +77,19 @@ def pictures(
             raise InputError(
                 f"there is no patch {patch} to draw; the patches are numbered 0 to {len(atlas) - 1}"
             )
+    advance = advance or (lambda _name: None)
     choice = choose_renderer(renderer)
-    render = RENDERERS[choice.renderer]
     scene = body_scene(survey)
     scale = ColorScale.of(scene.paths)
-
     body, near = {}, {}
-    for side, view in body_views(scene, atlas.axes).items():
-        body[side] = png(render(scene, view, view.size(BODY_PIXELS), scale, BODY_STYLE))
-        if advance is not None:
+    with RENDERERS[choice.renderer]() as draw:
+        for side, view in body_views(scene, atlas.axes).items():
+            body[side] = png(draw(scene_picture(scene, view, scale, BODY_STYLE)))
             advance(side)
-    for patch in closeups:
-        part = patch_scene(survey, patch)
-        view = patch_view(part, atlas.axes)
-        part = cut_away(part, view)
-        image = render(part, view, view.size(CLOSEUP_PIXELS), scale, CLOSEUP_STYLE)
-        near[patch] = png(annotated(image, part, view, atlas.unit))
-        if advance is not None:
+        for patch in closeups:
+            part = patch_scene(survey, patch)
+            view = patch_view(part, atlas.axes)
+            picture = scene_picture(cut_away(part, view), view, scale, CLOSEUP_STYLE)
+            near[patch] = png(draw(annotated(picture, part.labels, atlas.unit)))
             advance(f"patch {patch}")
     return Pictures(body, near, color_bar(scene.paths), choice.renderer, choice.note)
-
-
-def png(image: NDArray[np.uint8]) -> bytes:
-    """A picture, shape (height, width, 3), as a PNG file."""
-    try:
-        from PIL import Image
-    except ImportError:
-        raise MissingExtraError("a picture", "matplotlib", "report") from None
-    file = io.BytesIO()
-    Image.fromarray(image).save(file, format="PNG", compress_level=COMPRESSION)
-    return file.getvalue()

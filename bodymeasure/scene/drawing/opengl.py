@@ -1,23 +1,28 @@
-"""Pictures drawn off screen by pyvista."""
+"""Pictures drawn off screen by pyvista, all of them by one plotter."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import MissingExtraError
-from bodymeasure.scene.camera import View
-from bodymeasure.scene.colors import BACKGROUND, ColorScale
-from bodymeasure.scene.drawing.samples import SAMPLES, downsampled
-from bodymeasure.scene.drawing.strokes import Style, runs, strokes
-from bodymeasure.scene.lighting import glow, glowing
-from bodymeasure.scene.model import BodyScene, Surface
+from bodymeasure.scene.colors import BACKGROUND
+from bodymeasure.scene.drawing.picture import SAMPLES, Draw, Picture, finished
+from bodymeasure.scene.drawing.vtk_meshes import set_camera, set_colors, triangle_mesh
+from bodymeasure.scene.lighting import glow, glowing, shade
+from bodymeasure.scene.model import Surface
 
 
-def render(
-    scene: BodyScene, view: View, size: tuple[int, int], scale: ColorScale | None, style: Style
-) -> NDArray[np.uint8]:
-    """A picture of a scene; see `software.render`.
+@contextmanager
+def session() -> Iterator[Draw]:
+    """Draw many pictures.
+
+    Yields
+    ------
+    Draw
 
     Raises
     ------
@@ -30,82 +35,77 @@ def render(
         raise MissingExtraError("OpenGL rendering", "pyvista", "viewer") from None
     # Off screen, VTK first tries a display, and complains in the log if there is none.
     with pyvista.vtk_verbosity("off"):
-        window_size = [SAMPLES * size[0], SAMPLES * size[1]]
-        plotter = pyvista.Plotter(off_screen=True, window_size=window_size, lighting="none")
+        plotter: Any = pyvista.Plotter(off_screen=True, lighting="none")
+        plotter.background_color = BACKGROUND
+        # Edges are smooth by our own samples; OpenGL's on top would take most of the time.
+        plotter.disable_anti_aliasing()
         try:
-            _fill(plotter, scene, view, scale, style)
-            image = np.asarray(plotter.screenshot(None, return_img=True))
+            yield _Session(plotter).draw
         finally:
             plotter.close()
-    return averaged(image[..., :3])
 
 
-def _fill(
-    plotter: Any, scene: BodyScene, view: View, scale: ColorScale | None, style: Style
-) -> None:
-    plotter.background_color = BACKGROUND
-    colors = glowing(*glow(scene.surface, view))
-    mesh = surface_mesh(scene.surface)
-    plotter.add_mesh(mesh, scalars=color_bytes(colors), rgb=True, lighting=False)
-    for stroke in strokes(scene, view, scale, style):
-        mesh, curve = stroke_mesh(stroke.points)
-        if mesh.n_points:
-            plotter.add_mesh(
-                mesh,
-                scalars=color_bytes(stroke.colors[curve]),
-                rgb=True,
-                lighting=False,
-                line_width=SAMPLES * stroke.width,
-            )
-    set_camera(plotter, scene.surface, view)
+class _Session:
+    """A plotter with one actor for the surface and one for tubes."""
+
+    def __init__(self, plotter: Any) -> None:
+        self.plotter = plotter
+        self.window = plotter.render_window
+        self.surface: Surface | None = None
+        self.actors = [_unlit(plotter) for _ in range(2)]
+
+    def draw(self, picture: Picture) -> NDArray[np.uint8]:
+        """Draw a picture; only what differs from the last one is made anew."""
+        surface, tubes, view = picture.surface, picture.tubes, picture.view
+        shown, over = self.actors
+        if self.surface is not surface:
+            self.surface = surface
+            shown.mapper.SetInputData(triangle_mesh(surface))
+        set_colors(shown.mapper.GetInput(), glowing(*glow(surface, view)))
+        over.SetVisibility(len(tubes.triangles) > 0)
+        if len(tubes.triangles):
+            mesh = triangle_mesh(tubes)
+            set_colors(mesh, shade(tubes.normals, view)[:, None] * tubes.colors)
+            over.mapper.SetInputData(mesh)
+        set_camera(self.plotter, surface, view)
+        self.window.SetSize(*picture.samples)
+        self.window.Render()
+        depth = self._depth(picture) if picture.strokes else None
+        return finished(picture, self._image(picture), depth)
+
+    def _image(self, picture: Picture) -> NDArray[np.uint8]:
+        """What the window shows, the samples of each pixel averaged."""
+        from PIL import Image
+        from pyvista import convert_array
+        from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+
+        width, height = picture.samples
+        found = vtkUnsignedCharArray()
+        self.window.GetPixelData(0, 0, width - 1, height - 1, 0, found, 0)
+        # OpenGL's first row is the lowest.
+        pixels = convert_array(found).reshape(height, width, 3)[::-1]
+        return np.asarray(Image.fromarray(np.ascontiguousarray(pixels)).reduce(SAMPLES))
+
+    def _depth(self, picture: Picture) -> Array:
+        """The depth of what the samples show, as of `View.project`."""
+        from pyvista import convert_array
+        from vtkmodules.vtkCommonCore import vtkFloatArray
+
+        width, height = picture.samples
+        found = vtkFloatArray()
+        self.window.GetZbufferData(0, 0, width - 1, height - 1, found)
+        share = convert_array(found).reshape(height, width)[::-1].astype(np.float64)
+        camera = self.plotter.camera
+        near, far = camera.GetClippingRange()
+        depth = camera.GetDistance() - (near + share * (far - near))
+        return np.where(share < 1.0, depth, -np.inf)
 
 
-def averaged(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """A picture drawn with `SAMPLES` times as many pixels either way, in the finished size."""
-    mean = downsampled(image.astype(np.float32))
-    return np.asarray(np.round(mean), dtype=np.uint8)
-
-
-def surface_mesh(surface: Surface) -> Any:
-    """A surface as pyvista's PolyData."""
+def _unlit(plotter: Any) -> Any:
+    """Add an actor that shows the colors of its mesh as they are."""
     import pyvista
 
-    faces: Any = surface.triangles
-    return pyvista.PolyData.from_regular_faces(surface.points, faces)
-
-
-def stroke_mesh(curves: NDArray[np.float64]) -> tuple[Any, NDArray[np.int64]]:
-    """Curves, shape (n, k, 3), as pyvista's PolyData; and which of them each of its lines is of."""
-    import pyvista
-
-    pieces, curve = [], []
-    for number, points in enumerate(curves):
-        for piece in runs(points):
-            pieces.append(piece)
-            curve.append(number)
-    mesh = pyvista.PolyData()
-    if pieces:
-        ends = np.cumsum([len(piece) for piece in pieces])
-        cells = [
-            np.concatenate([[len(piece)], np.arange(end - len(piece), end)])
-            for piece, end in zip(pieces, ends, strict=True)
-        ]
-        mesh = pyvista.PolyData(np.concatenate(pieces), lines=np.concatenate(cells))
-    return mesh, np.array(curve, dtype=np.int64)
-
-
-def set_camera(plotter: Any, surface: Surface, view: View) -> None:
-    """Make a plotter look at a surface as a view says."""
-    camera = plotter.camera
-    distance = 2.0 * float(np.ptp(surface.points, axis=0).max()) + view.height
-    camera.enable_parallel_projection()
-    camera.focal_point = view.center
-    camera.position = view.center + distance * view.towards
-    camera.up = view.up
-    camera.parallel_scale = view.height / 2
-    plotter.reset_camera_clipping_range()
-
-
-def color_bytes(colors: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """Colors in [0, 1] in 0 to 255."""
-    return np.asarray(np.round(255.0 * colors), dtype=np.uint8)
+    actor = pyvista.Actor(mapper=pyvista.DataSetMapper())
+    actor.prop.lighting = False
+    plotter.add_actor(actor, reset_camera=False, render=False)
+    return actor

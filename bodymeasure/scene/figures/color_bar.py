@@ -7,20 +7,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure.errors import InputError
 from bodymeasure.scene.colors import (
     NO_LENGTH,
     NOT_COMPARED,
-    SMALLEST,
     ColorScale,
     color_map,
 )
-from bodymeasure.scene.figures.canvas import INK, figure_pixels
+from bodymeasure.scene.figures.canvas import figure_pixels
 from bodymeasure.scene.figures.chart_style import TEXT_SIZE, chart_style, power_of_ten
 from bodymeasure.scene.model import PathKind, Paths
 
 if TYPE_CHECKING:
-    from bodymeasure.measure import Survey
+    pass
 
 BINS_PER_DECADE = 4
 
@@ -75,73 +73,11 @@ def _draw_color_bar(paths: Paths) -> Any:
     return figure
 
 
-def histogram(survey: "Survey") -> bytes:
-    """How many diagonals differ how much from libigl exact, as an SVG file.
-
-    Raises
-    ------
-    InputError
-        If the survey has no cross-check, or none of its lengths could be compared.
-    """
-    check = survey.cross_check
-    good = np.isfinite(survey.diagonals.length)
-    value = np.abs(check.relative_difference[good]) if check is not None else np.array([])
-    value = value[np.isfinite(value)]
-    if len(value) == 0:
-        raise InputError(
-            "there are no differences to draw a histogram of; run the survey with its cross-check"
-        )
-    with chart_style():
-        return figure_svg(_draw_histogram(value), "histogram")
-
-
-def _draw_histogram(value: NDArray[np.float64]) -> Any:
-    from matplotlib.figure import Figure
-
-    place = np.log10(np.maximum(value, SMALLEST))
-    low, high = np.floor(place.min()), np.ceil(place.max())
-    high = max(high, low + 1)
-    edges = np.linspace(low, high, round((high - low) * BINS_PER_DECADE) + 1)
-    count, _ = np.histogram(place, edges)
-
-    figure = Figure(figsize=(5.6, 2.5))
-    axes = figure.add_axes((0.105, 0.19, 0.865, 0.78))
-    colors = ColorScale.spanning(value).rgb(10.0 ** ((edges[:-1] + edges[1:]) / 2))
-    axes.bar(edges[:-1], count, np.diff(edges), align="edge", color=colors, ec="white", lw=0.8)
-    axes.set_xlim(low, high)
-    axes.set_ylim(0, 1.25 * count.max())
-    _decades(axes, np.array([low, high]))
-    # One caption below the other, so that they never meet.
-    for line, (caption, at) in enumerate((("median", np.median(place)), ("largest", place.max()))):
-        axes.axvline(at, color=INK, linewidth=0.9, linestyle=(0, (4, 2)))
-        on_right = at < low + 0.7 * (high - low)
-        axes.annotate(
-            f"{caption} {_number(10.0**at)}",
-            (at, 1.0),
-            xycoords=("data", "axes fraction"),
-            xytext=(4 if on_right else -4, -1.25 * TEXT_SIZE * line),
-            textcoords="offset points",
-            ha="left" if on_right else "right",
-            va="top",
-            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5},
-        )
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.set_xlabel(f"relative {PathKind.COMPARED.value}, without its sign")
-    axes.set_ylabel("diagonals")
-    return figure
-
-
 def _decades(axes: Any, ends: NDArray[np.float64]) -> None:
     """Label the powers of ten along an axis of logarithms."""
     powers = np.arange(np.ceil(ends[0]), np.floor(ends[1]) + 1).astype(int)
     axes.set_xticks(powers, [power_of_ten(power) for power in powers])
     axes.tick_params(length=2.5, labelsize=TEXT_SIZE)
-
-
-def _number(value: float) -> str:
-    """Two digits and a power of ten."""
-    digits, power = f"{value:.1e}".split("e")
-    return f"{digits} \N{MULTIPLICATION SIGN} {power_of_ten(int(power))}"
 
 
 def figure_svg(figure: Any, name: str) -> bytes:

@@ -5,7 +5,8 @@ from numpy.typing import NDArray
 
 from bodymeasure.chart import Chart, Measured, Tape
 from bodymeasure.scene.diagonals.build import BODY_SEGMENTS, tessellate
-from bodymeasure.scene.model import Label, TapeLine, TapeScene
+from bodymeasure.scene.model import Label, TapeLine, TapeScene, free_of_body
+from bodymeasure.scene.tapes.mesh import tape_tube
 
 # Distance of the points along a drawn tape, as a fraction of the body's size: on a mannequin 5 mm,
 # so that round an ankle the polygon stays within a tenth of a millimetre of the curve.
@@ -49,16 +50,11 @@ def _line(item: Measured, tape: Tape, number: int, spacing: float) -> TapeLine:
     lift = without_gaps(tape.points, tape.normals)
     values = np.concatenate([tape.normals, lift], axis=1)
     points, values = evenly_spaced(tape.points, values, spacing)
-    lift = smoothed(values[:, 3:])
+    normals, lift = values[:, :3], smoothed(values[:, 3:])
+    tube = tape_tube(points, lift, free_of_body(normals), tape.kind)
     definition = item.definition
     return TapeLine(
-        number,
-        definition.key,
-        definition.group,
-        tape.kind,
-        points,
-        normals=values[:, :3],
-        lift=lift,
+        number, definition.key, definition.group, tape.kind, points, normals, lift, tube
     )
 
 

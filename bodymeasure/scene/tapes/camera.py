@@ -1,11 +1,11 @@
-"""From where tapes are looked at."""
+"""The sides from which tapes are looked at."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Axes
 from bodymeasure.scene.camera import View, framed
 from bodymeasure.scene.drawing.visibility import Sight, sight
@@ -15,22 +15,22 @@ from bodymeasure.scene.model import Surface, TapeLine, TapeScene
 # angle): a girth is then seen as a ring, not as a line.
 AZIMUTHS = 8
 RISES = (0.28, -0.28)
-# Of two sides that see nearly as much of a tape, the first in order is taken: the other needs so
-# much more.
+# A later side is preferred to an earlier one only if it sees more of a tape by this factor.
 WORTH = 1.08
-# A straight tape runs through the body, and is drawn over it: it counts by its ends.
+# A straight tape runs through the body, and is drawn over it: only its ends may be hidden, and
+# they count for the rest of its length.
 HIDDEN_END = 0.7
 # Ends that differ in height by less than this fraction of the picture's are level.
 LEVEL = 0.02
-# A close-up frames its tape with so much room around it, as parts of the picture.
+# The most of a close-up's width and height that its tape fills.
 FILL_WIDTH = 0.54
 FILL_HEIGHT = 0.72
-# It shows at least so much of the body, as a fraction of its size.
+# The least height that a close-up shows, as a fraction of the body's size.
 LEAST_SHOWN = 0.2
 
 
-def closeup_directions(axes: Axes) -> list[NDArray[np.float64]]:
-    """Unit vectors towards the viewers of close-ups, the front ones first."""
+def closeup_directions(axes: Axes) -> list[Array]:
+    """List unit vectors towards the viewers of close-ups, the front ones first."""
     turns = [0, 4, 1, -1, 2, -2, 3, -3]
     found = []
     for rise in RISES:
@@ -41,46 +41,56 @@ def closeup_directions(axes: Axes) -> list[NDArray[np.float64]]:
     return found
 
 
-def view_along(
-    surface: Surface, towards: NDArray[np.float64], up: NDArray[np.float64], margin: float
-) -> View:
-    """A view of a whole surface."""
+def view_along(surface: Surface, towards: Array, up: Array, margin: float) -> View:
+    """The view of a whole surface from a direction."""
     upward = up - (up @ towards) * towards
     upward /= np.linalg.norm(upward)
     return framed(surface.points, towards, upward, margin)
 
 
-def seen_length(line: TapeLine, view: Sight) -> float:
-    """How much of a tape is seen from a side, by its length in the picture, in the atlas's unit."""
-    places, _ = view.view.project(line.points, view.size)
-    step = np.linalg.norm(np.diff(places, axis=0), axis=1) * view.view.height / view.size[1]
-    seen = view.seen(line.points, line.normals)
-    if line.through_body:
-        ends = seen[marking_ends(places, view.size[1])].mean()
-        return float(step.sum() * (HIDDEN_END + (1.0 - HIDDEN_END) * ends))
-    return float(step[seen[:-1] & seen[1:]].sum())
+def sights(surface: Surface, axes: Axes, margin: float) -> list[Sight]:
+    """Find what is seen of a surface from each of `closeup_directions`."""
+    return [
+        sight(surface, view_along(surface, towards, axes.up_vector, margin))
+        for towards in closeup_directions(axes)
+    ]
 
 
-def measurement_seen(scene: TapeScene, key: str, view: Sight) -> float:
-    """How much of a measurement is seen from a side: of that of its tapes that is seen best."""
-    return max(seen_length(line, view) for line in scene.tapes if line.key == key)
+def seen_lengths(lines: Sequence[TapeLine], side: Sight) -> list[float]:
+    """How much of each tape is seen from a side, by its length in the picture.
 
-
-def marking_ends(places: NDArray[np.float64], height: int) -> NDArray[np.int64]:
-    """Which ends of a straight tape in a picture tell where it is measured.
-
-    The upper one, if one is above the other: a height is known by it.
-
-    Parameters
-    ----------
-    places : ndarray, shape (k, 2)
-        In pixels from the top left.
-    height : int
-        Of the picture.
+    The lengths are in the atlas's unit.
     """
-    ends = np.array([0, len(places) - 1])
-    y = places[ends, 1]
-    return np.asarray(ends[y <= y.min() + LEVEL * height])
+    if not lines:
+        return []
+    points = np.concatenate([line.points for line in lines])
+    seen = side.seen(points, np.concatenate([line.normals for line in lines]))
+    places, _ = side.view.project(points, side.size)
+    scale = side.view.height / side.size[1]
+    ends = np.cumsum([len(line.points) for line in lines])[:-1]
+    lengths = []
+    for line, path, shown in zip(lines, np.split(places, ends), np.split(seen, ends), strict=True):
+        step = scale * np.linalg.norm(np.diff(path, axis=0), axis=1)
+        if line.through_body:
+            share = shown[marking_ends(path, side.size[1])].mean()
+            lengths.append(float(step.sum() * (HIDDEN_END + (1.0 - HIDDEN_END) * share)))
+        else:
+            lengths.append(float(step[shown[:-1] & shown[1:]].sum()))
+    return lengths
+
+
+def measurements_seen(scene: TapeScene, side: Sight) -> dict[str, float]:
+    """How much of each measurement is seen from a side: of the best seen of its tapes."""
+    found: dict[str, float] = {}
+    for line, length in zip(scene.tapes, seen_lengths(scene.tapes, side), strict=True):
+        found[line.key] = max(length, found.get(line.key, 0.0))
+    return found
+
+
+def best_sides(scene: TapeScene, around: Sequence[Sight]) -> Mapping[str, Sight]:
+    """For each measurement with a tape, the side that sees most of it."""
+    seen = [measurements_seen(scene, side) for side in around]
+    return {key: around[best([by_key[key] for by_key in seen])] for key in seen[0]}
 
 
 def best(seen: Sequence[float]) -> int:
@@ -92,20 +102,27 @@ def best(seen: Sequence[float]) -> int:
     return chosen
 
 
-def closeup_view(
-    scene: TapeScene, points: NDArray[np.float64], sight_along: Sight, aspect: float
-) -> View:
-    """The view of some points, shape (k, 3), from a side, in a picture of that width to height."""
-    tight = framed(points, sight_along.view.towards, sight_along.view.up, 0.0)
+def marking_ends(places: Array, height: int) -> Ints:
+    """Which ends of a straight tape in a picture mark where it is measured.
+
+    If one end is above the other, it is the upper one: it marks a height.
+
+    Parameters
+    ----------
+    places : ndarray, shape (k, 2)
+        In pixels from the top left.
+    height : int
+        Height of the picture in pixels.
+    """
+    ends = np.array([0, len(places) - 1])
+    y = places[ends, 1]
+    return np.asarray(ends[y <= y.min() + LEVEL * height])
+
+
+def closeup_view(scene: TapeScene, points: Array, side: Sight, aspect: float) -> View:
+    """The view of some points, shape (k, 3), from a side, with a given ratio of width to height."""
+    tight = framed(points, side.view.towards, side.view.up, 0.0)
     height = max(
         tight.height / FILL_HEIGHT, tight.width / FILL_WIDTH / aspect, LEAST_SHOWN * scene.size
     )
     return replace(tight, width=aspect * height, height=height)
-
-
-def sights(surface: Surface, axes: Axes, margin: float) -> list[Sight]:
-    """What is seen of a surface from each of `closeup_directions`."""
-    return [
-        sight(surface, view_along(surface, towards, axes.up_vector, margin))
-        for towards in closeup_directions(axes)
-    ]

@@ -1,38 +1,21 @@
-"""Numbers in the margins beside a body, and which of its tapes they are led to."""
+"""Numbers in the margins beside a body, and the points of its tapes that they belong to."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.scene.drawing.visibility import Sight
 from bodymeasure.scene.model import TapeLine
 from bodymeasure.scene.tapes.camera import marking_ends
 from bodymeasure.scene.tapes.label_layout import Columns, Layout, place_labels
 
-# A leader ends where its tape is this clear of others, as a fraction of the picture's height; more
-# is not better.
+# A leader should end where its tape is this far from others, as a fraction of the picture's height;
+# a larger distance is no better.
 CLEAR = 0.02
-# What a pixel of clearance is worth in pixels of a longer leader.
+# By how many pixels a leader may be longer to end a pixel farther from other tapes.
 CLEARANCE_WORTH = 3.0
-
-
-@dataclass(frozen=True, eq=False)
-class Numbered:
-    """Labels of a picture of tapes.
-
-    Parameters
-    ----------
-    numbers : tuple of int
-    layout : Layout
-    columns : Columns
-    """
-
-    numbers: tuple[int, ...]
-    layout: Layout
-    columns: Columns
 
 
 def numbered(
@@ -41,20 +24,27 @@ def numbered(
     sight: Sight,
     size: tuple[int, int],
     columns: Columns,
-) -> Numbered:
+) -> tuple[list[int], Layout]:
     """Place the numbers of some measurements beside a picture.
 
     Parameters
     ----------
     lines : sequence of TapeLine
-        All that are drawn.
+        All tapes that are drawn.
     labeled : sequence of int
         Numbers that are to be placed.
     sight : Sight
-        From the picture's side.
+        What is seen from the picture's side.
     size : tuple of int
-        Of the picture, in pixels.
+        Width and height of the picture in pixels.
     columns : Columns
+
+    Returns
+    -------
+    numbers : list of int
+        Those of the numbers whose tapes are seen.
+    layout : Layout
+        Where they stand.
     """
     points = _seen_points(lines, sight, size)
     left, right, found = [], [], []
@@ -71,30 +61,28 @@ def numbered(
     # The clearest point from the left may lie to the right of that from the right.
     swap = ends[0, :, 0] > ends[1, :, 0]
     ends[:, swap] = ends[::-1, swap]
-    return Numbered(tuple(found), place_labels(ends[0], ends[1], columns), columns)
+    return found, place_labels(ends[0], ends[1], columns)
 
 
 def _seen_points(
     lines: Sequence[TapeLine], sight: Sight, size: tuple[int, int]
-) -> Mapping[int, NDArray[np.float64]]:
-    """Where a leader to each measurement may end, by number, in pixels (k, 2)."""
-    found: dict[int, NDArray[np.float64]] = {}
+) -> Mapping[int, Array]:
+    """The points, (k, 2) in pixels, at which a leader to each measurement may end, by number."""
+    found: dict[int, Array] = {}
     for line in lines:
         pixels, _ = sight.view.project(line.points, size)
         if line.through_body:
             pixels = pixels[marking_ends(pixels, size[1])]
         else:
             pixels = pixels[sight.seen(line.points, line.normals)]
-        # The first that is seen at all: contact tapes come before taut ones.
+        # A measurement's first tape that is seen counts: contact tapes come before taut ones.
         if len(pixels) and line.number not in found:
             found[line.number] = pixels
     return found
 
 
-def _clearance(
-    points: NDArray[np.float64], others: NDArray[np.float64], most: float
-) -> NDArray[np.float64]:
-    """Distance of points (k, 2) from the nearest of others (m, 2), at most so much, shape (k,)."""
+def _clearance(points: Array, others: Array, most: float) -> Array:
+    """Distance of points (k, 2) from the nearest of others (m, 2), at most `most`, shape (k,)."""
     if len(others) == 0:
         return np.full(len(points), most)
     distance, _ = scipy.spatial.cKDTree(others).query(points)

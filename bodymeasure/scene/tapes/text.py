@@ -4,11 +4,9 @@ import textwrap
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure.scene.figures.canvas import Lines, Text, draw_on
+from bodymeasure.scene.figures.canvas import Lines, Text
 from bodymeasure.scene.tapes.label_layout import Columns, Layout
-from bodymeasure.scene.tapes.labels import Numbered
 
 LEADER = (0.30, 0.31, 0.34)
 WHITE = (1.0, 1.0, 1.0)
@@ -18,18 +16,6 @@ HALO_WIDTH = 0.12
 DOT = 0.28
 # Between a leader's start and its label.
 TEXT_GAP = 0.18
-
-
-def with_numbers(image: NDArray[np.uint8], labels: Numbered) -> NDArray[np.uint8]:
-    """A picture with numbers in its margins."""
-    if not labels.numbers:
-        return image
-    texts = [str(number) for number in labels.numbers]
-    return draw_on(
-        image,
-        lines=leaders(labels.layout, labels.columns, labels.layout.label_height),
-        texts=column_texts(texts, labels.layout, labels.columns, labels.layout.label_height),
-    )
 
 
 def leaders(layout: Layout, columns: Columns, height: float) -> list[Lines]:
