@@ -1,6 +1,8 @@
 """STEP and IGES files, written by Open CASCADE."""
 
+import subprocess
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -10,10 +12,21 @@ from numpy.typing import NDArray
 import bodymeasure as bm
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import ReadWarning
+from bodymeasure.formats.foreign import cad_worker, process
 
 pytest.importorskip("OCP")
 
 KINDS = ("step", "iges")
+
+
+@pytest.fixture
+def _in_this_process(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Read sound files in this process, since another takes a second to load Open CASCADE."""
+
+    def run(command: list[str], **_: object) -> "subprocess.CompletedProcess[bytes]":
+        return subprocess.CompletedProcess(command, cad_worker.main(*command[-2:]))
+
+    monkeypatch.setattr(process, "subprocess", SimpleNamespace(run=run))
 
 
 def written(path: Path, shape: Any) -> Path:
@@ -84,6 +97,7 @@ def test_a_sphere_has_diagonals_of_great_circles(kind: str, tmp_path: Path) -> N
     np.testing.assert_allclose(bm.diagonals(atlas).length, 20.0 * np.arccos(cosine), rtol=1e-9)
 
 
+@pytest.mark.usefixtures("_in_this_process")
 @pytest.mark.filterwarnings("ignore:.*is trimmed:bodymeasure.errors.ReadWarning")
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("top", [0.0, 2.0])
@@ -113,6 +127,7 @@ def _points(atlas: bm.Atlas, rng: np.random.Generator) -> NDArray[np.float64]:
     return evaluate(atlas.control_points, rng.uniform(size=(len(atlas), 50, 2)))
 
 
+@pytest.mark.usefixtures("_in_this_process")
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_free_form_surface_is_the_same_everywhere(
     kind: str, tmp_path: Path, rng: np.random.Generator
@@ -128,6 +143,7 @@ def test_a_free_form_surface_is_the_same_everywhere(
         np.testing.assert_allclose(found, [point.X(), point.Y(), point.Z()], atol=1e-9)
 
 
+@pytest.mark.usefixtures("_in_this_process")
 def test_faces_of_a_solid_are_joined_and_face_outwards(tmp_path: Path) -> None:
     from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 
@@ -144,6 +160,7 @@ def test_faces_of_a_solid_are_joined_and_face_outwards(tmp_path: Path) -> None:
     assert (((positions - middle) * outwards).sum(axis=1) > 0.0).all()
 
 
+@pytest.mark.usefixtures("_in_this_process")
 def test_a_trimmed_face_is_named(tmp_path: Path) -> None:
     from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
     from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox, BRepPrimAPI_MakeCylinder

@@ -1,5 +1,7 @@
 """Drops: lengths in vertical planes from a place to a level."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from helpers.surfaces.tubes import tube
@@ -26,12 +28,25 @@ def at(x: float, y: float, z: float) -> NDArray[np.float64]:
     return np.array([x, y, z])
 
 
-def profile(radii: tuple[float, ...], low: float, high: float) -> NDArray[np.float64]:
-    """Points (r, z) of a tube's side between two heights, very many."""
-    z = np.linspace(low, high, 200_001)
+def profile(
+    radii: tuple[float, ...], low: float, high: float, count: int = 200_001
+) -> NDArray[np.float64]:
+    """Many points (r, z) of a tube's side between two heights."""
+    z = np.linspace(low, high, count)
     v = z / 3.0
     weights = np.stack([(1 - v) ** 3, 3 * v * (1 - v) ** 2, 3 * v**2 * (1 - v), v**3], axis=-1)
     return np.stack([weights @ np.array(radii), z], axis=-1)
+
+
+@cache
+def tube_lengths(radii: tuple[float, ...], low: float, high: float) -> tuple[float, float]:
+    """Lengths along a tube's side between two heights, on its surface and taut."""
+    points = profile(radii, low, high)
+    # The hull of the profile and of two points far inside; less its other sides.
+    inside = np.array([[-50.0, points[0, 1]], [-50.0, points[-1, 1]]])
+    hull = float(ConvexHull(np.concatenate([points, inside])).area)
+    taut = hull - (points[[0, -1], 0] + 50.0).sum() - (points[-1, 1] - points[0, 1])
+    return chain(points), float(taut)
 
 
 def chain(points: NDArray[np.float64]) -> float:
@@ -48,15 +63,12 @@ def chain(points: NDArray[np.float64]) -> float:
 def test_drops_along_tubes(
     radii: tuple[float, ...], start: float, level: float, facing: float, plane: str
 ) -> None:
-    points = profile(radii, min(start, level), max(start, level))
-    r = points[np.argmin(np.abs(points[:, 1] - start)), 0]
+    low, high = min(start, level), max(start, level)
+    contact, taut = tube_lengths(radii, low, high)
+    r = profile(radii, start, start, 1)[0, 0]
     out = at(0.0, facing, 0.0) if plane == "median" else at(facing, 0.0, 0.0)
     found = vertical_drop(tube(radii), r * out + at(0, 0, start), at(0, 0, level), plane=plane)  # type: ignore[arg-type]
-    assert found.contact == pytest.approx(chain(points), rel=1e-9)
-    # The hull of the profile and of two points far inside; less its other sides.
-    inside = np.array([[-50.0, points[0, 1]], [-50.0, points[-1, 1]]])
-    hull = float(ConvexHull(np.concatenate([points, inside])).area)
-    taut = hull - (points[[0, -1], 0] + 50.0).sum() - (points[-1, 1] - points[0, 1])
+    assert found.contact == pytest.approx(contact, rel=1e-9)
     assert found.taut == pytest.approx(taut, abs=1e-9)
     assert found.gap == found.contact - found.taut
     ends = found.arc.positions_at(np.array([0.0, float(found.arc.count)]))
