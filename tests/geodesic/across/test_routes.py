@@ -16,12 +16,8 @@ from bodymeasure.geodesic.across.routes.reading import first_route
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.repair import other_routes
 from bodymeasure.geodesic.across.search.search import shortest_along
-from bodymeasure.geodesic.numerics.box_newton import (
-    SecondOrder,
-    banded_product,
-    minimize_in_box,
-    solve_free,
-)
+from bodymeasure.geodesic.numerics.banded import banded_product, solve_free
+from bodymeasure.geodesic.numerics.box_newton import SecondOrder, minimize_in_box
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 
 # There are no wheels of it for the latest versions of Python.

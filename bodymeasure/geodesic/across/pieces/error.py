@@ -34,7 +34,7 @@ from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.lengths.length import UNKNOWN, Length, is_leading_order
 from bodymeasure.geodesic.lengths.measure import measure_length
-from bodymeasure.geodesic.numerics.box_newton import solve_free
+from bodymeasure.geodesic.numerics.banded import solve_free
 
 # See the text above.
 JOINT_SAFETY = 9.0
