@@ -109,7 +109,7 @@ def best_known(
         times.append(time.thread_time() - begin)
         found = shortest_along(atlas, neighbors, route, path.raw_length)
         fine = refine(atlas, found.refined.route, DEGREE, path.raw_length)
-        lengths += [float(found.length.corrected), float(route_length(fine)[0].corrected)]
+        lengths += [float(found.part.length.corrected), float(route_length(fine)[0].corrected)]
     return min(lengths), times[0]
 
 

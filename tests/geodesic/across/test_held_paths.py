@@ -12,7 +12,7 @@ from bodymeasure.geodesic.across.contact.pattern import FreePart, HeldPart, read
 from bodymeasure.geodesic.across.contact.solve import held_path
 from bodymeasure.geodesic.across.pieces.refine import refine
 from bodymeasure.geodesic.across.routes.route import Route
-from bodymeasure.geodesic.across.search.sides import corners_along_seams, one_sided
+from bodymeasure.geodesic.across.search.sides import one_sided, seam_runs
 from bodymeasure.geodesic.spaces.polygons import polygon_space
 
 
@@ -91,5 +91,7 @@ def test_routes_along_seams_are_put_on_either_side() -> None:
         tuple(step.along for step in steps),
     )
     refined = refine(atlas, route, 8, 3.0)
-    assert len(corners_along_seams(neighbors, refined)) >= 2
-    assert {found.patches for found in one_sided(neighbors, refined)} == {(0, 1, 2), (3, 4, 5)}
+    runs = seam_runs(neighbors, refined)
+    assert sum(run.last - run.first for run in runs) >= 2
+    found = one_sided(neighbors, refined.route, runs)
+    assert {way.patches for way in found} == {(0, 1, 2), (3, 4, 5)}

@@ -84,7 +84,7 @@ def test_routes_read_off_the_mesh_hang_together(rng: np.random.Generator) -> Non
         assert route.ends == ends
         for number, crossing in enumerate(route.crossings):
             assert crossing in neighbors.over[route.patches[number], crossing.from_side]
-            leave, enter = route.exit(number), route.entry(number + 1)
+            leave, enter = route.crossed[number]
             np.testing.assert_allclose(atlas.position(leave), atlas.position(enter), atol=1e-13)
 
 
@@ -107,7 +107,7 @@ def problem() -> RouteProblem:
 
 
 def test_the_derivatives_of_the_length(problem: RouteProblem, rng: np.random.Generator) -> None:
-    place = np.clip(problem.straight() + rng.normal(0.0, 0.02, problem.count), 0.0, 1.0)
+    place = np.clip(problem.unknowns() + rng.normal(0.0, 0.02, problem.count), 0.0, 1.0)
     here = problem.expand(place)
     step = 1e-6
     for _ in range(5):
@@ -202,7 +202,7 @@ def test_a_route_on_the_wrong_side_of_a_corner_is_repaired() -> None:
     assert (1, 3) in {route.patches[1:] for route in other_routes(neighbors, pressed)}
     found = shortest_along(atlas, neighbors, wrong, 1.0)
     assert found.refined.route.patches == (0, 1, 3)
-    assert found.length.corrected == pytest.approx(np.hypot(0.6, 0.9), rel=1e-9)
+    assert found.part.length.corrected == pytest.approx(np.hypot(0.6, 0.9), rel=1e-9)
 
 
 def test_needless_crossings_are_taken_back_and_missing_ones_found() -> None:
@@ -213,7 +213,7 @@ def test_needless_crossings_are_taken_back_and_missing_ones_found() -> None:
     needless = Route((AtlasPoint(0, 0.5, 0.1), AtlasPoint(0, 0.6, 0.9)), (there, back), (0.3, 0.6))
     found = shortest_along(atlas, neighbors, needless, 1.0)
     assert found.refined.route.patches == (0,)
-    assert found.length.corrected == pytest.approx(np.hypot(0.1, 0.8), rel=1e-12)
+    assert found.part.length.corrected == pytest.approx(np.hypot(0.1, 0.8), rel=1e-12)
 
 
 def test_a_neighbor_that_a_path_needs_is_found() -> None:
@@ -229,7 +229,7 @@ def test_a_neighbor_that_a_path_needs_is_found() -> None:
     assert refine(atlas, alone, 8, 1.0).length > chord * (1.0 + 1e-3)
     found = shortest_along(atlas, neighbors, alone, 1.0)
     assert found.refined.route.patches == (0, 1, 0)
-    assert found.length.corrected == pytest.approx(chord, rel=1e-9)
+    assert found.part.length.corrected == pytest.approx(chord, rel=1e-9)
 
 
 def test_a_first_piece_without_length_is_trimmed() -> None:
@@ -243,4 +243,4 @@ def test_a_first_piece_without_length_is_trimmed() -> None:
         found = shortest_along(atlas, neighbors, Route((start, end), (there,), (along,)), 1.0)
         assert len(found.refined.route.patches) == 1
         chord = np.linalg.norm(atlas.position(end) - atlas.position(start))
-        assert found.length.corrected == pytest.approx(chord, rel=1e-12)
+        assert found.part.length.corrected == pytest.approx(chord, rel=1e-12)

@@ -95,7 +95,10 @@ def route_length(refined: RefinedPath) -> tuple[Length, LoopKind | None]:
     else:
         jump, excess = _of_path(refined, crossings)
     known = bool(np.isfinite(error).all() and np.isfinite(excess))
-    whole = error.sum() + JOINT_SAFETY * excess + _rounding(problem.surface.control_points)
+    # The nets' coordinates are rounded before they are subtracted.
+    nets = problem.surface.control_points
+    rounding = ROUNDING * (np.ptp(nets, axis=(1, 2)).max(axis=1).sum() + np.abs(nets).max())
+    whole = error.sum() + JOINT_SAFETY * excess + rounding
     minimal = (
         (measured.minimal | short).all() and np.isfinite(excess)
         if kind is None
@@ -153,7 +156,7 @@ def _crossings(refined: RefinedPath, short: Bools) -> _Crossings:
         seam=seam,
         tangent=0.5 * (leaving + entering),
         difference=((leaving - entering) * seam).sum(axis=1),
-        movable=~(refined.held_joints | short[before] | short[before + 1]),
+        movable=~(refined.minimum.held[problem.joints] | short[before] | short[before + 1]),
     )
 
 
@@ -223,10 +226,3 @@ def _stiffness(loop: RefinedPath) -> Array | None:
         at = np.array([piece, (piece + 1) % pieces])
         np.add.at(result, (at[:, None], at), condensed)
     return result
-
-
-def _rounding(nets: Array) -> float:
-    """What rounding does to the length of a path over patches."""
-    widths = np.ptp(nets, axis=(1, 2)).max(axis=1)
-    # The nets' coordinates are rounded before they are subtracted.
-    return float(ROUNDING * (widths.sum() + np.abs(nets).max()))

@@ -58,10 +58,9 @@ class PathPart:
         route, space = refined.route, refined.problem.space
         lengths = (refined.lengths * refined.problem.size).tolist()
         parts = zip(route.patches, refined.values, lengths, strict=True)
-        crossings = range(len(route.crossings))
         return cls(
             tuple(PathPiece(patch, space, values, piece) for patch, values, piece in parts),
-            tuple((n - route.closed, route.left_at(n), route.entered_at(n)) for n in crossings),
+            tuple((n - route.closed, *points) for n, points in enumerate(route.crossed)),
             length,
         )
 

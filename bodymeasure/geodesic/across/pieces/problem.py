@@ -93,24 +93,29 @@ class RouteProblem:
         self.count = int(self.rows.max()) + 1
         self.local = np.tile(np.array([0, *inner, nodes - 1]), (pieces, 1))
         self.sign = np.ones(self.local.shape)
+        # The nodal values that no unknown moves, and the values of the others where the unknowns
+        # are 0, which is 1 along a seam that runs the other way.
         self._fixed = np.zeros((pieces, 2, nodes))
-        for piece in range(pieces):
-            self._fixed[piece, :, 0] = route.entry(piece)[1:]
-            self._fixed[piece, :, -1] = route.exit(piece)[1:]
-        # The values where the unknowns are 0: another 1 where a seam runs the other way.
+        self._fixed[:, :, [0, -1]] = np.array(route.pieces)[:, :, 1:].transpose(0, 2, 1)
         self._offset = np.zeros(self.local.shape)
+        # Which ends of pieces move: the piece, its end, the side along which it moves, and whether
+        # that runs the other way.
+        moved: list[tuple[int, int, int | None, bool]] = []
         if not route.closed:
-            for place, side in zip((0, -1), slides, strict=True):
-                if side is None:
-                    self.sign[place, place] = 0.0
-                    self._offset[place, place] = self._fixed[place, 0, place]
-                else:
-                    self._move(place, place, side)
+            moved += [(0, 0, slides[0], False), (-1, -1, slides[1], False)]
         for number, crossing in enumerate(route.crossings):
             # Before the first crossing of a loop is its last piece, number -1.
             before = number - route.closed
-            self._move(before, -1, crossing.from_side)
-            self._move(before + 1, 0, crossing.to_side, crossing.flipped)
+            moved.append((before, -1, crossing.from_side, False))
+            moved.append((before + 1, 0, crossing.to_side, crossing.flipped))
+        for piece, end, side, flipped in moved:
+            if side is None:
+                self.sign[piece, end] = 0.0
+                self._offset[piece, end] = self._fixed[piece, 0, end]
+            else:
+                self.local[piece, end] += (1 - EDGES[side].fixed_axis) * nodes
+                self.sign[piece, end] = -1.0 if flipped else 1.0
+                self._offset[piece, end] = float(flipped)
         self.idle = np.zeros(self.count, bool)
         self.idle[self.rows[self.sign == 0.0]] = True
         row, column = np.broadcast_arrays(self.rows[:, :, None], self.rows[:, None, :])
@@ -120,32 +125,17 @@ class RouteProblem:
         self._places = ((row - column) * self.count + column)[self._lower]
         self._size_of_bands = (int((row - column).max()) + 1) * self.count
 
-    def _move(self, piece: int, end: int, side: int, flipped: bool = False) -> None:
-        """Let an end of a piece move along a side of its patch."""
-        axis, nodes = 1 - EDGES[side].fixed_axis, self.space.size + 1
-        self.local[piece, end] = axis * nodes + (nodes - 1 if end else 0)
-        self.sign[piece, end] = -1.0 if flipped else 1.0
-        self._offset[piece, end] = 1.0 if flipped else 0.0
-
-    def straight(self) -> Array:
-        """The unknowns of the path that is straight in (u, v) on each patch."""
-        ends = np.array(
-            [
-                [self.route.entry(piece)[1:], self.route.exit(piece)[1:]]
-                for piece in range(len(self.rows))
-            ]
-        )
-        start, stop = ends[:, 0, :, None], ends[:, 1, :, None]
-        return self.unknowns(start + (stop - start) * self.space.nodes[1:-1])
-
-    def unknowns(self, inner: Array) -> Array:
+    def unknowns(self, inner: Array | None = None) -> Array:
         """The unknowns of a path whose pieces meet where the route says.
 
         Parameters
         ----------
-        inner : ndarray, shape (pieces, 2, n - 1)
-            (u, v) at the inner nodes.
+        inner : ndarray, shape (pieces, 2, n - 1), optional
+            (u, v) at the inner nodes; on straight lines if not given.
         """
+        if inner is None:
+            start, stop = self._fixed[:, :, :1], self._fixed[:, :, -1:]
+            inner = start + (stop - start) * self.space.nodes[1:-1]
         result: Array = np.full(self.count, 0.5)
         result[self.joints] = self.route.along
         result[self.rows[:, 1:-1]] = inner.reshape(len(inner), -1)

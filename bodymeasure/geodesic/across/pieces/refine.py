@@ -26,6 +26,8 @@ class RefinedPath:
     ----------
     problem : RouteProblem
     minimum : BoxMinimum
+    route : Route
+        The route, with its crossings where the path has them.
     values : ndarray, shape (pieces, 2, n + 1)
         (u, v) at the nodes of all pieces.
     lengths : ndarray, shape (pieces,)
@@ -34,6 +36,7 @@ class RefinedPath:
 
     problem: RouteProblem
     minimum: BoxMinimum
+    route: Route
     values: Array
     lengths: Array
 
@@ -43,21 +46,11 @@ class RefinedPath:
         return float(self.lengths.sum()) * self.problem.size
 
     @property
-    def route(self) -> Route:
-        """The route, with its crossings where the path has them."""
-        return self.problem.at(self.minimum.unknowns)
-
-    @property
     def held_nodes(self) -> Bools:
         """Inner nodes that an edge of their patch holds, by coordinate: (pieces, 2, n - 1)."""
         held = self.minimum.held[self.problem.rows[:, 1:-1]].reshape(len(self.lengths), 2, -1)
         # A piece that stays in a corner runs along no edge.
         return np.asarray(held & (self.lengths > 0.0)[:, None, None])
-
-    @property
-    def held_joints(self) -> Bools:
-        """Crossings that an end of their seam holds, shape (crossings,)."""
-        return self.minimum.held[self.problem.joints]
 
 
 def refine(
@@ -85,7 +78,7 @@ def refine(
     problem = RouteProblem(
         atlas, route, space, size, (_pole_side(atlas, start), _pole_side(atlas, end))
     )
-    guess = problem.straight() if before is None else resampled(before, problem)
+    guess = problem.unknowns() if before is None else resampled(before, problem)
     minimum = minimize_in_box(problem.expand, guess, problem.idle)
     refined = measured(problem, minimum)
     corners = _corners(refined)
@@ -115,7 +108,8 @@ def measured(problem: RouteProblem, minimum: BoxMinimum) -> RefinedPath:
     du, dv = ((values - values[:, :, :1]) @ slopes.T).transpose(1, 0, 2)
     _, s_u, s_v = problem.surface.jet((values @ place.T).transpose(0, 2, 1), 1)
     speed = np.linalg.norm(s_u * du + s_v * dv, axis=0)
-    return RefinedPath(problem, minimum, values, speed @ problem.space.quadrature.weights)
+    lengths = speed @ problem.space.quadrature.weights
+    return RefinedPath(problem, minimum, problem.at(minimum.unknowns), values, lengths)
 
 
 def _corners(refined: RefinedPath) -> Bools:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Crossing, on_side
@@ -40,21 +41,11 @@ class Route:
         """Whether the route is that of a loop."""
         return self.ends is None
 
-    @property
+    @cached_property
     def patches(self) -> tuple[int, ...]:
         """The patch of each piece."""
         entered = tuple(crossing.to_patch for crossing in self.crossings)
         return entered if self.ends is None else (self.ends[0].patch, *entered)
-
-    @property
-    def start(self) -> AtlasPoint:
-        """The start of the first piece."""
-        return self.entry(0)
-
-    @property
-    def end(self) -> AtlasPoint:
-        """The end of the last piece."""
-        return self.exit(len(self.patches) - 1)
 
     @property
     def key(self) -> RouteKey:
@@ -64,29 +55,28 @@ class Route:
         turns = (self.crossings[i:] + self.crossings[:i] for i in range(len(self.crossings)))
         return None, min(turns, default=())
 
-    def entry(self, piece: int) -> AtlasPoint:
-        """The place where a piece starts, on its patch."""
-        if self.ends is not None and piece == 0:
-            return self.ends[0]
-        return self.entered_at(piece if self.ends is None else piece - 1)
+    @cached_property
+    def crossed(self) -> tuple[tuple[AtlasPoint, AtlasPoint], ...]:
+        """The point of each crossing, on the patch that it leaves and on the one that it enters."""
+        result = []
+        # The patch before the first crossing of a loop is the last one, number -1.
+        for number, (crossing, along) in enumerate(zip(self.crossings, self.along, strict=True)):
+            patch = self.patches[number - self.closed]
+            after = 1.0 - along if crossing.flipped else along
+            before = AtlasPoint(patch, *on_side(crossing.from_side, along))
+            result.append(
+                (before, AtlasPoint(crossing.to_patch, *on_side(crossing.to_side, after)))
+            )
+        return tuple(result)
 
-    def exit(self, piece: int) -> AtlasPoint:
-        """The place where a piece ends, on its patch."""
+    @cached_property
+    def pieces(self) -> tuple[tuple[AtlasPoint, AtlasPoint], ...]:
+        """The points where each piece starts and ends, on its patch."""
+        left, entered = zip(*self.crossed, strict=True) if self.crossed else ((), ())
         if self.ends is None:
-            return self.left_at((piece + 1) % len(self.crossings))
-        return self.ends[1] if piece == len(self.crossings) else self.left_at(piece)
-
-    def left_at(self, crossing: int) -> AtlasPoint:
-        """The place of a crossing on the patch that it leaves."""
-        # A number of -1, for the last piece, is right.
-        patch = self.patches[crossing - self.closed]
-        return AtlasPoint(patch, *on_side(self.crossings[crossing].from_side, self.along[crossing]))
-
-    def entered_at(self, crossing: int) -> AtlasPoint:
-        """The place of a crossing on the patch that it enters."""
-        over, along = self.crossings[crossing], self.along[crossing]
-        along = 1.0 - along if over.flipped else along
-        return AtlasPoint(over.to_patch, *on_side(over.to_side, along))
+            return tuple(zip(entered, (*left[1:], *left[:1]), strict=True))
+        start, end = self.ends
+        return tuple(zip((start, *entered), (*left, end), strict=True))
 
     def begun_at(self, first: int) -> "Route":
         """The same loop, begun with another crossing."""

@@ -40,14 +40,11 @@ def leg_along(
     """Return the shortest path along a route, or along those that it asks for."""
     # The length of the path that is straight in (u, v) on each patch.
     t = np.linspace(0.0, 1.0, SAMPLES)[:, None]
-    lines = [
-        (1.0 - t) * np.array(route.entry(piece)[1:]) + t * np.array(route.exit(piece)[1:])
-        for piece in range(len(route.patches))
-    ]
-    samples = evaluate(atlas.control_points[list(route.patches)], np.array(lines))
+    start, stop = np.array(route.pieces)[:, :, None, 1:].swapaxes(0, 1)
+    samples = evaluate(atlas.control_points[list(route.patches)], (1.0 - t) * start + t * stop)
     size = float(np.linalg.norm(np.diff(samples, axis=1), axis=2).sum())
     if size == 0.0:
-        return _standstill(atlas, route.start, points[1])
+        return _standstill(atlas, *points)
     found = shortest_along(atlas, neighbors, route, size)
     return AtlasPath.of(atlas, points, found.part, found.status)
 

@@ -14,7 +14,7 @@ from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.across.routes.route import Route
-from bodymeasure.geodesic.across.search.sides import corners_along_seams, one_sided
+from bodymeasure.geodesic.across.search.sides import one_sided, seam_runs
 from bodymeasure.geodesic.lengths.measure import measure_length
 
 # A piece that is this part of the path may be one too many.
@@ -27,22 +27,19 @@ WORTHWHILE = 1e-10
 # Further than this outside the patch, between the nodes, the path lacks a neighbor.
 OUTSIDE = 1e-9
 
-_Change = tuple[int, int, Sequence[tuple[Crossing, float]]]
+Change = tuple[int, int, Sequence[tuple[Crossing, float]]]
 
 
 def other_routes(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
     """Yield routes over the same seams or fewer that may be shorter, the likeliest first."""
     route = refined.route
-    yield from _without_empty_ends(neighbors, refined, route)
-    yield from _without_returns(refined, route)
-    yield from one_sided(neighbors, refined)
-    passed = corners_along_seams(neighbors, refined)
+    yield from _without_empty_ends(neighbors, refined)
+    yield from _without_returns(refined)
+    runs = seam_runs(neighbors, refined)
+    yield from one_sided(neighbors, route, runs)
+    # Past the corners between seams that it runs along.
+    passed = {number for run in runs for number in range(run.first, run.last)}
     yield from (route.replaced(*change) for change in _round_corners(neighbors, route, passed))
-
-
-def over_missing_neighbors(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
-    """Yield routes over the neighbors that a path lacks."""
-    yield from (refined.route.replaced(*change) for change in _detours(neighbors, refined))
 
 
 def other_loops(neighbors: Neighbors, loop: RefinedPath) -> Iterator[Route]:
@@ -53,31 +50,30 @@ def other_loops(neighbors: Neighbors, loop: RefinedPath) -> Iterator[Route]:
     """
     first = _outside_corners(loop.route)
     route = loop.route.begun_at(first)
-    held = np.roll(loop.held_joints, -first)
+    held = np.roll(loop.minimum.held[loop.problem.joints], -first)
     corners = list(_round_corners(neighbors, route))
     yield from _all_at_once(route, [change for change in corners if held[slice(*change[:2])].any()])
-    yield from _without_returns(loop, loop.route)
-    detours = list(_detours(neighbors, loop))
-    yield from _all_at_once(loop.route, detours)
-    yield from (loop.route.replaced(*change) for change in detours)
+    yield from _without_returns(loop)
+    changes = list(detours(neighbors, loop))
+    yield from _all_at_once(loop.route, changes)
+    yield from (loop.route.replaced(*change) for change in changes)
     yield from (route.replaced(*change) for change in corners)
 
 
-def _without_empty_ends(
-    neighbors: Neighbors, refined: RefinedPath, route: Route
-) -> Iterator[Route]:
+def _without_empty_ends(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
     """Without a first or last piece that has no length, since its end lies on the seam."""
-    if not route.crossings:
+    route, total = refined.route, refined.lengths.sum()
+    if route.ends is None or not route.crossings:
         return
-    (first, *_, last), total = refined.lengths, refined.lengths.sum()
-    if first < SHORT * total:
-        for step in neighbors.steps(route.start):
+    start, end = route.ends
+    if refined.lengths[0] < SHORT * total:
+        for step in neighbors.steps(start):
             if step.crossing == route.crossings[0]:
-                yield Route((step.place, route.end), route.crossings[1:], route.along[1:])
-    if last < SHORT * total:
-        for step in neighbors.steps(route.end):
+                yield Route((step.place, end), route.crossings[1:], route.along[1:])
+    if refined.lengths[-1] < SHORT * total:
+        for step in neighbors.steps(end):
             if step.crossing == _back(route.crossings[-1], route.patches[-2]):
-                yield Route((route.start, step.place), route.crossings[:-1], route.along[:-1])
+                yield Route((start, step.place), route.crossings[:-1], route.along[:-1])
 
 
 def _back(crossing: Crossing, patch: int) -> Crossing:
@@ -85,8 +81,9 @@ def _back(crossing: Crossing, patch: int) -> Crossing:
     return Crossing(crossing.edge, crossing.to_side, crossing.from_side, patch, crossing.flipped)
 
 
-def _without_returns(refined: RefinedPath, route: Route) -> Iterator[Route]:
+def _without_returns(refined: RefinedPath) -> Iterator[Route]:
     """Without a piece that only goes over a seam and comes back."""
+    route = refined.route
     patches, count = route.patches, len(route.crossings)
     for piece in range(0 if route.closed else 1, count):
         enter = piece if route.closed else piece - 1
@@ -102,21 +99,19 @@ def _without_returns(refined: RefinedPath, route: Route) -> Iterator[Route]:
 
 def _round_corners(
     neighbors: Neighbors, route: Route, passed: Collection[int] = ()
-) -> Iterator[_Change]:
+) -> Iterator[Change]:
     """Round the other side of corners that a path runs into or nearly so; not of those passed."""
-    first, count = 0, len(route.crossings)
+    corners = _corners(route)
+    first, count = 0, len(corners)
     while first < count:
-        leave = corner_near(route.left_at(first))
+        leave, _ = corners[first]
         if leave is None or first in passed:
             first += 1
             continue
         last = first
-        while last + 1 < count:
-            here, there = corner_near(route.entered_at(last)), corner_near(route.left_at(last + 1))
-            if there is None or here != there:
-                break
+        while last + 1 < count and corners[last][1] == corners[last + 1][0] is not None:
             last += 1
-        enter = corner_near(route.entered_at(last))
+        _, enter = corners[last]
         current = route.crossings[first : last + 1]
         for way in neighbors.ways(leave, enter) if enter else ():
             if tuple(step.crossing for step in way) != current:
@@ -126,22 +121,32 @@ def _round_corners(
 
 def _outside_corners(route: Route) -> int:
     """A crossing before which a loop does not stay in a corner."""
-    for crossing in range(len(route.crossings)):
-        corner = corner_near(route.entered_at(crossing - 1))
-        if corner is None or corner != corner_near(route.left_at(crossing)):
-            return crossing
+    corners = _corners(route)
+    for number, (leave, _) in enumerate(corners):
+        _, enter = corners[number - 1]
+        if enter is None or enter != leave:
+            return number
     return 0
 
 
-def corner_near(place: AtlasPoint) -> AtlasPoint | None:
-    """Return the corner of its patch that a place on an edge is near to; None if there is none."""
-    nearest = AtlasPoint(place.patch, float(round(place.u)), float(round(place.v)))
-    apart = max(abs(place.u - nearest.u), abs(place.v - nearest.v))
-    return nearest if apart <= NEAR_CORNER else None
+def _corners(route: Route) -> list[tuple[AtlasPoint | None, AtlasPoint | None]]:
+    """The corners of both patches that each crossing is near to; None where it is near to none."""
+    result = []
+    for points in route.crossed:
+        nearest = [AtlasPoint(p.patch, float(round(p.u)), float(round(p.v))) for p in points]
+        before, after = (
+            corner if max(abs(p.u - corner.u), abs(p.v - corner.v)) <= NEAR_CORNER else None
+            for p, corner in zip(points, nearest, strict=True)
+        )
+        result.append((before, after))
+    return result
 
 
-def _detours(neighbors: Neighbors, refined: RefinedPath) -> Iterator[_Change]:
-    """Over the neighbor behind an edge that holds a path, or that it passes between its nodes."""
+def detours(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Change]:
+    """Yield ways over the neighbor behind an edge.
+
+    The edge holds the path, or the path passes it between its nodes.
+    """
     route, space, values = refined.route, refined.problem.space, refined.values
     times = np.concatenate([space.nodes[1:-1], space.times_between])
     order = np.argsort(times, kind="stable")
@@ -179,9 +184,9 @@ def _runs(mask: Bools) -> list[tuple[int, int]]:
     return [(runs[0][0], runs[-1][1]), *runs] if len(runs) > 1 else runs
 
 
-def _all_at_once(route: Route, changes: list[_Change]) -> Iterator[Route]:
+def _all_at_once(route: Route, changes: list[Change]) -> Iterator[Route]:
     """The route with the first change of each stretch, if there are several."""
-    chosen: list[_Change] = []
+    chosen: list[Change] = []
     for change in changes:
         first, *_ = change
         if not chosen or (first >= chosen[-1][1] and first > chosen[-1][0]):

@@ -14,12 +14,7 @@ from bodymeasure.geodesic.across.pieces.error import LoopKind, route_length
 from bodymeasure.geodesic.across.pieces.part import PathPart
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
 from bodymeasure.geodesic.across.routes.route import Route, RouteKey
-from bodymeasure.geodesic.across.search.repair import (
-    other_loops,
-    other_routes,
-    over_missing_neighbors,
-)
-from bodymeasure.geodesic.lengths.length import Length
+from bodymeasure.geodesic.across.search.repair import detours, other_loops, other_routes
 from bodymeasure.geodesic.status import Status
 
 # Degrees of the polynomial on each patch, tried in turn.
@@ -64,32 +59,13 @@ class SearchResult:
         The path, which is made of legs and arcs where edges hold it from all sides.
     kind : LoopKind or None
         None for a path with ends.
-    contact : bool
-        Whether an edge of the atlas holds it for a part.
-    good : bool
-        Whether its length is known.
+    status : Status
     """
 
     refined: RefinedPath
     part: PathPart
     kind: LoopKind | None
-    contact: bool
-    good: bool
-
-    @property
-    def length(self) -> Length:
-        """The length of the path, in the atlas's unit."""
-        return self.part.length
-
-    @property
-    def status(self) -> Status:
-        """What became of the search."""
-        if not self.good:
-            return Status.NOT_CONVERGED
-        if self.contact:
-            return Status.ON_BOUNDARY
-        saddle = self.kind is LoopKind.SADDLE if self.kind else not self.length.minimal
-        return Status.NOT_A_MINIMUM if saddle else Status.CONVERGED
+    status: Status
 
 
 def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float) -> SearchResult:
@@ -125,7 +101,8 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
             raise InputError(NO_LOOP)
         contact = _on_boundary(neighbors, best)
         if held is not None:
-            return SearchResult(best, held, None, contact, good=True)
+            kind, good = None, True
+            break
         length, kind = route_length(best)
         length = replace(length, error=length.error + missed)
         if contact:
@@ -142,7 +119,16 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
         exact = not contact and length.error <= TOLERANCE * length.raw
         if good and degree > SLIDING and (exact or degree >= ORDINARY):
             break
-    return SearchResult(best, PathPart.of(best, length), kind, contact, good)
+    part = held or PathPart.of(best, length)
+    if not good:
+        status = Status.NOT_CONVERGED
+    elif contact:
+        status = Status.ON_BOUNDARY
+    elif kind is LoopKind.SADDLE or (kind is None and not part.length.minimal):
+        status = Status.NOT_A_MINIMUM
+    else:
+        status = Status.CONVERGED
+    return SearchResult(best, part, kind, status)
 
 
 def _repaired(
@@ -186,7 +172,7 @@ def _wanted(atlas: Atlas, neighbors: Neighbors, best: RefinedPath) -> Iterator[R
         held = held_path(atlas, neighbors, best, TOLERANCE)
         if held is not None:
             yield held
-    yield from over_missing_neighbors(neighbors, best)
+    yield from (best.route.replaced(*change) for change in detours(neighbors, best))
 
 
 def _on_boundary(neighbors: Neighbors, refined: RefinedPath) -> bool:

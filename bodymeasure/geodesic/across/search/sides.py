@@ -5,7 +5,7 @@ sides anywhere. Where the seams hold the path that makes no difference; where it
 little, it is the shortest on either side, but not where it has to change between them.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -31,38 +31,32 @@ class _Side(NamedTuple):
     leave: float
 
 
-def one_sided(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
-    """Routes whose pieces along seams are all on the one side of them, or all on the other."""
-    for run in _runs(neighbors, refined):
+def one_sided(neighbors: Neighbors, route: Route, runs: "Sequence[SeamRun]") -> Iterator[Route]:
+    """Yield routes whose pieces along seams are all on one side of them, or all on the other."""
+    for run in runs:
         for start in (run.sides[0], _beyond(neighbors, run.sides[0])):
-            found = _along(neighbors, refined.route, run, start)
+            found = _along(neighbors, route, run, start)
             if found is not None:
                 yield found
 
 
-def corners_along_seams(neighbors: Neighbors, refined: RefinedPath) -> set[int]:
-    """The crossings between pieces that run along seams, past the corners where these meet."""
-    runs = _runs(neighbors, refined)
-    return {number for run in runs for number in range(run.first, run.last)}
-
-
-class _Run(NamedTuple):
-    """Pieces on end that run along seams: the first and the last, and the seams."""
+class SeamRun(NamedTuple):
+    """Pieces in a row that run along seams: the first, the last, and the seams."""
 
     first: int
     last: int
     sides: list[_Side]
 
 
-def _runs(neighbors: Neighbors, refined: RefinedPath) -> list[_Run]:
-    """All runs of several pieces; those of no length, in corners, do not part them."""
-    runs: list[_Run] = []
+def seam_runs(neighbors: Neighbors, refined: RefinedPath) -> list[SeamRun]:
+    """Return all runs of several pieces; pieces of no length, in corners, do not part them."""
+    runs: list[SeamRun] = []
     goes_on = False
     for piece in np.flatnonzero(refined.lengths > 0.0).tolist():
         side = _seam(neighbors, refined, piece)
         if side is not None:
             first, sides = runs.pop()[::2] if goes_on else (piece, [])
-            runs.append(_Run(first, piece, [*sides, side]))
+            runs.append(SeamRun(first, piece, [*sides, side]))
         goes_on = side is not None
     return [run for run in runs if len(run.sides) > 1]
 
@@ -90,11 +84,12 @@ def _beyond(neighbors: Neighbors, side: _Side) -> _Side:
     return _Side(side.edge, crossing.to_patch, crossing.to_side, enter, leave)
 
 
-def _along(neighbors: Neighbors, route: Route, run: _Run, start: _Side) -> Route | None:
+def _along(neighbors: Neighbors, route: Route, run: SeamRun, start: _Side) -> Route | None:
     """The route with a run on the side that is given for its first piece; None if there is none."""
     first, last, sides = run
     chosen, crossings, along = start, list(route.crossings[:first]), list(route.along[:first])
-    begin, end = route.start, route.end
+    assert route.ends is not None
+    begin, end = route.ends
     if start != sides[0]:
         on_seam = _on_seam(neighbors, begin, start) if first == 0 else None
         if on_seam is not None:
