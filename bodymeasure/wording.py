@@ -1,4 +1,4 @@
-"""Words that messages share: what a misspelled word was meant to be, and numbers with nouns."""
+"""Words that messages share: hints for misspelled words, numbers with nouns, lines for results."""
 
 import difflib
 from collections.abc import Iterable
@@ -22,3 +22,13 @@ def hint(word: str, known: Iterable[str], *, expected: str = "expected one of") 
 def counted(number: int, singular: str, plural: str | None = None) -> str:
     """A number with its noun."""
     return f"{number:,} {singular if number == 1 else plural or singular + 's'}"
+
+
+def result_line(
+    kind: str, unit: str | None, error: float, *, outcome: str = "", **values: float
+) -> str:
+    """Return the line that stands for a result: its values, their error and the outcome."""
+    ending = f" {unit}" if unit else ""
+    parts = [f"{name} {value:.6g}{ending}" for name, value in values.items()]
+    parts.append(f"error {error:.1g}{ending}")
+    return f"<{kind} of {', '.join([*parts, outcome] if outcome else parts)}>"

@@ -18,6 +18,7 @@ from bodymeasure.atlas.tessellation import tessellate
 from bodymeasure.atlas.units import Unit
 from bodymeasure.bezier import evaluate, homogeneous, project
 from bodymeasure.errors import InputError
+from bodymeasure.wording import counted
 
 # Lower degrees are written as this one without loss, so that one atlas has one degree.
 LEAST_DEGREE = 3
@@ -62,16 +63,21 @@ class Atlas:
         The geometry is judged by `bodymeasure.check_atlas`.
     """
 
-    points: Array = field(repr=False)
-    index: Ints = field(repr=False)
+    points: Array
+    index: Ints
     unit: Unit
-    patch_names: tuple[str, ...] = field(default=(), repr=False)
-    regions: tuple[str, ...] = field(default=(), repr=False)
-    landmarks: Mapping[str, AtlasPoint] = field(default_factory=dict, repr=False)
+    patch_names: tuple[str, ...] = ()
+    regions: tuple[str, ...] = ()
+    landmarks: Mapping[str, AtlasPoint] = field(default_factory=dict)
     axes: Axes = field(default_factory=Axes)
     name: str = ""
     provenance: Mapping[str, str] = field(default_factory=dict)
-    weights: Array | None = field(default=None, repr=False)
+    weights: Array | None = None
+
+    def __repr__(self) -> str:
+        patches = counted(len(self), "patch", "patches")
+        landmarks = counted(len(self.landmarks), "landmark")
+        return f"<Atlas {self.name!r} of {patches} in {self.unit}, {landmarks}>"
 
     def __post_init__(self) -> None:
         index = _checked_index(self.index)

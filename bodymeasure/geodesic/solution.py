@@ -1,6 +1,7 @@
 """What is known of the geodesics of a batch of problems."""
 
-from dataclasses import dataclass, field, fields
+from collections import Counter
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.solving.protocol import PathBatch
 from bodymeasure.geodesic.status import have_length
+from bodymeasure.wording import result_line
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +63,17 @@ class GeodesicSolution:
     index: Any
     functions: Any
     iterations: Any
-    batches: tuple[PathBatch, ...] = field(repr=False)
+    batches: tuple[PathBatch, ...]
+
+    def __repr__(self) -> str:
+        if not self.shape:
+            kind, error, status = "GeodesicSolution", self.error_estimate, self.status.name
+            return result_line(kind, None, error, outcome=status, length=self.length)
+        names = Counter(status.name for status in self.status.flat)
+        statuses = ", ".join(f"{count:,} {name}" for name, count in names.most_common())
+        known = self.length[self.converged]
+        span = f"lengths from {known.min():.6g} to {known.max():.6g}, " if known.size else ""
+        return f"<GeodesicSolution of shape {self.shape}: {span}{statuses}>"
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Unit
+from bodymeasure.wording import result_line
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,6 +28,9 @@ class MeshPath:
     error_estimate: float
     points: Array
     unit: Unit | None
+
+    def __repr__(self) -> str:
+        return result_line("MeshPath", self.unit, self.error_estimate, length=self.length)
 
     @property
     def sentence(self) -> str:

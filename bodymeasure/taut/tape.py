@@ -1,7 +1,7 @@
 """The taut tape: the shortest way outside the body between two of its points."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -17,6 +17,7 @@ from bodymeasure.geodesic.status import OnFailure, check_on_failure
 from bodymeasure.taut.skin import Skin, skin_of
 from bodymeasure.taut.solve import TautLeg, draw_taut
 from bodymeasure.taut.status import TautStatus
+from bodymeasure.wording import result_line
 
 # Segments that a leg starts with.
 SEGMENTS = 32
@@ -52,10 +53,15 @@ class TautTape:
     error_estimate: float
     status: TautStatus
     unit: Unit
-    points: Array = field(repr=False)
-    normals: Array = field(repr=False)
-    contact: AtlasPath = field(repr=False)
+    points: Array
+    normals: Array
+    contact: AtlasPath
     chord: float
+
+    def __repr__(self) -> str:
+        kind, unit, status = "TautTape", self.unit, self.status.name
+        lengths = {"length": self.length, "chord": self.chord}
+        return result_line(kind, unit, self.error_estimate, outcome=status, **lengths)
 
     @property
     def gap(self) -> float:

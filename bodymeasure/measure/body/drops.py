@@ -1,6 +1,6 @@
 """Drops: lengths along the surface in a vertical plane, from a place to the level of another."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -24,6 +24,7 @@ from bodymeasure.section import (
     signed_area,
     turned,
 )
+from bodymeasure.wording import result_line
 
 # Of the difference of heights: a way down that rises by more first leads over something, such as
 # the head; one that rises by less only starts on a slope, such as a shoulder's.
@@ -55,9 +56,14 @@ class Drop:
     contact: float
     taut: float
     error_estimate: float
-    arc: SectionLoop = field(repr=False)
-    hull: Hull = field(repr=False)
+    arc: SectionLoop
+    hull: Hull
     unit: Unit
+
+    def __repr__(self) -> str:
+        return result_line(
+            "Drop", self.unit, self.error_estimate, contact=self.contact, taut=self.taut
+        )
 
     @property
     def gap(self) -> float:

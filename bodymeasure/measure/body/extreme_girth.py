@@ -48,6 +48,11 @@ class ExtremeGirth:
     height: float
     status: Extremum
 
+    def __repr__(self) -> str:
+        unit = self.girth.unit
+        place = f"at height {self.height:.6g} {unit}, {self.status.name}"
+        return f"<ExtremeGirth {place}: {self.girth!r}>"
+
 
 def extreme_girth(
     atlas: Atlas,

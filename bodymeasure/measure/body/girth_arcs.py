@@ -1,7 +1,7 @@
 """Parts of girths: the front or the back of a tape round the body, from one place to another."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -13,6 +13,7 @@ from bodymeasure.errors import InputError
 from bodymeasure.measure.body.girths import Girth
 from bodymeasure.measure.body.taut_places import TautPlaces
 from bodymeasure.section import DRAWN, Curve, DrawnTape, nearest_place
+from bodymeasure.wording import result_line
 
 # Of the girth: parts whose middles lie less far apart from front to back lie beside one another.
 # Those of a circle's halves lie 0.2 of it apart.
@@ -45,10 +46,15 @@ class GirthArc:
     contact: float
     taut: float
     error_estimate: float
-    contact_tape: DrawnTape = field(repr=False)
-    taut_tape: DrawnTape = field(repr=False)
-    length_by_region: Mapping[str, float] = field(repr=False)
+    contact_tape: DrawnTape
+    taut_tape: DrawnTape
+    length_by_region: Mapping[str, float]
     unit: Unit
+
+    def __repr__(self) -> str:
+        return result_line(
+            "GirthArc", self.unit, self.error_estimate, contact=self.contact, taut=self.taut
+        )
 
 
 def girth_arc(

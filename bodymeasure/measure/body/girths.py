@@ -1,6 +1,6 @@
 """Girths: lengths of plane sections, along the skin and with the tape drawn taut."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from bodymeasure.section import (
     drawn,
     plane_section,
 )
+from bodymeasure.wording import result_line
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,11 +50,21 @@ class Girth:
     contact: float
     taut: float
     error_estimate: float
-    loop: SectionLoop = field(repr=False)
-    tape: SectionLoop | BridgedLoop = field(repr=False)
-    hull: Hull = field(repr=False)
+    loop: SectionLoop
+    tape: SectionLoop | BridgedLoop
+    hull: Hull
     unit: Unit
     remark: str = ""
+
+    def __repr__(self) -> str:
+        return result_line(
+            "Girth",
+            self.unit,
+            self.error_estimate,
+            outcome=self.remark,
+            contact=self.contact,
+            taut=self.taut,
+        )
 
     @property
     def gap(self) -> float:

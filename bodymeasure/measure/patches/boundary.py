@@ -36,6 +36,10 @@ class BoundaryLengths:
     length: Array
     error_estimate: Array
 
+    def __repr__(self) -> str:
+        span = f"lengths from {self.length.min():.6g} to {self.length.max():.6g}"
+        return f"<BoundaryLengths {span}, error at most {self.error_estimate.max():.1g}>"
+
 
 def boundary_lengths(atlas: Atlas) -> BoundaryLengths:
     """Arc lengths of all patches' boundary curves.

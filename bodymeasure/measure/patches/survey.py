@@ -12,6 +12,7 @@ from bodymeasure.atlas import Atlas, Finding, check_atlas
 from bodymeasure.geodesic import GeodesicSolution, Method, RBFCollocation, Search
 from bodymeasure.measure.patches.boundary import BoundaryLengths, boundary_lengths
 from bodymeasure.measure.patches.diagonals import diagonals
+from bodymeasure.wording import counted
 
 if TYPE_CHECKING:
     from bodymeasure.measure.patches.cross_check import CrossCheck
@@ -47,6 +48,12 @@ class Survey:
     settings: Mapping[str, str] = field(default_factory=dict)
     versions: Mapping[str, str] = field(default_factory=dict)
     seconds: Mapping[str, float] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        measured = int(self.diagonals.converged.sum())
+        found = counted(len(self.findings), "finding")
+        diagonals = f"{measured} of {self.diagonals.converged.size} diagonals measured"
+        return f"<Survey of {self.atlas!r}: {diagonals}, {found}>"
 
 
 def measure_atlas(

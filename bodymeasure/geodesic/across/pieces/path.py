@@ -13,6 +13,7 @@ from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.across.pieces.part import PathPart, PathPiece
 from bodymeasure.geodesic.status import Status
+from bodymeasure.wording import result_line
 
 
 @dataclass(frozen=True)
@@ -159,10 +160,8 @@ class AtlasPath:
         )
 
     def __repr__(self) -> str:
-        return (
-            f"<{type(self).__name__} of length {self.length:.6g} {self.atlas.unit}, error "
-            f"{self.error_estimate:.1g} {self.atlas.unit}, {self.status.name}>"
-        )
+        kind, unit, status = type(self).__name__, self.atlas.unit, self.status.name
+        return result_line(kind, unit, self.error_estimate, outcome=status, length=self.length)
 
     @property
     def converged(self) -> bool:
