@@ -1,4 +1,4 @@
-"""Methods side by side: error against time, growth with the number of patches, where time goes."""
+"""A benchmark of methods: error against time, growth with the number of patches, and stages."""
 
 from bodymeasure.bench.figure import error_against_time
 from bodymeasure.bench.records import BenchDocument, to_csv

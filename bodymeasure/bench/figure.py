@@ -1,4 +1,4 @@
-"""Error against time of all methods, as an SVG file."""
+"""The figure of error against time of all methods, as an SVG file."""
 
 import io
 from dataclasses import dataclass
@@ -9,14 +9,14 @@ from bodymeasure.bench.records import BenchDocument, Result, SetRecord
 from bodymeasure.scene.figures.chart_style import TEXT_SIZE, chart_style, power_of_ten
 
 CAPTION_INK, GRID = "#57606a", "#d8dee4"
-# Errors are drawn no smaller than this: half the spacing of numbers near 1, below which a relative
-# error is none.
+# Smaller errors are drawn at this one, which is half the spacing of numbers near 1: a smaller
+# relative error is none.
 LEAST_ERROR = 1.1e-16
-# The errors' axis ends a little below that.
+# The lower end of the axis of errors.
 FLOOR = 3e-17
-# What is left free beyond the outermost points, as a factor.
+# The factor by which the axes extend beyond the outermost points.
 MARGIN = 3.0
-# In microseconds.
+# Labels of the axis of time, by microseconds.
 TICKS = {
     1e0: "1 µs",
     1e1: "10 µs",
@@ -42,9 +42,9 @@ class Look:
     ----------
     color, marker : str
     size, width : float
-        Of the marker and the line.
+        Sizes of the marker and the line.
     layer : int
-        What is drawn over what.
+        Higher layers are drawn over lower ones.
     """
 
     color: str
@@ -54,9 +54,9 @@ class Look:
     layer: int = 3
 
 
-# After M. Okabe and K. Ito, "Color universal design" (2008), darkened where they'd be faint on
-# white. bodymeasure's methods share a color; markers tell all apart without any. pygeodesic lies
-# under libigl, with which it agrees.
+# Colors after M. Okabe and K. Ito, "Color universal design" (2008), darkened where they would be
+# faint on white. bodymeasure's methods share a color; markers distinguish all methods without it.
+# pygeodesic is drawn under libigl, with which it agrees.
 _OURS, _OTHERS = "#0072B2", "#3a9bd1"
 LOOKS = {
     DEFAULT: Look(_OURS, "*", size=13.0, layer=5),
@@ -72,7 +72,7 @@ LOOKS = {
     "potpourri3d edge flips": Look("#009E73", "^", layer=4),
     "libigl heat": Look("#B8860B", "v"),
 }
-# From this part of failures on, a method is drawn hollow.
+# The part of failures from which on a method is drawn hollow.
 MANY_FAILURES = 0.1
 CAPTION = (
     "Bars: the middle 80 % of the diagonals. Hollow: no length for more than a tenth of the "
@@ -82,10 +82,10 @@ CAPTION = (
 
 
 def error_against_time(document: BenchDocument) -> bytes:
-    """Median relative error against median processor time of a diagonal, a panel for each set.
+    """Return the median error against the median time of a diagonal, with a panel for each set.
 
     Bars span the errors of the middle 80 % of diagonals. The background is white, so that the
-    picture stands on dark pages too.
+    picture can be shown on dark pages, too.
 
     Parameters
     ----------
@@ -108,7 +108,7 @@ def error_against_time(document: BenchDocument) -> bytes:
 
 
 def draw(document: BenchDocument) -> Any:
-    """The picture as a figure of matplotlib's."""
+    """Return the picture as a figure of matplotlib."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(10.4, 5.3), facecolor="white")
@@ -132,14 +132,14 @@ def draw(document: BenchDocument) -> Any:
 
 
 def _scale(axes: Any, results: list[Result]) -> None:
-    """Limits and ticks, which all panels share."""
+    """Set the limits and ticks, which all panels share."""
     times = [result.time_median for result in results]
     errors = [result.error_ninetieth for result in results if result.error_ninetieth is not None]
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xlim(min(times) / MARGIN, MARGIN * max(times))
     axes.set_ylim(FLOOR, MARGIN * max(errors, default=1.0))
-    # Only those within the limits: others would widen them.
+    # Ticks outside the limits would widen them.
     low, high = axes.get_xlim()
     ticks = {time: text for time, text in TICKS.items() if low <= time <= high}
     axes.set_xticks([*ticks], [*ticks.values()])
@@ -174,7 +174,9 @@ def _dress(axes: Any, record: SetRecord) -> None:
 
 
 def _plot(axes: Any, look: Look, points: list[Result]) -> Any:
-    """One method's points, joined in the order of its settings; returns its key."""
+    """Draw the points of one method, joined in the order of its settings; return its key."""
+    from matplotlib.lines import Line2D
+
     known = [point for point in points if point.error_median is not None]
     time = [point.time_median for point in known]
     median, low, high = (
@@ -184,34 +186,25 @@ def _plot(axes: Any, look: Look, points: list[Result]) -> Any:
     axes.vlines(time, low, high, color=look.color, linewidth=1.6, alpha=0.35, zorder=2)
     failed = sum(point.failures for point in points)
     hollow = failed > MANY_FAILURES * sum(point.diagonals for point in points)
-    axes.plot(
-        time,
-        median,
-        color=look.color,
-        linewidth=look.width,
-        linestyle="-" if len(points) > 1 else "none",
-        marker=look.marker,
-        markersize=look.size,
-        markeredgecolor=look.color if hollow else "white",
-        markerfacecolor="white" if hollow else look.color,
-        markeredgewidth=1.2 if hollow else 0.7,
-        zorder=look.layer,
-    )
-    return _key(look, joined=len(points) > 1)
+    style = _style(look, joined=len(points) > 1)
+    hollow_style = {
+        "markeredgecolor": look.color,
+        "markerfacecolor": "white",
+        "markeredgewidth": 1.2,
+    }
+    axes.plot(time, median, **{**style, **(hollow_style if hollow else {})}, zorder=look.layer)
+    return Line2D([], [], **style)
 
 
-def _key(look: Look, *, joined: bool) -> Any:
-    """What stands for a method in the legend."""
-    from matplotlib.lines import Line2D
-
-    return Line2D(
-        [],
-        [],
-        color=look.color,
-        linewidth=look.width,
-        linestyle="-" if joined else "none",
-        marker=look.marker,
-        markersize=look.size,
-        markeredgecolor="white",
-        markeredgewidth=0.7,
-    )
+def _style(look: Look, *, joined: bool) -> dict[str, Any]:
+    """Return how matplotlib draws a method, and its key in the legend."""
+    return {
+        "color": look.color,
+        "linewidth": look.width,
+        "linestyle": "-" if joined else "none",
+        "marker": look.marker,
+        "markersize": look.size,
+        "markeredgecolor": "white",
+        "markerfacecolor": look.color,
+        "markeredgewidth": 0.7,
+    }

@@ -1,4 +1,4 @@
-"""What ``bench.json`` and ``bench.csv`` hold.
+"""The content of ``bench.json`` and ``bench.csv``.
 
 Null stands where there is no such value; every number is finite.
 """
@@ -14,7 +14,7 @@ VERSION: Final = 1
 
 
 class Machine(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What it was measured on."""
+    """The machine on which it was measured."""
 
     system: str
     architecture: str
@@ -22,7 +22,7 @@ class Machine(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class ThreadsRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """How many threads the numerical libraries were held to, and whether that held.
+    """The limit on the threads of numerical libraries, and whether it was kept.
 
     `others` is the part of the processor time that threads other than the main one took.
     """
@@ -33,7 +33,7 @@ class ThreadsRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
 
 
 class SetRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A set of problems: how many were drawn, and how many of them were compared on."""
+    """A set of problems: how many were drawn, and how many of them were used."""
 
     name: str
     title: str
@@ -44,9 +44,9 @@ class SetRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class Result(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What a method did on a set; times are microseconds a diagonal, errors are relative.
+    """The result of a method on a set; times are microseconds a diagonal, errors are relative.
 
-    Quartiles are over repeats; errors are over the diagonals that have a length.
+    Quartiles are taken over repeats, and errors over the diagonals that have a length.
     """
 
     set: str
@@ -67,7 +67,7 @@ class Result(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class GrowthRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What a batch takes; times are microseconds a diagonal."""
+    """The time and memory of a batch; times are microseconds a diagonal."""
 
     patches: int
     failures: int
@@ -79,7 +79,7 @@ class GrowthRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 
 
 class Figure(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A number by itself."""
+    """A single number with its name and unit."""
 
     name: str
     value: float | None
@@ -87,7 +87,7 @@ class Figure(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class BenchDocument(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """All that a run of the benchmark found."""
+    """The results of a run of the benchmark."""
 
     format: str
     version: int

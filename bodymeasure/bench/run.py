@@ -19,7 +19,7 @@ from bodymeasure.bench.size import FULL, Size
 from bodymeasure.bench.summary import figures, growth_record, results, set_record
 from bodymeasure.bench.timing.growth import measure_growth
 from bodymeasure.bench.timing.stages import stage_shares
-from bodymeasure.bench.timing.threads import Threads, one_thread
+from bodymeasure.bench.timing.threads import one_thread
 from bodymeasure.bench.timing.timing import take_turns
 from bodymeasure.bench.timing.whole_body import whole_body
 from bodymeasure.measure import package_versions
@@ -29,7 +29,7 @@ SETS = 3
 
 
 def benchmark_steps(size: Size = FULL) -> int:
-    """In how many steps `run_benchmark` counts its progress."""
+    """Return the number of steps in which `run_benchmark` counts its progress."""
     return SETS * (size.rounds + 2) + size.largest_exponent
 
 
@@ -43,7 +43,7 @@ def run_benchmark(
     size : Size
         `FULL`, or `QUICK` for few problems and repeats.
     progress : callable, optional
-        Called with how many of the `benchmark_steps` are done.
+        Called with the number of `benchmark_steps` that are done.
 
     Returns
     -------
@@ -84,9 +84,13 @@ def run_benchmark(
         version=VERSION,
         created=datetime.now(UTC).isoformat(timespec="seconds"),
         quick=size is not FULL,
-        machine=_machine(),
+        machine=Machine(
+            system=platform.system(), architecture=platform.machine(), cores=os.cpu_count() or 1
+        ),
         versions=package_versions(PACKAGES),
-        threads=_threads(threads),
+        threads=ThreadsRecord(
+            limit=threads.limit, pools=list(threads.pools), others=threads.other_threads
+        ),
         processor_seconds=threads.processor_seconds,
         sets=[set_record(each) for each in sets],
         results=compared,
@@ -94,13 +98,3 @@ def run_benchmark(
         stages=stages,
         figures=figures(compared, growth, body),
     )
-
-
-def _machine() -> Machine:
-    return Machine(
-        system=platform.system(), architecture=platform.machine(), cores=os.cpu_count() or 1
-    )
-
-
-def _threads(found: Threads) -> ThreadsRecord:
-    return ThreadsRecord(limit=found.limit, pools=list(found.pools), others=found.other_threads)

@@ -1,4 +1,4 @@
-"""How much is measured: in full, or quickly."""
+"""The amount that is measured: in full, or quickly."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -15,11 +15,11 @@ class Size:
     mild, wild, body : int
         Problems drawn for each set.
     limits : mapping of pace to int
-        How many of these a method is given at most; those of pace "batch" get all.
+        The most problems that a method of each pace is given; those of pace "batch" get all.
     rounds : int
-        How often each method is timed; those of pace "very slow" in every second round alone.
+        How often each method is timed; those of pace "very slow" only in every second round.
     largest_exponent : int
-        Growth is measured from 10 to this power of ten of patches.
+        Growth is measured from 10 patches to this power of ten.
     """
 
     mild: int
@@ -30,7 +30,7 @@ class Size:
     largest_exponent: int
 
 
-# Some five minutes, half of them for libigl and pygeodesic.
+# This takes some five minutes, half of them for libigl and pygeodesic.
 FULL = Size(
     mild=2000,
     wild=500,
@@ -39,7 +39,7 @@ FULL = Size(
     rounds=6,
     largest_exponent=6,
 )
-# Some twenty seconds: enough to see that all works, not for figures to be told.
+# This takes some twenty seconds: enough to see that all works, but not for figures to quote.
 QUICK = Size(
     mild=200,
     wild=40,

@@ -1,4 +1,4 @@
-"""From times and lengths to the numbers that are told."""
+"""Times and lengths summed up to the numbers of the records."""
 
 from collections.abc import Sequence
 
@@ -19,12 +19,12 @@ from bodymeasure.bench.timing.growth import Growth
 from bodymeasure.bench.timing.timing import Trial
 
 MICRO = 1e6
-# Batches from here on are to take the same time a diagonal.
+# The number of patches from which on a diagonal is to take the same time in any batch.
 FLAT_FROM = 1000
 
 
 def set_record(problem_set: ProblemSet) -> SetRecord:
-    """A set of problems in numbers."""
+    """Return a set of problems in numbers."""
     return SetRecord(
         name=problem_set.name,
         title=problem_set.title,
@@ -36,7 +36,7 @@ def set_record(problem_set: ProblemSet) -> SetRecord:
 
 
 def results(problem_set: ProblemSet, trials: Sequence[Trial]) -> list[Result]:
-    """Times and errors of all methods on a set; the first is that of bodymeasure's default."""
+    """Return times and errors of all methods on a set, that of bodymeasure's default first."""
     ours = _quartiles(trials[0].seconds, trials[0].count)[1]
     return [_result(problem_set, trial, ours) for trial in trials]
 
@@ -44,7 +44,7 @@ def results(problem_set: ProblemSet, trials: Sequence[Trial]) -> list[Result]:
 def _result(problem_set: ProblemSet, trial: Trial, ours: float) -> Result:
     lower, median, upper = _quartiles(trial.seconds, trial.count)
     error = np.abs(trial.length / problem_set.truth[: trial.count] - 1.0)
-    # Infinite distances are as little a length as NaN.
+    # An infinite distance is no length, either.
     known = error[np.isfinite(error)]
     parts: list[float] | list[None] = [None] * 4
     if len(known):
@@ -69,7 +69,7 @@ def _result(problem_set: ProblemSet, trial: Trial, ours: float) -> Result:
 
 
 def growth_record(growth: Growth) -> GrowthRecord:
-    """Times and memory of a batch."""
+    """Return times and memory of a batch."""
     lower, median, upper = _quartiles(growth.seconds, growth.patches)
     return GrowthRecord(
         patches=growth.patches,
@@ -83,7 +83,7 @@ def growth_record(growth: Growth) -> GrowthRecord:
 
 
 def _quartiles(seconds: Sequence[float], count: int) -> tuple[float, float, float]:
-    """Lower quartile, median and upper quartile in microseconds a diagonal."""
+    """Return lower quartile, median and upper quartile in microseconds a diagonal."""
     lower, median, upper = MICRO / count * np.quantile(seconds, [0.25, 0.5, 0.75])
     return float(lower), float(median), float(upper)
 
@@ -91,7 +91,7 @@ def _quartiles(seconds: Sequence[float], count: int) -> tuple[float, float, floa
 def figures(
     compared: Sequence[Result], growth: Sequence[GrowthRecord], whole_body: Sequence[Figure]
 ) -> list[Figure]:
-    """What is told first."""
+    """Return the numbers that a reader wants to know first."""
     found = []
     names = [result.set for result in compared if result.method == DEFAULT]
     for name in names:

@@ -1,4 +1,4 @@
-"""Body measurements from two sources, compared: differences, and the verdict of ISO 20685-1."""
+"""Comparison of body measurements from two sources: differences and verdicts of ISO 20685-1."""
 
 from bodymeasure.compare.comparison import compare
 from bodymeasure.compare.iso20685 import MINIMUM_SUBJECTS

@@ -1,4 +1,4 @@
-"""Two sources of body measurements, compared."""
+"""Comparison of two sources of body measurements."""
 
 from collections.abc import Iterable
 from datetime import UTC, datetime
@@ -11,7 +11,7 @@ from bodymeasure.compare.records import Comparison, Difference
 from bodymeasure.errors import InputError
 from bodymeasure.report.units import DEGREES, ValueUnit
 
-# Of each kind of note; the rest is counted.
+# The number of names that a note lists; the others are counted.
 NAMED = 20
 
 _ByKey = dict[str, Reading]
@@ -26,21 +26,21 @@ def compare(
     minimum_subjects: int = MINIMUM_SUBJECTS,
     created: datetime | None = None,
 ) -> Comparison:
-    """Differences of what two sources have in common, by subject, and ISO 20685-1's verdict.
+    """Return the differences of two sources by subject, and the verdict of ISO 20685-1.
 
-    One subject is compared with one, whatever their names; several are paired by name.
+    Two single subjects are compared whatever their names; several are paired by name.
 
     Parameters
     ----------
     first, second : Readings
     known : iterable of Known
-        Measurements beside those that the sources define themselves.
+        Measurements besides those that the sources define themselves.
     unit : Unit or str, optional
-        Of the lengths; that of the first source if not given, or else centimeters.
+        Unit of the lengths; that of the first source if not given, or else centimeters.
     minimum_subjects : int
-        For a verdict.
+        Number of subjects from which on there is a verdict.
     created : datetime, optional
-        Now if not given.
+        The time that the comparison states; the present if not given.
 
     Raises
     ------
@@ -107,7 +107,7 @@ def _by_subject(readings: Readings, vocabulary: Vocabulary) -> dict[str, _ByKey]
 
 
 def _pairs(first: Readings, second: Readings) -> tuple[list[tuple[str, str, str]], list[str]]:
-    """Subjects to compare, as a name and those in either source; and a note on the others."""
+    """Return the pairs of subjects, each by its name and the names in both; and notes on others."""
     mine, other = first.subjects, second.subjects
     if len(mine) == len(other) == 1:
         return [(mine[0] or other[0], mine[0], other[0])], []
@@ -148,7 +148,7 @@ def _difference(
 
 
 def _missing(subject: str, a: _ByKey, b: _ByKey, first: Readings, second: Readings) -> list[str]:
-    """Notes on what only one of the two has a value of."""
+    """Return notes on the measurements that only one of the two has a value of."""
     prefix = f"{subject}: " if subject else ""
     notes = []
     for has, lacks, where in ((a, b, second.name), (b, a, first.name)):

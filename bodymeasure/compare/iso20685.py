@@ -10,18 +10,18 @@ from bodymeasure.atlas import Unit, convert_length
 from bodymeasure.chart import AccuracyClass
 from bodymeasure.compare.records import Agreement, ClassVerdict, Difference, Verdict
 
-# Of test subjects, that the standard asks for at the least.
+# The least number of test subjects that the standard asks for.
 MINIMUM_SUBJECTS = 40
 CONFIDENCE = 0.95
 
 
 def confidence_interval(differences: Sequence[float]) -> tuple[float, float] | None:
-    """The 95 % confidence interval of the mean, by Student's t; None of fewer than two.
+    """Return the 95 % confidence interval of the mean by Student's t; None for fewer than two.
 
     Parameters
     ----------
     differences : sequence of float
-        One a subject, at least two.
+        One for each subject, at least two.
     """
     count = len(differences)
     if count < 2:
@@ -32,7 +32,7 @@ def confidence_interval(differences: Sequence[float]) -> tuple[float, float] | N
 
 
 def agreement(differences: Sequence[Difference], minimum_subjects: int) -> Agreement:
-    """The differences of one measurement, of at least one subject, taken together."""
+    """Return the differences of one measurement over at least one subject, taken together."""
     first = differences[0]
     values = [each.difference for each in differences]
     interval = confidence_interval(values)
@@ -56,7 +56,7 @@ def agreement(differences: Sequence[Difference], minimum_subjects: int) -> Agree
 
 
 def maximum_error(accuracy_class: str | None, unit: str) -> float | None:
-    """Maximum allowable error of a class, in a unit of length; None without a class."""
+    """Return the maximum allowable error of a class in a unit of length; None without a class."""
     if accuracy_class is None:
         return None
     millimeters = AccuracyClass(accuracy_class).maximum_error_mm
@@ -72,7 +72,7 @@ def _verdict(interval: tuple[float, float] | None, maximum: float | None, enough
 
 
 def class_verdicts(agreements: Sequence[Agreement], unit: str) -> list[ClassVerdict]:
-    """The verdict on each class that occurs, in the order of the standard."""
+    """Return the verdict on each class that occurs, in the order of the standard."""
     found = []
     for each in AccuracyClass:
         members = [one for one in agreements if one.accuracy_class == each.value]

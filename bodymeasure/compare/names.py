@@ -1,4 +1,4 @@
-"""Which measurement a name means."""
+"""The measurements that keys and names mean."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -7,19 +7,19 @@ from bodymeasure.chart import MeasurementDefinition
 from bodymeasure.errors import InputError
 from bodymeasure.wording import nearest
 
-# Likeness of names from which one is taken for a misspelling of the other.
+# Similarity of names from which on one is taken for a misspelling of the other.
 NEAR = 0.6
 
 
 @dataclass(frozen=True)
 class Known:
-    """A measurement that values may be of.
+    """A measurement of which there may be values.
 
     Parameters
     ----------
     key, name : str
     accuracy_class : str or None
-        In ISO 20685-1.
+        The class in ISO 20685-1.
     angle : bool
         Whether it is in degrees.
     """
@@ -31,7 +31,7 @@ class Known:
 
 
 def known_from(definitions: Iterable[MeasurementDefinition]) -> tuple[Known, ...]:
-    """What definitions, with left and right put in, define."""
+    """Return the measurements of definitions in which left and right have been filled in."""
     return tuple(
         Known(
             key=definition.key,
@@ -44,12 +44,12 @@ def known_from(definitions: Iterable[MeasurementDefinition]) -> tuple[Known, ...
 
 
 class Vocabulary:
-    """Measurements by their keys and names; upper and lower case are the same.
+    """Measurements by their keys and names, in which case does not matter.
 
     Parameters
     ----------
     known : iterable of Known
-        The first one of a key counts.
+        The first one counts if several have the same key.
     """
 
     def __init__(self, known: Iterable[Known]) -> None:
@@ -59,16 +59,16 @@ class Vocabulary:
             self.by_key.setdefault(each.key, each)
         for each in self.by_key.values():
             self._by_text.setdefault(_plain(each.name), []).append(each)
-        # Unlike names, keys are unique, and so go first.
+        # Unlike names, keys are unique, and therefore go first.
         self._by_text |= {_plain(key): [each] for key, each in self.by_key.items()}
 
     def find(self, text: str, place: str) -> Known:
-        """The measurement of that key or name.
+        """Return the measurement of a key or name.
 
         Raises
         ------
         InputError
-            If there is none, or several; the message names the nearest, or those.
+            If there is none, or several; the message names the most similar one, or all of them.
         """
         found = self._by_text.get(_plain(text), [])
         if len(found) == 1:

@@ -1,4 +1,4 @@
-"""A comparison as one self-contained page."""
+"""The page of a comparison, one self-contained file."""
 
 from bodymeasure.compare import shown
 from bodymeasure.compare.records import VERDICTS, Comparison
@@ -12,9 +12,9 @@ MARKS = {"within": "✓", "exceeds": "✕", "too few subjects": "△", "no class
 
 
 def render_comparison(comparison: Comparison) -> bytes:
-    """A comparison as an HTML page that loads nothing else.
+    """Return a comparison as an HTML page that loads nothing else.
 
-    Differences stand there one by one if there is one subject; of several, those of each
+    Differences are listed one by one if there is one subject; if there are several, those of each
     measurement are taken together.
 
     Raises

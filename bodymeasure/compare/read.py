@@ -1,4 +1,4 @@
-"""Values to compare from files: a chart's JSON, or CSV typed by hand."""
+"""Reading values to compare from files: the JSON of a chart, or CSV typed by hand."""
 
 import csv
 import io
@@ -16,7 +16,7 @@ from bodymeasure.files import read_bytes
 from bodymeasure.report.body.records import SCHEMA, ChartDocument
 from bodymeasure.report.units import DEGREES
 
-# Columns, each with the names that it may have; those of a chart's CSV are among them.
+# The columns, each with the names that it may have, among them those of a chart's CSV.
 COLUMNS = {
     "measurement": ("measurement", "key", "name"),
     "value": ("value",),
@@ -27,9 +27,9 @@ COLUMNS = {
     "kind": ("kind",),
 }
 NEEDED = ("measurement", "value", "unit")
-# The first of them that the header has is taken.
+# The first of these that the header contains is taken.
 DELIMITERS = ("\t", ";", ",")
-# Of the lengths that a chart's CSV holds, these alone may be zero or less: differences.
+# The kind of measurement in a chart's CSV whose lengths may be zero or less, as differences.
 FORMULA = "formula"
 PLAIN_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?", re.IGNORECASE | re.ASCII)
 TAILORS_FRACTION = re.compile(r"(\d+\s+)?\d+/0*[1-9]\d*", re.ASCII)
@@ -37,17 +37,17 @@ UNITS = (*(unit.value for unit in Unit), DEGREES)
 
 
 def read_readings(path: Path) -> Readings:
-    """Values from a file, by its extension: a chart's ``.json``, or ``.csv``.
+    """Return the values of a file, by its extension: a chart's ``.json``, or ``.csv``.
 
     A CSV file has the columns ``measurement`` (key or name), ``value`` and ``unit`` (m, cm, mm,
-    inch, deg), and may have ``subject`` and ``error``. Tabs and semicolons serve in place of
-    commas; with these, a comma may be a decimal point. Inches may have fractions, as ``33 1/8``. A
-    line without a value says that there is none.
+    inch, deg), and may have ``subject`` and ``error``. Tabs and semicolons may be used in place of
+    commas; then a comma may be a decimal point. Inches may have fractions, such as ``33 1/8``. A
+    line without a value means that there is none.
 
     Raises
     ------
     InputError
-        The file, the line, what was expected and what to do.
+        If the file is not as expected; the message gives file, line and what to do.
     """
     content = read_bytes(path)
     if path.suffix.lower() == ".json":
@@ -90,17 +90,17 @@ def _rows(content: bytes, path: Path) -> list[Reading]:
 
 
 def _check_width(row: list[str], count: int, place: str) -> None:
-    """Refuse what stands beyond the header's columns, such as what a decimal comma cuts off."""
+    """Refuse cells beyond the columns of the header, such as what a decimal comma cuts off."""
     beyond = [cell for cell in row[count:] if cell.strip()]
     if beyond:
         raise InputError(
             f"{place}: has {beyond[0]!r} beyond the last column of the header; if a comma is a "
-            "decimal point, part the columns by semicolons"
+            "decimal point, separate the columns by semicolons"
         )
 
 
 def _columns(header: list[str], path: Path) -> dict[str, int]:
-    """Place of each column in a row."""
+    """Return the place of each column in a row."""
     given = [cell.strip().casefold() for cell in header]
     columns = {
         column: next(given.index(name) for name in names if name in given)

@@ -1,4 +1,4 @@
-"""Measured values to compare, of one body or of many, wherever they come from."""
+"""Measured values to compare, of one body or of several, from any source."""
 
 from dataclasses import dataclass, field
 
@@ -16,9 +16,9 @@ class Reading:
     Parameters
     ----------
     subject : str
-        Whose body; empty if the source does not say.
+        Name of the body; empty if the source does not say.
     measurement : str
-        Key or name of the measurement, as the source has it.
+        Key or name of the measurement in the source.
     value : float or None
         None if there is none; `reason` then says why.
     unit : str
@@ -27,7 +27,7 @@ class Reading:
         Bound on the error of `value`, if known.
     reason : str
     place : str
-        Where it stands, for messages.
+        Its place in the source, for messages.
     """
 
     subject: str
@@ -46,12 +46,12 @@ class Readings:
     Parameters
     ----------
     name : str
-        Of the source, for titles.
+        Name of the source, for titles.
     values : tuple of Reading
     known : tuple of Known
         The measurements that the source itself defines.
     unit : str or None
-        In which the source would be shown, if it says so.
+        Unit of the source's lengths, if it says so.
     """
 
     name: str
@@ -61,12 +61,12 @@ class Readings:
 
     @property
     def subjects(self) -> tuple[str, ...]:
-        """Whose bodies, each once, in the order of the source."""
+        """The names of the bodies, each once, in the order of the source."""
         return tuple(dict.fromkeys(reading.subject for reading in self.values))
 
 
 def readings_of(document: ChartDocument) -> Readings:
-    """The values of a chart; it goes by the name of the body."""
+    """Return the values of a chart, under the name of the body."""
     return Readings(
         name=document.name or "a body",
         values=tuple(
@@ -90,7 +90,7 @@ def readings_of(document: ChartDocument) -> Readings:
 
 
 def converted(value: float, source: str, target: str) -> float:
-    """A value in another unit; degrees stay degrees.
+    """Return a value in another unit; degrees stay degrees.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What a comparison holds, as JSON and CSV, and its schema."""
+"""The content of a comparison, for JSON and CSV."""
 
 from typing import Annotated, Final, Literal
 
@@ -15,8 +15,8 @@ VERDICTS: Final[dict[str, str]] = {
     "allowable error.",
     "exceeds": "The 95 % confidence interval of the mean difference does not lie within the "
     "maximum allowable error.",
-    "too few subjects": "The standard asks for more subjects, so there is no verdict.",
-    "no class": "The standard has no class for it.",
+    "too few subjects": "The standard asks for more subjects, so that there is no verdict.",
+    "no class": "The standard has no class for the measurement.",
 }
 
 
@@ -33,9 +33,9 @@ class Difference(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     relative: Annotated[float | None, Meta(description="(a - b) / b; null if b is 0.")]
     combined_error: Annotated[
         float | None,
-        Meta(description="Sum of the errors of a and b that are known; null if neither is."),
+        Meta(description="Sum of the known errors of a and b; null if neither is known."),
     ]
-    accuracy_class: Annotated[str | None, Meta(description="In ISO 20685-1.")]
+    accuracy_class: Annotated[str | None, Meta(description="Class in ISO 20685-1.")]
 
 
 class Agreement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -48,9 +48,9 @@ class Agreement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     subjects: int
     mean: Annotated[float, Meta(description="Mean difference a - b.")]
     deviation: Annotated[float | None, Meta(description="Sample standard deviation.")]
-    low: Annotated[float | None, Meta(description="Of the 95 % confidence interval of the mean.")]
-    high: Annotated[float | None, Meta(description="Of the 95 % confidence interval of the mean.")]
-    largest: Annotated[float, Meta(description="Difference that is largest in size.")]
+    low: Annotated[float | None, Meta(description="Lower end of the 95 % interval of the mean.")]
+    high: Annotated[float | None, Meta(description="Upper end of the 95 % interval of the mean.")]
+    largest: Annotated[float, Meta(description="The difference that is largest in size.")]
     largest_subject: str
     maximum_error: Annotated[
         float | None, Meta(description="Maximum allowable error of the class in ISO 20685-1.")
@@ -59,7 +59,7 @@ class Agreement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class ClassVerdict(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A class of ISO 20685-1: within if each of its measurements is."""
+    """A class of ISO 20685-1, which is within if each of its measurements is."""
 
     accuracy_class: str
     maximum_error: float
@@ -69,15 +69,15 @@ class ClassVerdict(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 
 
 class Comparison(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Two sources of body measurements, compared."""
+    """The comparison of two sources of body measurements."""
 
     schema: Annotated[Literal["bodymeasure comparison"], Meta(description="Kind of file.")] = SCHEMA
-    version: Annotated[Literal[1], Meta(description="Of this layout.")] = 1
-    created: Annotated[str, Meta(description="When, in ISO 8601.")]
+    version: Annotated[Literal[1], Meta(description="The version of this layout.")] = 1
+    created: Annotated[str, Meta(description="The time at which it was made, in ISO 8601.")]
     a: Annotated[str, Meta(description="The first source.")]
     b: Annotated[str, Meta(description="The second source.")]
-    unit: Annotated[LengthUnit, Meta(description="Of the lengths.")]
-    minimum_subjects: Annotated[int, Meta(description="For a verdict.")]
+    unit: Annotated[LengthUnit, Meta(description="Unit of the lengths.")]
+    minimum_subjects: Annotated[int, Meta(description="Number of subjects that a verdict needs.")]
     subjects: Annotated[list[str], Meta(description="Those in both sources.")]
     classes: list[ClassVerdict]
     agreements: list[Agreement]

@@ -58,7 +58,7 @@ class LandmarksDocument(Struct, frozen=True):
 def landmarks_document(
     atlas: Atlas, definitions: Definitions, unit: Unit | str, *, name: str = ""
 ) -> LandmarksDocument:
-    """Find the landmarks of an atlas by a set's rules, and what its measurements lack.
+    """Return the landmarks of an atlas by the rules of a set, and what its measurements lack.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def landmarks_document(
     Raises
     ------
     InputError
-        As `derive_landmarks`.
+        As in `derive_landmarks`.
     """
     unit = Unit.parse(unit)
     derived = derive_landmarks(atlas, definitions.landmark)
@@ -136,7 +136,7 @@ class CheckedLandmark(Struct, frozen=True):
 
 
 class SymmetryDocument(Struct, frozen=True):
-    """How symmetric an atlas's landmarks are, and how well they are named; lengths in `unit`.
+    """How symmetric the landmarks of an atlas are, and how well named; lengths are in `unit`.
 
     `deviation` is the root mean square distance of the surface from its mirror image.
     """
@@ -165,7 +165,7 @@ def symmetry_document(
     within: float | None = None,
     name: str = "",
 ) -> SymmetryDocument:
-    """Check that landmarks are symmetric, and named as measurements name them.
+    """Return how symmetric landmarks are, and whether their names are those of measurements.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Pages from templates: each one file that loads nothing else."""
+"""Pages from templates: each page is one file that loads nothing else."""
 
 import base64
 from collections.abc import Callable, Mapping, Sequence
@@ -29,22 +29,22 @@ def render_page(
     filters: Mapping[str, Callable[..., object]] | None = None,
     styles: Sequence[str] = (),
 ) -> bytes:
-    """A template filled in; names and words are escaped.
+    """Return a page: a template that is filled in, with names and words escaped.
 
     Parameters
     ----------
     package : str
-        In whose folder ``templates`` the template is.
+        The package whose folder ``templates`` holds the template.
     template : str
         Name of its file.
     context : mapping of str to object
-        What the template may name; ``css`` is put in.
+        The names that the template uses; ``css`` is added.
     feature : str
-        What the page is, for the message if jinja2 is missing.
+        A name for the page, for the message if jinja2 is missing.
     filters : mapping of str to function, optional
-        Beside `FILTERS`.
+        Filters besides `FILTERS`.
     styles : sequence of str
-        Style sheets of `bodymeasure.report` after ``report.css``.
+        Style sheets of `bodymeasure.report` that follow ``report.css``.
 
     Raises
     ------
@@ -60,7 +60,7 @@ def render_page(
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
-        # For the macros that several pages share.
+        # Finds the macros that several pages share.
         loader=jinja2.FunctionLoader(lambda name: _text("bodymeasure.report", name)),
     )
     environment.filters.update({**FILTERS, **(filters or {})})
@@ -75,13 +75,13 @@ def _text(package: str, name: str) -> str:
 
 
 def moment(created: str) -> str:
-    """A time in ISO 8601 as people read it."""
+    """Return a time in ISO 8601 as people read it."""
     when = datetime.fromisoformat(created)
     return f"{when:%Y-%m-%d %H:%M} {when.tzname() or ''}".strip()
 
 
 def data_uri(content: bytes) -> str:
-    """A PNG or SVG picture as the value of an ``src`` attribute."""
+    """Return a PNG or SVG picture as the value of an ``src`` attribute."""
     kind = "image/png" if content.startswith(b"\x89PNG") else "image/svg+xml"
     return f"data:{kind};base64,{base64.b64encode(content).decode()}"
 
@@ -95,10 +95,10 @@ class Image(TypedDict):
 
 
 def images(pictures: Mapping[Key, bytes]) -> dict[Key, Image]:
-    """PNG pictures by key, each with its address, width and height."""
+    """Return PNG pictures by key, each with its address, width and height."""
     found: dict[Key, Image] = {}
     for key, content in pictures.items():
-        # The header chunk of a PNG comes first: width and height as big-endian words.
+        # The header, which comes first in a PNG, holds width and height as big-endian words.
         width, height = (int.from_bytes(content[at : at + 4], "big") for at in (16, 20))
         found[key] = {"uri": data_uri(content), "width": width, "height": height}
     return found

@@ -72,7 +72,7 @@ def test_subjects_errors_and_gaps_are_read(tmp_path: Path) -> None:
         ("measurement,value,unit\na,91,5,cm\n", "line 2: has 'cm' beyond the last column"),
         (
             "measurement,unit,value\na,cm,91,5\n",
-            "line 2: has '5' beyond the last column .* part the columns by semicolons",
+            "line 2: has '5' beyond the last column .* separate the columns by semicolons",
         ),
         ("measurement,value,unit\na,-91.5,cm\n", "line 2: '-91.5' is no length; expected one abo"),
         ("measurement,value,unit\na,0,inch\n", "line 2: '0' is no length"),

@@ -78,7 +78,7 @@ def test_the_summary_counts_and_names_the_worst(page: Page) -> None:
 
 def test_the_summary_tells_of_paths_along_an_edge(survey_of: Callable[..., Any]) -> None:
     one, none = page_of(survey_of(statuses=(Status.ON_BOUNDARY,))), page_of(survey_of())
-    assert "1 of those measured runs along an edge of the patch for a part" in one.text
+    assert "1 of those measured runs along an edge of the patch in part" in one.text
     assert "of those measured" not in none.text
 
 

@@ -6,19 +6,19 @@ from scipy.integrate import solve_bvp
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 
-# The first mesh; the solver refines it.
+# Nodes of the first mesh, which the solver refines.
 FIRST_NODES = 17
-# With its default of 1000, the tightest tolerance fails on curved patches for want of nodes.
+# With the default of 1000, the tightest tolerance fails on curved patches, as nodes run out.
 MAX_NODES = 20_000
-# Gauss points on each piece of the solver's cubic spline: more than its own accuracy.
+# Gauss points on each piece of the solver's cubic spline, whose errors are far larger.
 GAUSS, WEIGHTS = np.polynomial.legendre.leggauss(4)
 
 
 class BoundaryValueProblem:
-    """One geodesic: y = (u, v, u', v'), the metric's 2 x 2 system solved by hand.
+    """One geodesic as a problem in y = (u, v, u', v'), with the metric's 2 x 2 system inverted.
 
-    The solver gets what helps it: the surface evaluation that bodymeasure uses itself, on its whole
-    mesh at once. Its Jacobian is by differences; that takes a quarter of its time.
+    The solver is given the best conditions: the surface evaluation that bodymeasure itself uses, on
+    the whole mesh at once. Its Jacobian is found by differences, which take a quarter of its time.
 
     Parameters
     ----------
@@ -34,11 +34,11 @@ class BoundaryValueProblem:
         self._tolerance = tolerance
 
     def __call__(self) -> float:
-        """The length; NaN if the solver gives up."""
+        """Return the length; NaN if the solver gives up."""
         t = np.linspace(0.0, 1.0, FIRST_NODES)
         way = (self._end - self._start)[:, None]
         guess = np.vstack([self._start[:, None] + way * t, np.broadcast_to(way, (2, len(t)))])
-        # A path may stray to where the patch's continuation is singular.
+        # A path may leave the patch for places where its continuation is singular.
         with np.errstate(all="ignore"):
             solution = solve_bvp(
                 self._slope, self._ends, t, guess, tol=self._tolerance, max_nodes=MAX_NODES

@@ -1,4 +1,4 @@
-"""Who takes part: bodymeasure's methods, a general solver, and mesh libraries."""
+"""The entrants of the benchmark: bodymeasure's methods, a general solver, and mesh libraries."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -32,7 +32,7 @@ from bodymeasure.geodesic import (
 Solve = Callable[[], Array]
 Prepare = Callable[[Problems], Solve]
 Family = Literal["bodymeasure", "scipy", "mesh"]
-# How many problems a method is given, and how often; see `bodymeasure.bench.size`.
+# Determines how many problems a method is given, and how often; see `bodymeasure.bench.size`.
 Pace = Literal["batch", "fast", "slow", "very slow"]
 
 DEFAULT = "RBF, fast form"
@@ -46,7 +46,7 @@ MESH_METHODS = {
     "potpourri3d edge flips": edge_flips,
     "libigl heat": igl_heat,
 }
-# By these a library says that it cannot measure a problem; that is counted.
+# The errors by which a library reports that it cannot measure a problem, which is counted.
 FAILURES = (ArithmeticError, RuntimeError, ValueError)
 
 
@@ -59,13 +59,13 @@ class Entrant:
     method : str
         Its name.
     setting : str
-        What is varied, in words; may be empty.
+        The setting that is varied, in words; may be empty.
     family : {"bodymeasure", "scipy", "mesh"}
     pace : {"batch", "fast", "slow", "very slow"}
-        How many problems it can be given.
+        Determines how many problems the method is given.
     prepare : callable
-        Takes problems and returns the call that is timed, which gives their lengths, shape (p,),
-        NaN where there is none.
+        Takes problems and returns the call that is timed, which returns their lengths, shape (p,),
+        with NaN where there is none.
     """
 
     method: str
@@ -76,22 +76,22 @@ class Entrant:
 
     @property
     def label(self) -> str:
-        """Method and setting."""
+        """The method and its setting."""
         return f"{self.method}, {self.setting}" if self.setting else self.method
 
 
 def tolerance_setting(tolerance: float) -> str:
-    """How a tolerance of solve_bvp is called."""
+    """Return the name of a tolerance of solve_bvp."""
     return f"tol {tolerance:.0e}".replace("e-0", "e-")
 
 
 def points_setting(points: int) -> str:
-    """How a mesh is called."""
+    """Return the name of a mesh."""
     return f"{points} points a side"
 
 
 def entrants() -> tuple[Entrant, ...]:
-    """All who take part, bodymeasure's default first; pygeodesic only where it is installed."""
+    """Return all entrants, bodymeasure's default first; pygeodesic only if it is installed."""
     ours: tuple[tuple[str, Method, Pace], ...] = (
         (DEFAULT, RBFCollocation(), "batch"),
         ("RBF, full form", RBFCollocation(form="full"), "batch"),
@@ -120,7 +120,7 @@ def entrants() -> tuple[Entrant, ...]:
 
 
 def _solver(method: Method) -> Prepare:
-    """One of bodymeasure's own methods, on all problems in one batch."""
+    """Return what prepares one of bodymeasure's own methods, on all problems in one batch."""
 
     def prepare(problems: Problems) -> Solve:
         def solve() -> Array:
@@ -140,7 +140,7 @@ def _solver(method: Method) -> Prepare:
 
 
 def _one_by_one(make: Callable[[Array, Array, Array], Callable[[], float]]) -> Prepare:
-    """A method that takes one problem at a time."""
+    """Return what prepares a method that takes one problem at a time."""
 
     def prepare(problems: Problems) -> Solve:
         calls = [make(*one) for one in zip(*problems, strict=True)]

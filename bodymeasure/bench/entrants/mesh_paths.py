@@ -1,14 +1,14 @@
 """Lengths on a triangle mesh of a patch, by libigl, potpourri3d and pygeodesic.
 
-The mesh is made beforehand; what a library builds from it for one pair of points is in its time.
+The mesh is made beforehand; the time of a library includes what it builds from the mesh for one
+pair of points.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.oracle.grid import PatchGrid
 from bodymeasure.oracle.libigl import exact_distance, heat_distances
 
@@ -25,13 +25,13 @@ class MeshedPatch:
     """
 
     vertices: Array
-    faces: NDArray[np.int64]
+    faces: Ints
     source: int
     target: int
 
     @classmethod
     def of(cls, net: Array, start: Array, end: Array, points: int) -> "MeshedPatch":
-        """A patch on `points` points a side; the ends are at the nearest of them."""
+        """Return a patch with `points` points a side; the ends are at the nearest of them."""
         side = np.linspace(0.0, 1.0, points)
         grid = PatchGrid(side, side)
         vertices, faces, number = grid.mesh(net)
@@ -40,18 +40,18 @@ class MeshedPatch:
 
 
 def igl_exact(mesh: MeshedPatch) -> float:
-    """Libigl's exact distance over the polyhedron (Mitchell, Mount and Papadimitriou)."""
+    """Return libigl's exact distance over the polyhedron (Mitchell, Mount and Papadimitriou)."""
     return exact_distance(mesh.vertices, mesh.faces, mesh.source, mesh.target)
 
 
 def igl_heat(mesh: MeshedPatch) -> float:
-    """Libigl's distance by the heat method, the factorization included."""
+    """Return libigl's distance by the heat method, the factorization included."""
     sources = np.array([mesh.source])
     return float(heat_distances(mesh.vertices, mesh.faces, sources)[0, mesh.target])
 
 
 def edge_flips(mesh: MeshedPatch) -> float:
-    """potpourri3d's locally shortest path by edge flips, from Dijkstra's along the edges."""
+    """Return potpourri3d's locally shortest path by edge flips, from Dijkstra's along the edges."""
     from potpourri3d import EdgeFlipGeodesicSolver
 
     solver = EdgeFlipGeodesicSolver(mesh.vertices, mesh.faces)
@@ -60,7 +60,7 @@ def edge_flips(mesh: MeshedPatch) -> float:
 
 
 def pygeodesic_exact(mesh: MeshedPatch) -> float:
-    """Pygeodesic's exact distance over the polyhedron, by the same algorithm as libigl's."""
+    """Return pygeodesic's exact distance over the polyhedron, by the same algorithm as libigl."""
     from pygeodesic.geodesic import PyGeodesicAlgorithmExact
 
     solver = PyGeodesicAlgorithmExact(mesh.vertices, mesh.faces)

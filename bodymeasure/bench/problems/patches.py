@@ -1,11 +1,10 @@
-"""Geodesic problems to measure: random patches, mild and wild, and the patches of a body."""
+"""Geodesic problems to measure: mild and wild random patches, and the patches of a body."""
 
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Atlas
 from bodymeasure.measure.patches.diagonals import DIAGONAL_ENDS, DIAGONAL_STARTS
 
@@ -20,32 +19,32 @@ class Problems(NamedTuple):
     start: Array
     end: Array
 
-    def take(self, rows: NDArray[np.int64] | slice) -> "Problems":
-        """Some of the problems."""
+    def take(self, rows: Ints | slice) -> "Problems":
+        """Return some of the problems."""
         return Problems(self.nets[rows], self.start[rows], self.end[rows])
 
 
 def first_diagonals(nets: Array) -> Problems:
-    """From (0, 0) to (1, 1) on every patch."""
+    """Return the problems from (0, 0) to (1, 1) on every patch."""
     return Problems(nets, np.zeros((len(nets), 2)), np.ones((len(nets), 2)))
 
 
 def both_diagonals(atlas: Atlas) -> Problems:
-    """Both diagonals of every patch, in the order of ``diagonals(atlas)`` flattened."""
+    """Return both diagonals of every patch, in the order of ``diagonals(atlas)`` flattened."""
     nets = atlas.control_points
     start, end = (np.tile(points, (len(nets), 1)) for points in (DIAGONAL_STARTS, DIAGONAL_ENDS))
     return Problems(nets.repeat(2, axis=0), start, end)
 
 
 def mild_patches(rng: np.random.Generator, count: int, height: float) -> Array:
-    """Control points on a regular grid in the unit square, heights random in [0, height]."""
+    """Return control points over a regular grid in the unit square, with heights in [0, height]."""
     nets = _flat(count, 1.0)
     nets[..., 2] = height * rng.random((count, 4, 4))
     return nets
 
 
 def wild_patches(rng: np.random.Generator, count: int, side: float) -> Array:
-    """As the paper's: heights on six levels k / 5, the first corner at 0, the last at 1."""
+    """Return patches as in the paper: heights k / 5, the first corner at 0 and the last at 1."""
     nets = _flat(count, side)
     nets[..., 2] = rng.integers(0, LEVELS, (count, 4, 4)) / (LEVELS - 1.0)
     nets[:, 0, 0, 2], nets[:, 3, 3, 2] = 0.0, 1.0

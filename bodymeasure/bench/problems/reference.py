@@ -1,7 +1,7 @@
-"""What the benchmarks compare with: Chebyshev collocation in plain NumPy.
+"""The reference of the benchmarks: Chebyshev collocation in plain NumPy.
 
-Of bodymeasure's solver it uses nothing: nodes, equations, Newton's method, quadrature and the
-judgement of the result are its own. A length counts only where two resolutions agree on it.
+It uses nothing of bodymeasure's solver: nodes, equations, Newton's method, quadrature and the
+assessment of the result are its own. A length counts only where two resolutions agree on it.
 """
 
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.bench.problems.patches import Problems
 from bodymeasure.bezier import derivatives
 
@@ -19,17 +19,17 @@ Long = NDArray[np.longdouble]
 
 PI = 4.0 * np.arctan(np.longdouble(1.0))
 
-# Pairs of degrees that are tried; each only where those before it fail.
+# Pairs of degrees, each of which is tried only where those before it fail.
 DEGREES = ((32, 44), (72, 96))
-# The same for few problems, or for paths that are nearly known: a last pair is slow.
+# The same for few problems, or for paths that are nearly known, since the last pair is slow.
 FINEST = (*DEGREES, (128, 160))
-# Of the lengths in both degrees, relative: some hundred rounding errors.
+# Relative difference of the lengths in both degrees: some hundred rounding errors.
 AGREEMENT = 1e-13
 # Tangential acceleration between the nodes, relative; the length's error is about its square.
 LARGEST_RESIDUAL = 1e-5
-# A path on the patch's edge is outside by rounding errors only.
+# A path on the edge of a patch lies outside by no more than rounding errors.
 OUTSIDE = 1e-9
-# Problems solved at once, which bounds the memory.
+# The number of problems that are solved together, which bounds the memory.
 CHUNK = 200
 GAUSS, WEIGHTS = np.polynomial.legendre.leggauss(160)
 GAUSS, WEIGHTS = 0.5 * (GAUSS + 1.0), 0.5 * WEIGHTS
@@ -37,18 +37,18 @@ GAUSS, WEIGHTS = 0.5 * (GAUSS + 1.0), 0.5 * WEIGHTS
 
 @dataclass(frozen=True)
 class Reference:
-    """Lengths of geodesics, NaN where unknown, and which paths leave their patch for certain.
+    """Lengths of geodesics, NaN where unknown, and which paths certainly leave their patch.
 
     ``paths`` are (u, v) at `GAUSS`, shape (problems, points, 2).
     """
 
     length: Array
-    leaves: NDArray[np.bool_]
+    leaves: Bools
     paths: Array
 
 
 def nodes(degree: int) -> Long:
-    """Chebyshev-Lobatto points of [0, 1]."""
+    """Return the Chebyshev-Lobatto points of [0, 1]."""
     return np.asarray(0.5 - 0.5 * np.cos(PI * np.arange(degree + 1) / degree))
 
 
@@ -58,10 +58,10 @@ GUESS_TIMES = nodes(GUESS_DEGREE).astype(np.float64)
 
 @lru_cache
 def matrices(degree: int, at: int | None = None) -> Long:
-    """From values at the nodes to values and two derivatives, shape (3, k, degree + 1).
+    """Return the matrices from values at nodes to values and two derivatives, (3, k, degree + 1).
 
-    They are taken at the nodes of another degree, or at `GAUSS`. In extended
-    precision: with matrices made in double, two digits of the lengths are lost.
+    Values are taken at the nodes of another degree, or at `GAUSS`. The matrices are made in
+    extended precision; in double precision, two digits of the lengths would be lost.
     """
     t = GAUSS.astype(np.longdouble) if at is None else nodes(at)
     k = np.arange(degree + 1)
@@ -76,7 +76,7 @@ def matrices(degree: int, at: int | None = None) -> Long:
 
 
 def _tangential(jet: Array, velocity: Array, bend: Array) -> tuple[Array, ...]:
-    """Tangents (..., 2, 3), second derivatives (..., 2, 2, 3), acceleration (..., 3)."""
+    """Return tangents (..., 2, 3), second derivatives (..., 2, 2, 3), acceleration (..., 3)."""
     tangents = np.stack([jet[..., 1, 0, :], jet[..., 0, 1, :]], axis=-2)
     mixed = jet[..., 1, 1, :]
     second = np.stack([jet[..., 2, 0, :], mixed, mixed, jet[..., 0, 2, :]], axis=-2)
@@ -87,7 +87,7 @@ def _tangential(jet: Array, velocity: Array, bend: Array) -> tuple[Array, ...]:
 
 
 def _system(nets: Array, paths: Array, operators: Array) -> tuple[Array, Array]:
-    """Residual (p, m, 2) of the geodesic equations and its derivative by the inner nodes."""
+    """Return the residual (p, m, 2) of the equations, and its derivative by the inner nodes."""
     velocity, bend = (operators[k] @ paths for k in (1, 2))
     jet = derivatives(nets, paths[:, 1:-1], order=3)
     tangents, second, acceleration = _tangential(jet, velocity, bend)
@@ -110,7 +110,7 @@ def _system(nets: Array, paths: Array, operators: Array) -> tuple[Array, Array]:
 
 
 def _newton(nets: Array, start: Array, degree: int) -> Array:
-    """Paths (p, degree + 1, 2) that meet the equations at the nodes; NaN where none was found."""
+    """Return paths (p, degree + 1, 2) that solve the equations at the nodes; NaN for failures."""
     operators = matrices(degree, degree)[:, 1:-1].astype(np.float64)
     size = 2 * (degree - 1)
     result, found, active = start.copy(), np.zeros(len(start), bool), np.arange(len(start))
@@ -126,7 +126,7 @@ def _newton(nets: Array, start: Array, degree: int) -> Array:
         rows = active[better]
         result[rows], best[rows] = trial[better], norm[better]
         system, right = jacobian[better].reshape(-1, size, size), -residual[better]
-        # A trace of regularization keeps one singular system from stopping the whole batch.
+        # A little regularization keeps one singular system from stopping the whole batch.
         system += 1e-15 * np.abs(system).max(axis=(1, 2), initial=0.0)[:, None, None] * np.eye(size)
         direction[rows] = np.linalg.solve(system, right.reshape(-1, size, 1)).reshape(right.shape)
         longest = np.abs(direction[active]).max(axis=(1, 2))
@@ -140,7 +140,7 @@ def _newton(nets: Array, start: Array, degree: int) -> Array:
 
 
 def _measure(nets: Array, paths: Array, degree: int) -> tuple[Array, Array, Array]:
-    """Lengths, relative residuals between the nodes, and the paths at `GAUSS`."""
+    """Return lengths, relative residuals between the nodes, and the paths at `GAUSS`."""
     places, velocity, bend = (matrices(degree)[:, None] @ paths).astype(np.float64)
     jet = derivatives(nets, np.nan_to_num(places), order=2)
     tangents, _, acceleration = _tangential(jet, velocity, bend)
@@ -157,7 +157,7 @@ def geodesics(
     guess: Array | None = None,
     pairs: tuple[tuple[int, int], ...] = DEGREES,
 ) -> Reference:
-    """Reference lengths of geodesics.
+    """Return reference lengths of geodesics.
 
     Parameters
     ----------
@@ -187,9 +187,9 @@ def geodesics(
 
 
 def _fill(
-    result: Reference, nets: Array, values: Array, degrees: tuple[int, int], rows: NDArray[np.int64]
+    result: Reference, nets: Array, values: Array, degrees: tuple[int, int], rows: Ints
 ) -> None:
-    """Solve some problems in both degrees, and enter what they agree on."""
+    """Solve some problems in both degrees, and enter the lengths on which they agree."""
     before, lengths, residuals = GUESS_DEGREE, [], []
     for degree in degrees:
         ends = values[:, [0, -1]]

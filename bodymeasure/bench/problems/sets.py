@@ -1,11 +1,10 @@
-"""The three sets of problems on which methods are compared, and the true lengths."""
+"""The three sets of problems on which methods are compared, with their true lengths."""
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 from bodymeasure.bench.problems.patches import (
     Problems,
     both_diagonals,
@@ -18,11 +17,11 @@ from bodymeasure.samples import load_sample
 
 SEED = 2007
 BODY = "female_average"
-# Heights of mild patches on the unit square, half of the patches each.
+# Heights of mild patches on the unit square, each for half of the patches.
 MILD_HEIGHTS = (0.15, 0.3)
 # The paper's heights over a square of side 1.
 WILD_SIDE = 1.0
-# How far paths are bent to either side, to look for another geodesic that is shorter.
+# Heights of the bows from which other geodesics are sought, which may be shorter.
 BOWS = (-0.25, 0.25)
 
 
@@ -33,16 +32,16 @@ class ProblemSet:
     Parameters
     ----------
     name, title : str
-        In a word, and in a few.
+        A name in one word, and a longer one.
     problems : Problems
     truth : ndarray, shape (p,)
         Lengths by an independent method; see `bodymeasure.bench.problems.reference`.
     drawn : int
-        How many there were at first.
+        Number of problems that were drawn.
     leaving : int
-        Of these, how many are left out because their geodesic leaves the patch.
+        Number of those left out because their geodesic leaves the patch.
     unresolved : int
-        And how many because the independent method's two resolutions do not agree.
+        Number of those left out because two resolutions of the independent method disagree.
     """
 
     name: str
@@ -58,7 +57,7 @@ class ProblemSet:
 
 
 def mild_set(count: int) -> ProblemSet:
-    """Random patches that are flat rather than curved."""
+    """Return random patches that are flat rather than curved."""
     rng = np.random.default_rng(SEED)
     parts = [
         mild_patches(rng, part, height)
@@ -69,34 +68,34 @@ def mild_set(count: int) -> ProblemSet:
 
 
 def wild_set(count: int) -> ProblemSet:
-    """Random patches as curved as the paper's; the truth is the shortest of several geodesics."""
+    """Return random patches as curved as the paper's, with the shortest of several geodesics."""
     rng = np.random.default_rng(SEED)
     problems = first_diagonals(wild_patches(rng, count, WILD_SIDE))
     return _known("wild", "wild random patches", problems, _shortest(problems), rng)
 
 
 def body_set(count: int) -> ProblemSet:
-    """Diagonals of a body's patches, all or a random choice."""
+    """Return the diagonals of a body's patches, all or a random choice."""
     rng = np.random.default_rng(SEED)
     body = both_diagonals(load_sample(BODY))
     problems = body.take(rng.permutation(len(body.nets))[:count])
     return _known("body", f"patches of a body ({BODY})", problems, _straight_only(problems), rng)
 
 
-def _straight_only(problems: Problems) -> tuple[Array, NDArray[np.bool_]]:
+def _straight_only(problems: Problems) -> tuple[Array, Bools]:
     known = geodesics(problems, pairs=FINEST)
     return known.length, known.leaves
 
 
-def _shortest(problems: Problems) -> tuple[Array, NDArray[np.bool_]]:
-    """Lengths of the shortest geodesic from the straight start and from bent ones."""
+def _shortest(problems: Problems) -> tuple[Array, Bools]:
+    """Return lengths of the shortest geodesics found from straight and from bent starts."""
     length, leaves = _straight_only(problems)
     straight = (
         problems.start[:, None] + (problems.end - problems.start)[:, None] * (GUESS_TIMES[:, None])
     )
     bow = (4.0 * GUESS_TIMES * (1.0 - GUESS_TIMES))[:, None] * np.array([1.0, -1.0])
     for height in BOWS:
-        # In the first degrees alone: a path that they don't resolve is no loss here.
+        # Only the first degrees are used, since a path that they do not resolve is no loss here.
         other = geodesics(problems, guess=straight + height * bow, pairs=DEGREES[:1]).length
         length = np.where(np.isnan(length), np.nan, np.fmin(length, other))
     return length, leaves
@@ -106,11 +105,11 @@ def _known(
     name: str,
     title: str,
     problems: Problems,
-    reference: tuple[Array, NDArray[np.bool_]],
+    reference: tuple[Array, Bools],
     rng: np.random.Generator,
 ) -> ProblemSet:
     length, leaves = reference
-    # Slow methods take the first few, which must be no special ones.
+    # Slow methods take the first few problems, which must not be special ones.
     rows = rng.permutation(np.flatnonzero(np.isfinite(length)))
     unresolved = len(length) - len(rows) - int(leaves.sum())
     return ProblemSet(

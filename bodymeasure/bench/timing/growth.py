@@ -10,28 +10,28 @@ from bodymeasure.bench.problems.sets import MILD_HEIGHTS, SEED
 from bodymeasure.bench.timing.timing import processor_seconds
 from bodymeasure.geodesic import RBFCollocation, solve_geodesic
 
-# Few patches are timed so often that there is something to time.
+# Small batches are repeated until so many patches are timed, but no more often than this.
 PATCHES_TIMED = 20_000
 MOST_CALLS = 50
-# So that there is a spread; twice for batches that take half a minute.
+# At least so many calls show a spread. Batches of half a minute are timed only twice.
 FEWEST_CALLS = 3
 TWICE_FROM = 1_000_000
 
 
 @dataclass(frozen=True)
 class Growth:
-    """What a batch of some size takes, with the default method.
+    """The time and memory of a batch of some size, with the default method.
 
     Parameters
     ----------
     patches : int
         One diagonal is measured on each.
     seconds : tuple of float
-        Processor time of the whole batch, each time.
+        Processor time of the whole batch, for each call.
     failures : int
         Diagonals without a length.
     peak_bytes : int
-        Largest memory of NumPy and Python during a call, beyond the patches given to it.
+        Largest memory of NumPy and Python during a call, besides the patches given to it.
     """
 
     patches: int
@@ -41,7 +41,7 @@ class Growth:
 
 
 def measure_growth(patches: int) -> Growth:
-    """Measure one diagonal of each of many mild patches."""
+    """Return time and memory for one diagonal of each of many mild patches."""
     rng = np.random.default_rng(SEED)
     problems = first_diagonals(mild_patches(rng, patches, MILD_HEIGHTS[-1]))
     failures = 0
@@ -53,7 +53,7 @@ def measure_growth(patches: int) -> Growth:
         )
         failures = int(np.isnan(solution.length).sum())
 
-    # By itself: following every allocation takes time.
+    # This call is not timed, since following every allocation takes time.
     tracemalloc.start()
     try:
         solve()

@@ -1,4 +1,4 @@
-"""Where the time of the default method goes."""
+"""The parts of the time of the default method that its stages take."""
 
 import cProfile
 import pstats
@@ -8,8 +8,8 @@ from typing import Any
 from bodymeasure.bench.problems.sets import ProblemSet
 from bodymeasure.geodesic import RBFCollocation, solve_geodesic
 
-# The functions in which a stage is spent: module and name, and the callers under which they count
-# (all, if none is named). No such function calls another one of the table.
+# The functions of each stage, by module and name, and the caller under which they count (any, if
+# it is None). None of these functions calls another one of the table.
 _Function = tuple[str, str]
 _FAST = "graph/solve"
 STAGES: Mapping[str, tuple[tuple[_Function, _Function | None], ...]] = {
@@ -23,7 +23,7 @@ CALLS = 5
 
 
 def stage_shares(problem_set: ProblemSet) -> dict[str, float]:
-    """The part of the time of `solve_geodesic` that each stage takes, summing to 1.
+    """Return the part of the time of `solve_geodesic` that each stage takes; the sum is 1.
 
     Parameters
     ----------
@@ -32,7 +32,7 @@ def stage_shares(problem_set: ProblemSet) -> dict[str, float]:
     Returns
     -------
     dict of str to float
-        By the names of `STAGES`, and `REST`.
+        The parts by the names of `STAGES`, and `REST`.
     """
     problems = problem_set.problems
     profile = cProfile.Profile()
@@ -40,7 +40,7 @@ def stage_shares(problem_set: ProblemSet) -> dict[str, float]:
         profile.enable()
         solve_geodesic(*problems, method=RBFCollocation(), search="straight", on_failure="status")
         profile.disable()
-    # Typeshed does not know the table: by function, calls, own and whole time, and callers.
+    # The table, which typeshed lacks, has calls, own time, whole time and callers of functions.
     table: dict[tuple[str, int, str], Any] = pstats.Stats(profile).stats  # type: ignore[attr-defined]
     whole = _seconds(table, ("solve", "solve_geodesic"), None)
     shares = {
@@ -53,7 +53,7 @@ def stage_shares(problem_set: ProblemSet) -> dict[str, float]:
 def _seconds(
     table: Mapping[tuple[str, int, str], Any], function: _Function, caller: _Function | None
 ) -> float:
-    """Time in a function and all that it calls, wherever it is called from or under one caller."""
+    """Return the time in a function and all that it calls, under one caller or under any."""
     for key, (_, _, _, whole, callers) in table.items():
         if _is(key, function):
             if caller is None:

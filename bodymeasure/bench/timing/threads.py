@@ -1,4 +1,4 @@
-"""One thread, and whether it was one."""
+"""Holding numerical libraries to one thread, and checking that they keep to it."""
 
 import time
 from collections.abc import Iterator
@@ -8,18 +8,18 @@ from dataclasses import dataclass
 
 @dataclass
 class Threads:
-    """What was found about threads; complete at the end of `one_thread`.
+    """The use of threads, complete at the end of `one_thread`.
 
     Parameters
     ----------
     limit : int
         The largest number of threads that any pool of a numerical library may use.
     pools : tuple of str
-        Those libraries, BLAS and OpenMP.
+        Names of these libraries, for BLAS and OpenMP.
     processor_seconds : float
         Processor time of the whole process.
     other_threads : float
-        The part of that which threads other than the calling one took.
+        The part of this time that threads other than the calling one took.
     """
 
     limit: int = 0
@@ -32,11 +32,11 @@ class Threads:
 def one_thread() -> Iterator[Threads]:
     """Hold BLAS and OpenMP to one thread.
 
-    Numbers of threads set by the environment count only if that is done before NumPy is loaded, so
-    the libraries are told themselves. Threads of libraries that don't listen, or are loaded later,
-    show in what is yielded; their time is in all processor times in any case.
+    Environment variables for the number of threads count only if they are set before NumPy is
+    loaded, so the libraries are set directly. Threads of libraries that ignore this, or are loaded
+    later, appear in the result; their time is part of all processor times in any case.
     """
-    # Loaded first, so that their pools are there to be told.
+    # The libraries are loaded first, so that their pools exist.
     import scipy.linalg  # noqa: F401
     from threadpoolctl import threadpool_info, threadpool_limits
 

@@ -12,17 +12,17 @@ from bodymeasure.bench.size import Size
 
 @dataclass
 class Trial:
-    """How one method did on the first problems of a set.
+    """The results of one method on the first problems of a set.
 
     Parameters
     ----------
     entrant : Entrant
     count : int
-        How many problems.
+        Number of problems.
     length : ndarray, shape (count,)
-        NaN where there is none.
+        NaN where there is no length.
     seconds : list of float
-        Processor time of all of them together, each time.
+        Processor time of all problems together, for each round.
     """
 
     entrant: Entrant
@@ -32,7 +32,7 @@ class Trial:
 
 
 def processor_seconds(call: Callable[[], object]) -> float:
-    """Processor time of a call, of all its threads."""
+    """Return the processor time of a call, in all of its threads."""
     begin = time.process_time()
     call()
     return time.process_time() - begin
@@ -41,10 +41,10 @@ def processor_seconds(call: Callable[[], object]) -> float:
 def take_turns(
     entrants: Sequence[Entrant], problem_set: ProblemSet, size: Size, advance: Callable[[], object]
 ) -> list[Trial]:
-    """Time every method on a set of problems, all once in each round.
+    """Time every method on a set of problems, once in each round.
 
-    So a spell in which the machine is slow does not fall on one method alone. A first call of each
-    goes before and is not timed: it gives the lengths, fills caches and loads libraries.
+    In this way a time in which the machine is slow does not affect one method alone. A first call
+    of each is not timed: it gives the lengths, fills caches and loads libraries.
 
     Parameters
     ----------

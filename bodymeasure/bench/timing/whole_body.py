@@ -1,4 +1,4 @@
-"""What a user waits for: all diagonals of a body."""
+"""The time for which a user waits: all diagonals of a body."""
 
 from functools import partial
 from statistics import median
@@ -15,15 +15,15 @@ SEARCHES: tuple[Search, ...] = ("straight", "quick")
 
 
 def whole_body(rounds: int) -> list[Figure]:
-    """Times of all diagonals of a body with their error estimates, and what edges add.
+    """Return times of all diagonals of a body with their error estimates, and of paths along edges.
 
     Parameters
     ----------
     rounds : int
-        How often each is timed; the median counts.
+        Number of timings of each, whose median counts.
     """
     atlas = load_sample(BODY)
-    # The first call fills caches.
+    # The first calls fill caches.
     solutions = [diagonals(atlas, search=search, on_failure="status") for search in SEARCHES]
     seconds: dict[Search, list[float]] = {search: [] for search in SEARCHES}
     for _ in range(rounds):

@@ -1,6 +1,6 @@
 """Lengths on an atlas beside those on the surface that it was fitted to, and how they differ."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 
 import numpy as np
@@ -102,31 +102,27 @@ class Comparison:
         """The rest: by how much the laid curve is longer than the shortest one on the surface."""
         return np.asarray((self.laid - self.physical) / self.physical)
 
-    @property
+    @cached_property
     def shorter_path(self) -> NDArray[np.bool_]:
         """Where the surface has a path shorter than the laid curve, beyond the meshes' doubt."""
         doubt = self.uncertainty + self.laid_uncertainty
         return np.asarray(self.laid - self.physical > doubt)
 
+    @cached_property
+    def name(self) -> tuple[str, ...]:
+        """The patch and the place of each curve."""
+        return tuple(
+            f"{patch} {place}" for patch, place in zip(self.patch, self.place, strict=True)
+        )
+
     def row(self, number: int) -> Row:
-        """One row as plain numbers and words."""
+        """Return one row as plain numbers and words."""
+        cells = {field.name: getattr(self, field.name)[number] for field in fields(Row)}
         return Row(
-            name=f"{self.patch[number]} {self.place[number]}",
-            patch=self.patch[number],
-            place=self.place[number],
-            calculated=float(self.calculated[number]),
-            physical=float(self.physical[number]),
-            uncertainty=float(self.uncertainty[number]),
-            relative_error=float(self.relative_error[number]),
-            of_fit=float(self.of_fit[number]),
-            of_path=float(self.of_path[number]),
-            distance=float(self.distance[number]),
-            offset=float(self.offset[number]),
-            end_distance=float(self.end_distance[number]),
-            bend=float(self.bend[number]),
-            own_bend=float(self.own_bend[number]),
-            shorter_path=bool(self.shorter_path[number]),
-            status=self.status[number],
+            **{
+                name: cell.item() if isinstance(cell, np.generic) else cell
+                for name, cell in cells.items()
+            }
         )
 
     def rows(self) -> tuple[Row, ...]:

@@ -1,4 +1,4 @@
-"""Which measurement stands for which name in a pattern program."""
+"""The names of measurements in pattern programs, and the measurements that they stand for."""
 
 import re
 import unicodedata
@@ -52,19 +52,19 @@ FREESEWING_KEYS = (
 )
 FREESEWING_DEGREES = ("shoulderSlope",)
 
-# What no name in Seamly2D may hold (schema of its measurement files, type shortName); spaces and,
-# as the first character, digits beside.
+# Characters that no name in Seamly2D may hold (schema of its measurement files, type shortName).
+# Spaces are excluded, too, and so are digits as the first character.
 _SEAMLY_OPERATORS = frozenset('*/&|!<>^-()–+−=?:;"')  # noqa: RUF001  (the schema's own)
 _RIGHT = re.compile(r"(?<![a-z])right(?![a-z])", re.IGNORECASE)
 
 
 def check_codes(definitions: Definitions) -> None:
-    """Refuse names that the pattern programs would not take, before anything is measured.
+    """Refuse names that the pattern programs would not accept, before anything is measured.
 
     Raises
     ------
     InputError
-        The measurement, the name, and what is wrong with it.
+        If there is such a name; the message names the measurement and what is wrong.
     """
     for definition in definitions.measurement:
         for name in definition.seamly:
@@ -87,17 +87,17 @@ def check_codes(definitions: Definitions) -> None:
 
 
 def check_seamly_name(name: str, key: str) -> None:
-    """Refuse a measurement's name that may not stand in a file of Seamly2D.
+    """Refuse a name of a measurement that a file of Seamly2D must not hold.
 
     Raises
     ------
     InputError
-        The measurement's key, the name, and what is expected of it.
+        If it is such a name; the message gives the key of the measurement and what is expected.
     """
     if not _is_seamly_name(name):
         raise InputError(
             f"measurement {key!r}: {name!r} cannot be a name in Seamly2D; expected no spaces or "
-            "operators, and no digit in front"
+            "operators, and no digit as the first character"
         )
 
 
@@ -114,16 +114,16 @@ def measured_by_code(
     records: Iterable[BodyRecord],
     codes: Callable[[BodyRecord], Iterable[str]],
 ) -> Mapping[str, BodyRecord]:
-    """The measurement that stands for each name, in the order of the chart.
+    """Return the measurement that stands for each name, in the order of the chart.
 
-    Those without a value are passed over. Of several with the same name the one of the wearer's
-    right side is taken, else the first.
+    Measurements without a value are left out. If several have the same name, the one of the
+    wearer's right side is taken, or else the first.
 
     Parameters
     ----------
     records : iterable of BodyRecord
     codes : function
-        The names of a measurement in the program.
+        Gives the names of a measurement in the program.
     """
     chosen: dict[str, BodyRecord] = {}
     for record in records:

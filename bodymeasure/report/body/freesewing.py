@@ -14,8 +14,8 @@ DECIMALS = 2
 def to_freesewing(document: ChartDocument) -> bytes:
     """Return the measurements that FreeSewing has keys for, as JSON in millimeters and degrees.
 
-    Where a measurement is taken on both sides, the wearer's right one is written. The keys that are
-    missing are listed in ``notes``.
+    Where a measurement is taken on both sides, the wearer's right one is written. Missing keys are
+    listed in ``notes``.
 
     Parameters
     ----------

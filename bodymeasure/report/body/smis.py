@@ -32,7 +32,7 @@ def to_smis(document: ChartDocument) -> bytes:
     Raises
     ------
     InputError
-        If a name cannot stand in such a file.
+        If a name is one that such a file cannot hold.
     """
     unit = smis_unit(document.unit)
     root = ElementTree.Element("smis")

@@ -1,4 +1,4 @@
-"""Lengths as a tape shows them: to the millimeter, or in inches and fractions of one."""
+"""Lengths as a tape shows them: to the millimeter, or in inches and fractions of an inch."""
 
 from math import floor
 
@@ -13,7 +13,7 @@ SMALLEST_INCHES = 0.0001
 
 
 def tape_text(value: float | None, unit: str, error: float | None = None) -> str:
-    """A value without its unit, to as many digits as a tape shows and its error leaves sure.
+    """Return a value without its unit, with the digits that a tape shows and that are certain.
 
     Parameters
     ----------
@@ -22,7 +22,7 @@ def tape_text(value: float | None, unit: str, error: float | None = None) -> str
     unit : str
         m, cm, mm, inch or deg.
     error : float, optional
-        Of `value`; digits are left out while it is more than half a unit of the last one.
+        Error of `value`; digits are left out while it exceeds half a unit of the last one.
     """
     if value is None:
         return NONE
@@ -30,12 +30,12 @@ def tape_text(value: float | None, unit: str, error: float | None = None) -> str
     while decimals > 0 and error is not None and error > 0.5 * 10.0**-decimals:
         decimals -= 1
     text = f"{value:.{decimals}f}"
-    # No minus sign before a zero.
+    # Zero has no minus sign.
     return text.removeprefix("-") if float(text) == 0.0 else text.replace("-", MINUS)
 
 
 def small_text(length: float | None, unit: str) -> str:
-    """The size of a small length with its unit: in inches if `unit` is, else in millimeters."""
+    """Return the size of a small length with its unit: inches if `unit` is, else millimeters."""
     if unit != "inch" or length is None:
         return millimeters(length, unit)
     if abs(length) < SMALLEST_INCHES:
@@ -44,21 +44,21 @@ def small_text(length: float | None, unit: str) -> str:
 
 
 def tailor_inches(value: float | None, error: float | None = None) -> str:
-    """A length in inches as tailors write it: ``33 1/8``, to the nearest sixteenth.
+    """Return a length in inches as tailors write it, to the nearest sixteenth: ``33 1/8``.
 
     Parameters
     ----------
     value : float or None
-        In inches; a dash stands for None.
+        Length in inches; a dash stands for None.
     error : float, optional
-        Of `value`, in inches; eighths, quarters or halves are given if it leaves no more sure.
+        Error of `value` in inches; if it is large, eighths, quarters or halves are given.
     """
     if value is None:
         return NONE
     marks = SIXTEENTHS
     while marks > 1 and error is not None and error > 0.5 / marks:
         marks //= 2
-    # Halves go up, away from zero, as on a tape that is read from either end.
+    # Halves are rounded away from zero, as on a tape that is read from either end.
     total = floor(abs(value) * marks + 0.5)
     whole, rest = divmod(total, marks)
     while rest and rest % 2 == 0:

@@ -1,4 +1,4 @@
-"""A chart's content, arranged and worded for the page."""
+"""The content of a chart, arranged and put into words for the page."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -11,10 +11,10 @@ from bodymeasure.report.units import UNIT_NAMES
 from bodymeasure.wording import counted
 
 MEASURED = "measured"
-# In the order in which they are shown.
+# The sides of the body in the order in which they are shown.
 SIDES = ("front", "back", "left", "right")
 OTHER_GROUP = "Other measurements"
-# Outcomes that only say that something is not there; the others deserve a look.
+# Outcomes that only state that something is absent; the others deserve a look.
 ABSENT = ("missing landmark", "missing operand")
 
 
@@ -35,7 +35,7 @@ class Row:
 
     @property
     def anchor(self) -> str:
-        """Identifier of its close-up in the page."""
+        """The identifier of the close-up in the page."""
         return f"measurement-{self.record.key}"
 
 
@@ -54,13 +54,13 @@ def groups(
     numbers: Mapping[str, int] | None = None,
     body: Mapping[tuple[str, str], Image] | None = None,
 ) -> list[Group]:
-    """The measurements by group, groups as they first occur.
+    """Return the measurements by group, in the order in which groups first occur.
 
     Parameters
     ----------
     document : ChartDocument
     numbers : mapping of str to int, optional
-        Numbers in the pictures by key; those of the document if not given.
+        Numbers in the pictures by key; the numbers of the document if not given.
     body : mapping of (str, str) to Image, optional
         Pictures by group and side.
     """
@@ -112,26 +112,26 @@ class Absence:
 
 
 def unmeasured(document: ChartDocument) -> list[BodyRecord]:
-    """The measurements that have no value, in the chart's order."""
+    """Return the measurements that have no value, in the order of the chart."""
     return [record for record in document.measurements if record.outcome != MEASURED]
 
 
 def absences(document: ChartDocument) -> list[Absence]:
-    """Why measurements have no value; those with the same reason together."""
+    """Return why measurements have no value; those with the same reason are put together."""
     names: dict[tuple[str, str], list[str]] = {}
     for record in unmeasured(document):
         names.setdefault((record.outcome, record.reason), []).append(record.name)
-    # Names have commas in them.
+    # Names contain commas.
     return [Absence("; ".join(each), outcome, reason) for (outcome, reason), each in names.items()]
 
 
 def remarked(document: ChartDocument) -> list[BodyRecord]:
-    """The measurements that have a value and something to be said about it."""
+    """Return the measurements that have a value and a remark on it."""
     return [m for m in document.measurements if m.outcome == MEASURED and m.reason]
 
 
 def tiles(document: ChartDocument) -> list[tuple[str, str, str]]:
-    """The key figures: heading, figure, remark."""
+    """Return the key figures, each with a heading and a remark."""
     records = [m for m in document.measurements if m.outcome == MEASURED]
     lengths = [m for m in records if m.unit == document.unit]
     error = max(lengths, key=lambda m: m.error_estimate or 0.0, default=None)
@@ -154,7 +154,7 @@ def tiles(document: ChartDocument) -> list[tuple[str, str, str]]:
 
 
 def summary_sentences(document: ChartDocument) -> list[str]:
-    """What was found, in words that need no knowledge of the method."""
+    """Return the results in sentences that need no knowledge of the method."""
     total, missing = len(document.measurements), unmeasured(document)
     words = document.definitions_words.rstrip(".")
     sentences = [
@@ -171,7 +171,7 @@ def summary_sentences(document: ChartDocument) -> list[str]:
         sentences.append(
             f"{total - len(missing)} could be measured; {len(missing)} could not and "
             f"{'has' if len(missing) == 1 else 'have'} no value here ({kinds}). “Not measured” "
-            "says which, why, and what to do."
+            "lists them, with the reasons and what to do."
         )
     else:
         sentences.append("All could be measured.")
@@ -184,7 +184,7 @@ def summary_sentences(document: ChartDocument) -> list[str]:
         bound = as_bound(small_text(max(errors), document.unit))
         sentences.append(
             f"By their own estimates the lengths are in error by {bound}. This is the error of "
-            "the computation on this body's surface, not that of the scan or the model that it "
-            "was made from, nor that of where the landmarks were set."
+            "the computation on this body's surface. It does not include the error of the scan or "
+            "the model from which the body was made, nor that of the places of the landmarks."
         )
     return sentences

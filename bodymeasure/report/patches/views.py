@@ -1,4 +1,4 @@
-"""A document's content, arranged and worded for the page."""
+"""The content of a document, arranged and put into words for the page."""
 
 import re
 from collections import Counter
@@ -16,7 +16,7 @@ from bodymeasure.report.patches.records import Document, Finding, PatchRecord
 from bodymeasure.report.units import UNIT_NAMES
 from bodymeasure.wording import counted
 
-# Statuses in the words of a table; the sentences beside them explain.
+# Statuses in the words of a table, beside which the page has sentences.
 LABELS = {
     "converged": "measured",
     "on_boundary": "measured, along an edge",
@@ -28,13 +28,13 @@ LABELS = {
 # Statuses that come with a length.
 MEASURED = ("converged", "on_boundary")
 
-# Findings beyond these stand in measurements.json only: a broken atlas may have thousands.
+# The number of findings on the page. A broken atlas may have thousands; measurements.json has all.
 FINDINGS_SHOWN = 40
 
 
 @dataclass(frozen=True)
 class StatusRow:
-    """A status: its mark and words, its sentence, and how many diagonals have it."""
+    """A status: its mark, its words and sentence, and how many diagonals have it."""
 
     code: str
     label: str
@@ -56,7 +56,7 @@ class PatchRow:
 
 @dataclass(frozen=True)
 class Region:
-    """The patches of one body region, and their diagonals counted."""
+    """The patches of one body region, and the numbers of their diagonals."""
 
     name: str
     anchor: str
@@ -67,17 +67,17 @@ class Region:
 
 
 def diagonals(document: Document) -> list[PatchRecord]:
-    """The document's diagonals."""
+    """Return the diagonals of a document."""
     return [m for m in document.measurements if m.kind == "diagonal"]
 
 
 def has_check(document: Document) -> bool:
-    """Whether a cross-check was made."""
+    """Return whether a cross-check was made."""
     return bool(document.verdicts)
 
 
 def status_rows(document: Document) -> dict[str, StatusRow]:
-    """Each status that occurs, by its code."""
+    """Return each status that occurs, by its code."""
     counts = document.summary.by_status
     return {
         code: StatusRow(
@@ -95,7 +95,7 @@ def status_rows(document: Document) -> dict[str, StatusRow]:
 
 
 def tiles(document: Document) -> list[tuple[str, str, str]]:
-    """The key figures: heading, figure, remark."""
+    """Return the key figures, each with a heading and a remark."""
     summary, unit = document.summary, document.unit
     spread = summary.length
     lengths = f"{length_text(spread.minimum, unit)} to {length_text(spread.maximum, unit)}"
@@ -120,7 +120,7 @@ def tiles(document: Document) -> list[tuple[str, str, str]]:
 
 
 def summary_sentences(document: Document) -> list[str]:
-    """What was found, in words that need no knowledge of the method."""
+    """Return the results in sentences that need no knowledge of the method."""
     summary = document.summary
     sentences = [
         f"The body is covered by {counted(summary.patches, 'patch', 'patches')}. On each, the "
@@ -138,7 +138,7 @@ def _measured(document: Document) -> str:
     edges = summary.by_status.get("on_boundary", 0)
     run = "runs" if edges == 1 else "run"
     along = (
-        f" {edges} of those measured {run} along an edge of the patch for a part; on the whole "
+        f" {edges} of those measured {run} along an edge of the patch in part; on the whole "
         "body, a shorter way may lead over the neighboring patch."
         if edges
         else ""
@@ -153,7 +153,7 @@ def _measured(document: Document) -> str:
     return (
         f"{summary.measured} of {counted(summary.diagonals, 'diagonal')} could be measured; "
         f"{missing} could not and {'has' if missing == 1 else 'have'} no length here "
-        f"({reasons}). “Not measured” below says which and why.{along}"
+        f"({reasons}). “Not measured” below lists them with the reasons.{along}"
     )
 
 
@@ -167,7 +167,7 @@ def _checked(document: Document) -> list[str]:
         return ["The cross-check could not compare any diagonal."]
     sentences = [
         "Each length was checked against the shortest path on fine triangle meshes of the same "
-        f"patch, found by independent software: of {compared} compared, "
+        f"patch, which independent software found: of {compared} compared, "
         + (
             f"{agrees} agree with it and {disagrees} do not; see “Worst cases”."
             if disagrees
@@ -192,12 +192,13 @@ def _precision(document: Document) -> str:
         "By their own estimates the measured lengths are in error by "
         f"at most {scientific(spread.maximum)} {document.unit}, half of them by at most "
         f"{scientific(spread.median)} {document.unit}. This is the error of the computation on "
-        "this body's surface, not that of the scan or the model that it was made from."
+        "this body's surface; it does not include that of the scan or the model from which the "
+        "body was made."
     )
 
 
 def regions(document: Document) -> list[Region]:
-    """The patches by body region, regions as they first occur, by name in each."""
+    """Return the patches by body region, sorted by name in each."""
     rows: dict[int, list[PatchRecord]] = {}
     for record in document.measurements:
         rows.setdefault(record.patch_number, []).append(record)
@@ -230,24 +231,24 @@ def _region(name: str, anchor: str, patches: list[PatchRow]) -> Region:
 
 
 def _natural(patch: PatchRow) -> list[tuple[bool, int, str]]:
-    """Sorts names with numbers as people do: 2-10 after 2-9."""
+    """Return the key by which names with numbers are sorted as people do: 2-10 after 2-9."""
     words = re.findall(r"\d+|\D+", patch.name)
     return [(word.isdigit(), int(word) if word.isdigit() else 0, word) for word in words]
 
 
 def worst_cases(document: Document) -> list[PatchRecord]:
-    """The diagonals to show as worst, worst first."""
+    """Return the diagonals to show as worst cases, the worst first."""
     return worst(document.measurements)[:WORST_SHOWN]
 
 
 def unmeasured(document: Document) -> tuple[list[PatchRecord], list[PatchRecord]]:
-    """The diagonals without a length: those with a picture (one a patch), and all."""
+    """Return the diagonals without a length: those with a picture, one a patch, and all."""
     records = [m for m in diagonals(document) if m.length is None]
     return first_unmeasured(records)[:UNMEASURED_SHOWN], records
 
 
 def findings(document: Document) -> tuple[list[Finding], str]:
-    """The findings to show, errors first, and a sentence on those left out."""
+    """Return the findings to show, errors first, and a sentence on the others."""
     ordered = sorted(document.findings, key=lambda finding: finding.severity != "error")
     shown, left = ordered[:FINDINGS_SHOWN], ordered[FINDINGS_SHOWN:]
     if not left:
