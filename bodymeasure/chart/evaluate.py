@@ -93,8 +93,11 @@ class _Taken(dict[str, Measured]):
         self._begun: set[str] = set()
 
     def __missing__(self, key: str) -> Measured:
-        if key not in self.definitions or key in self._begun:
-            raise InputError(f"{key!r} is no measurement of the set, or needs itself in a circle")
+        # Files are checked when they are read; definitions made in Python may be wrong.
+        if key not in self.definitions:
+            raise InputError(f"no measurement has the key {key!r}; name measurements by their keys")
+        if key in self._begun:
+            raise InputError(f"{key!r} is needed to compute itself; define it by landmarks")
         self._begun.add(key)
         definition = self.definitions[key]
         try:

@@ -1,18 +1,16 @@
 """Measurements of bodies whose sizes are known in closed form, and their failures."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from helpers.charts.posts import FRONT, RADIUS, chart_of, post
 from helpers.surfaces.cut_atlases import corner_of, wavy_plane
 from helpers.surfaces.tubes import joined, ring_length, tube
 
-from bodymeasure.atlas import Atlas, AtlasPoint, Axes
+from bodymeasure.atlas import AtlasPoint, Axes
 from bodymeasure.chart import (
-    Chart,
     Definitions,
-    LandmarkRule,
     MeasurementDefinition,
     Outcome,
     TapeKind,
@@ -34,41 +32,6 @@ from bodymeasure.chart.kinds import (
     TiltedGirthMeasure,
 )
 from bodymeasure.chart.landmarks.rules import Between
-from bodymeasure.errors import InputError
-
-RADIUS = 1.5
-# Directions of the tube's patches where u = 0: to the left, back, right and front.
-LEFT, BACK, RIGHT, FRONT = range(4)
-
-
-def post(radii: Sequence[float] = (RADIUS,) * 4) -> Atlas:
-    """A tube with landmarks round its waist and above and below."""
-    landmarks = {
-        "left": AtlasPoint(LEFT, 0.0, 0.5),
-        "right": AtlasPoint(RIGHT, 0.0, 0.5),
-        "front": AtlasPoint(FRONT, 0.0, 0.5),
-        "back": AtlasPoint(BACK, 0.0, 0.5),
-        "low front": AtlasPoint(FRONT, 0.0, 0.25),
-        "high front": AtlasPoint(FRONT, 0.0, 0.75),
-        "high back": AtlasPoint(BACK, 0.0, 0.75),
-        "low left": AtlasPoint(LEFT, 0.0, 0.25),
-    }
-    tubes = joined([tube(radii)], ["torso"])
-    return replace(tubes, landmarks=landmarks)
-
-
-def chart_of(
-    atlas: Atlas, measurements: Sequence[MeasurementDefinition], rules: Sequence[LandmarkRule] = ()
-) -> Chart:
-    definitions = Definitions(
-        format="bodymeasure measurements",
-        version=1,
-        name="Test",
-        landmark=tuple(rules),
-        measurement=tuple(measurements),
-    )
-    return measure_chart(atlas, definitions)
-
 
 CLOSED_FORMS: list[tuple[MeasurementDefinition, float]] = [
     (HeightMeasure(key="a", name="a", at="front"), 1.5),
@@ -242,141 +205,11 @@ def test_formulas_take_what_was_measured() -> None:
     assert keys == ["twice", "sum", "girth", "way", "slope"]
 
 
-def refused(atlas: Atlas, measurement: MeasurementDefinition, outcome: Outcome) -> str:
-    chart = chart_of(atlas, [measurement, HeightMeasure(key="other", name="other", at="front")])
-    found = chart[measurement.key]
-    assert found.outcome is outcome
-    assert np.isnan(found.value)
-    assert found.tapes == ()
-    # The others are measured all the same.
-    assert chart["other"].value == 1.5
-    return found.reason
-
-
-def test_heights_need_a_floor_under_the_body() -> None:
-    atlas = post()
-    sunk = replace(atlas, points=atlas.points - [0.0, 0.0, 2.0])
-    straight = [
-        HeightMeasure(key="height", name="height", at="front"),
-        HeightMeasure(key="rise", name="rise", at="high front", above="low front"),
-    ]
-    height, rise = chart_of(sunk, straight).measured
-    assert (height.outcome, rise.outcome) == (Outcome.REFUSED, Outcome.MEASURED)
-    assert height.reason.startswith("the body reaches 2 cm below the floor, which is where the ")
-    assert height.reason.endswith("move the body onto the floor, or check the atlas's axes")
-    assert rise.value == 1.5
-    # Of a scan, the soles are not quite flat.
-    standing = replace(atlas, points=atlas.points - [0.0, 0.0, 0.05])
-    assert chart_of(standing, straight)["height"].value == pytest.approx(1.45, rel=1e-12)
-
-
-def test_a_missing_landmark_is_named() -> None:
-    height = HeightMeasure(key="a", name="a", at="high frnt")
-    reason = refused(post(), height, Outcome.MISSING_LANDMARK)
-    assert reason == "the atlas has no landmark 'high frnt'; did you mean 'high front'?"
-    for measurement in (
-        PathMeasure(key="a", name="a", through=("front", "navel")),
-        GirthMeasure(key="a", name="a", at="navel"),
-        GirthMeasure(key="a", name="a", at="front", cut=("navel", "right")),
-        LimbGirthMeasure(key="a", name="a", start="front", end="high front", at="navel"),
-        ExtremeGirthMeasure(key="a", name="a", start="navel", end="front", extreme="largest"),
-        TiltedGirthMeasure(key="a", name="a", front="front", back="navel"),
-        OverMeasure(key="a", name="a", start="high front", level="front", over=("navel", "left")),
-        DropMeasure(key="a", name="a", start="front", level="navel"),
-        HeightMeasure(key="a", name="a", at="front", above="navel"),
-        ChordMeasure(key="a", name="a", start="front", end="navel"),
-        BreadthMeasure(key="a", name="a", at="navel"),
-        DepthMeasure(key="a", name="a", at="navel"),
-    ):
-        reason = refused(post(), measurement, Outcome.MISSING_LANDMARK)
-        assert reason.startswith("the atlas has no landmark 'navel'")
-
-
-def test_a_landmark_that_a_rule_cannot_give_says_why() -> None:
-    rule = Between(name="navel", start="front", end="wrist point left")
-    chart = chart_of(post(), [HeightMeasure(key="a", name="a", at="navel")], [rule])
-    assert chart["a"].outcome is Outcome.MISSING_LANDMARK
-    assert chart["a"].reason.startswith(
-        "the landmark 'navel' is missing: it needs 'wrist point left'"
-    )
-    assert chart["a"].reason.endswith("add it with `bodymeasure landmarks`")
-    assert "navel" in chart.missing_landmarks
-
-
-def test_rules_that_need_unknown_landmarks_leave_the_others() -> None:
-    rules = [
-        Between(name="navel", start="front", end="belly"),
-        Between(name="near navel", start="navel", end="left"),
-        Between(name="typed", start="frnt", end="left"),
-        Between(name="fine", start="front", end="left"),
-    ]
-    chart = chart_of(post(), [HeightMeasure(key="a", name="a", at="fine")], rules)
-    assert chart["a"].value == pytest.approx(1.5)
-    belly = "it needs 'belly', which no landmark is called; pick it, or give it a rule"
-    assert chart.missing_landmarks == {
-        "navel": belly,
-        "near navel": f"it needs 'navel', which is missing: {belly}",
-        "typed": "it needs 'frnt', which no landmark is called; did you mean 'front'?",
-    }
-
-
-def test_rules_in_a_circle_are_an_error() -> None:
-    rules = [
-        Between(name="one", start="two", end="left"),
-        Between(name="two", start="one", end="left"),
-    ]
-    with pytest.raises(InputError, match="need one another in a circle"):
-        chart_of(post(), [HeightMeasure(key="a", name="a", at="one")], rules)
-
-
 def test_landmarks_by_rule_are_measured_from() -> None:
     rule = Between(name="eighth", start="front", end="left")
     chart = chart_of(post(), [PathMeasure(key="a", name="a", through=("front", "eighth"))], [rule])
     assert chart["a"].value == pytest.approx(RADIUS * ring_length() / 8.0, rel=1e-9)
     assert set(chart.landmarks) == {*post().landmarks, "eighth"}
-
-
-def test_refusals_keep_the_words_of_what_refuses() -> None:
-    two = joined([tube((1.0,) * 4), tube((1.0,) * 4, (5.0, 0.0))], ["torso", "torso"])
-    two = replace(two, landmarks={**post().landmarks, "far": AtlasPoint(4, 0.0, 0.5)})
-    apart = PathMeasure(key="a", name="a", through=("front", "far"))
-    assert "which no seams join: the atlas has 2 separate" in refused(two, apart, Outcome.REFUSED)
-    flat = DropMeasure(key="a", name="a", start="front", level="left")
-    assert "have one height, so there is nothing" in refused(post(), flat, Outcome.REFUSED)
-    same = LimbGirthMeasure(key="a", name="a", start="front", end="front")
-    assert "starts and ends at one place" in refused(post(), same, Outcome.REFUSED)
-
-
-def test_a_formula_without_an_operand_is_never_evaluated() -> None:
-    chart = chart_of(
-        post(),
-        [
-            # Whatever the missing one is, the other is smaller.
-            FormulaMeasure(key="a", name="a", formula="min(here, gone)"),
-            HeightMeasure(key="here", name="here", at="front"),
-            HeightMeasure(key="gone", name="gone", at="navel"),
-            FormulaMeasure(key="b", name="b", formula="a + here"),
-            FormulaMeasure(key="c", name="c", formula="here / (1 - 1)"),
-            FormulaMeasure(key="d", name="d", formula="c + here"),
-        ],
-    )
-    assert chart["a"].outcome is Outcome.MISSING_OPERAND
-    assert np.isnan(chart["a"].value)
-    assert chart["a"].reason.startswith(
-        "the formula 'min(here, gone)' lacks 'gone' (missing landmark): the atlas has no landmark"
-    )
-    assert chart["b"].outcome is Outcome.MISSING_OPERAND
-    assert "lacks 'a' (missing operand)" in chart["b"].reason
-    assert chart["c"].outcome is Outcome.REFUSED
-    assert "divides by zero: '1 - 1' is 0 here" in chart["c"].reason
-    assert "lacks 'c' (refused)" in chart["d"].reason
-
-
-def test_an_atlas_without_landmarks_has_reasons() -> None:
-    chart = measure_chart(replace(post(), landmarks={}))
-    outcomes = {one.outcome for one in chart.measured}
-    assert outcomes == {Outcome.MISSING_LANDMARK, Outcome.MISSING_OPERAND}
-    assert all(one.reason for one in chart.measured)
 
 
 def test_paths_on_a_plane_are_chords(rng: np.random.Generator) -> None:

@@ -1,0 +1,72 @@
+"""Nothing that a kind of measurement or a rule needs is forgotten."""
+
+import pytest
+from helpers.charts.entries import (
+    assert_complete,
+    assert_names_what_it_asks_for,
+    example_of,
+    unregistered,
+)
+
+from bodymeasure import load_sample
+from bodymeasure.chart import (
+    Definitions,
+    LandmarkRule,
+    MeasurementDefinition,
+    Outcome,
+    derive_landmarks,
+    load_definitions,
+    measure_chart,
+    names_in,
+)
+from bodymeasure.chart import kinds as kinds_package
+from bodymeasure.chart.entry import Entry
+from bodymeasure.chart.kinds import KINDS, FormulaMeasure
+from bodymeasure.chart.landmarks import rules as rules_package
+from bodymeasure.chart.landmarks.rules import RULES
+
+EVERY = [*KINDS.values(), *RULES.values()]
+every = pytest.mark.parametrize("kind", EVERY, ids=lambda kind: kind.__name__)
+
+
+def test_each_file_is_registered() -> None:
+    assert unregistered(kinds_package, "MeasurementDefinition", KINDS) == set()
+    assert unregistered(rules_package, "LandmarkRule", RULES) == set()
+    assert unregistered(kinds_package, "MeasurementDefinition", {}) == {
+        kind.__name__ for kind in KINDS.values()
+    }
+
+
+@every
+def test_each_is_complete(kind: type[Entry]) -> None:
+    assert_complete(kind)
+
+
+@every
+def test_each_names_the_landmarks_that_it_asks_for(kind: type[Entry]) -> None:
+    assert_names_what_it_asks_for(kind)
+
+
+@every
+def test_examples_name_what_the_default_set_knows(kind: type[Entry]) -> None:
+    example, default = example_of(kind), load_definitions()
+    assert set(example.landmarks) <= names_in(default)
+
+
+def test_the_default_set_has_each_kind() -> None:
+    assert {type(one) for one in load_definitions().measurement} == set(KINDS.values())
+
+
+@pytest.mark.slow
+@every
+def test_examples_are_found_on_a_body(kind: type[Entry]) -> None:
+    body, default = load_sample("female_average"), load_definitions()
+    example = example_of(kind)
+    if isinstance(example, LandmarkRule):
+        assert derive_landmarks(body, [*default.landmark, example]).missing == {}
+    if isinstance(example, MeasurementDefinition):
+        others = default.measurement if isinstance(example, FormulaMeasure) else ()
+        definitions = Definitions(
+            name="Examples", landmark=default.landmark, measurement=(*others, example)
+        )
+        assert measure_chart(body, definitions)["example"].outcome is Outcome.MEASURED
