@@ -55,7 +55,7 @@ ORDERS = {
     "measure": "patches · body",
     "paper": "method · data · surface · tables · reproduction · page",
     "report": "files, serial, units · numbers · templating · landmarks · patches · body",
-    "scene": "model · clip · camera, colors · lighting · figures · drawing · diagonals · tapes",
+    "scene": "model · camera, colors · lighting · figures · drawing · diagonals · tapes",
 }
 MOST_FILES = 15
 LEVEL = {layer: level for level, layers in enumerate(LAYERS) for layer in layers}

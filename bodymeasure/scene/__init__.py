@@ -3,7 +3,7 @@
 Importing this loads neither VTK nor matplotlib; drawing does.
 """
 
-from bodymeasure.scene.camera import SIDES, View, body_views, cut_away, patch_view
+from bodymeasure.scene.camera import SIDES, View, body_views, patch_view
 from bodymeasure.scene.colors import ColorScale
 from bodymeasure.scene.diagonals.build import body_scene, patch_scene
 from bodymeasure.scene.diagonals.gallery import Pictures, pictures
@@ -44,7 +44,6 @@ __all__ = [
     "body_views",
     "choose_renderer",
     "color_bar",
-    "cut_away",
     "patch_scene",
     "patch_view",
     "pictures",

@@ -1,23 +1,22 @@
 """Orthographic views of a body."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Axes
 from bodymeasure.atlas.queries.outside import outward_sign_of_mesh
-from bodymeasure.scene.clip import clipped
 from bodymeasure.scene.model import BodyScene, TapeScene
 
 SIDES = ("front", "back", "left", "right")
 # Room around what is framed, as a fraction of the picture's height.
 MARGIN = 0.02
 CLOSEUP_MARGIN = 0.18
-# A patch is seen from above when less than this of the upward direction is left in the picture.
+# A patch is seen from above if its picture would hold less than this of the upward direction.
 LYING = 0.2
-# Surroundings that rise no more than this above a patch are left, as a fraction of its picture.
+# How far surroundings may rise above a patch, as a fraction of its picture; the rest is cut away.
 CUT_MARGIN = 0.1
 
 
@@ -35,27 +34,28 @@ class View:
         Unit vector upwards in the picture, perpendicular to `towards`.
     width, height : float
         Extent of the picture, in the atlas's unit.
+    nearest : float
+        The largest depth, as of `project`, that is drawn; what is nearer is cut away.
     """
 
-    center: NDArray[np.float64]
-    towards: NDArray[np.float64]
-    up: NDArray[np.float64]
+    center: Array
+    towards: Array
+    up: Array
     width: float
     height: float
+    nearest: float = np.inf
 
     @cached_property
-    def right(self) -> NDArray[np.float64]:
+    def right(self) -> Array:
         """Unit vector to the right in the picture, shape (3,)."""
         return np.cross(self.up, self.towards)
 
     def size(self, pixels: int) -> tuple[int, int]:
-        """Width and height in pixels of a picture of that height."""
+        """Width and height in pixels of a picture that is `pixels` high."""
         return max(1, round(pixels * self.width / self.height)), pixels
 
-    def project(
-        self, points: NDArray[np.float64], size: tuple[int, int]
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Where points appear in a picture.
+    def project(self, points: Array, size: tuple[int, int]) -> tuple[Array, Array]:
+        """Find where points appear in a picture.
 
         Parameters
         ----------
@@ -68,7 +68,7 @@ class View:
         pixels : ndarray, shape (..., 2)
             From the left and from the top, in pixels; (0, 0) is the corner of the first pixel.
         depth : ndarray, shape (...,)
-            Nearer points have more of it, in the atlas's unit.
+            Distance from the plane through `center`, in the atlas's unit: larger for nearer points.
         """
         offset = points - self.center
         scale = size[1] / self.height
@@ -78,9 +78,9 @@ class View:
 
 
 def body_views(scene: BodyScene | TapeScene, axes: Axes) -> dict[str, View]:
-    """The four sides of a body, all at one scale: front, back, the wearer's left and right.
+    """Return the views of a body's four sides, all to one scale.
 
-    With all tapes: those of heights reach the floor, which a body without feet does not.
+    They show all tapes, too: those of heights reach the floor, which a body without feet does not.
     """
     towards = {
         "front": axes.front_vector,
@@ -101,14 +101,18 @@ def body_views(scene: BodyScene | TapeScene, axes: Axes) -> dict[str, View]:
 
 
 def patch_view(scene: BodyScene, axes: Axes) -> View:
-    """A square view straight onto the part of a scene that is not faded, from outside the body."""
+    """Return a square view straight onto the part of a scene that is not faded.
+
+    It looks from outside the body. Surroundings that stand before what it shows, such as an arm,
+    are cut away.
+    """
     surface = scene.surface
     points, normals = surface.points[~surface.faded], surface.normals[~surface.faded]
     normal = normals.mean(axis=0)
     length = float(np.linalg.norm(normal))
     sign = outward_sign_of_mesh(surface.points, surface.triangles)
     towards = sign * normal / length if length > 0.0 else axes.front_vector
-    # Upright as on the body, but for patches that lie flat, which are seen from above or below.
+    # Patches stand upright as on the body, unless they lie flat and are seen from above or below.
     upward = axes.up_vector - (axes.up_vector @ towards) * towards
     if np.linalg.norm(upward) < LYING:
         upward = axes.front_vector - (axes.front_vector @ towards) * towards
@@ -119,31 +123,12 @@ def patch_view(scene: BodyScene, axes: Axes) -> View:
     extent = max(float(np.ptp(shown @ upward)), float(np.ptp(shown @ right)))
     view = framed(shown, towards, upward, CLOSEUP_MARGIN * extent)
     side = max(view.width, view.height)
-    return View(view.center, towards, upward, side, side)
+    nearest = float(((points - view.center) @ towards).max()) + CUT_MARGIN * side
+    return View(view.center, towards, upward, side, side, nearest)
 
 
-def cut_away(scene: BodyScene, view: View) -> BodyScene:
-    """A scene without those of its surroundings that lie before what it shows, such as an arm."""
-    surface = scene.surface
-    depth = surface.points @ view.towards
-    shown = depth[~surface.faded]
-    limit = shown.max() + CUT_MARGIN * view.height
-    edges = scene.faded_edges.points.copy()
-    edges[edges @ view.towards > limit] = np.nan
-    return replace(
-        scene,
-        surface=clipped(surface, depth - limit),
-        faded_edges=replace(scene.faded_edges, points=edges),
-    )
-
-
-def framed(
-    points: NDArray[np.float64],
-    towards: NDArray[np.float64],
-    up: NDArray[np.float64],
-    margin: float,
-) -> View:
-    """The view that holds some points, shape (k, 3), with a margin in the atlas's unit."""
+def framed(points: Array, towards: Array, up: Array, margin: float) -> View:
+    """Return the view that holds some points, shape (k, 3), with a margin in the atlas's unit."""
     right = np.cross(up, towards)
     low = np.array([(points @ axis).min() for axis in (right, up, towards)])
     high = np.array([(points @ axis).max() for axis in (right, up, towards)])

@@ -3,7 +3,8 @@ import pytest
 from helpers.charts.straight_survey import straight_survey
 
 from bodymeasure.atlas import Atlas
-from bodymeasure.scene import SIDES, body_scene, body_views, cut_away, patch_scene, patch_view
+from bodymeasure.scene import SIDES, body_scene, body_views, patch_scene, patch_view
+from bodymeasure.scene.drawing.raster import rasterize
 
 
 @pytest.mark.parametrize("side", SIDES)
@@ -55,11 +56,13 @@ def test_a_patch_is_seen_from_outside_and_whole(body: Atlas, patch: int) -> None
     pixels, _ = view.project(surface.points[~surface.faded], view.size(400))
     assert (pixels > 20).all()
     assert (pixels < 380).all()
-    # Nothing stands far before the patch once its surroundings are cut away.
-    shown = cut_away(scene, view).surface
-    depth = shown.points[shown.triangles] @ view.towards
-    patch_depth = surface.points[~surface.faded] @ view.towards
-    assert depth.max() <= patch_depth.max() + 0.1 * view.height + 1e-12
+    # Nothing is drawn that stands far before the patch.
+    size = view.size(200)
+    places, depth = view.project(surface.points, size)
+    buffer = rasterize(places, depth, surface.triangles, size, nearest=view.nearest)
+    assert buffer.depth.max() <= depth[~surface.faded].max() + 0.1 * view.height + 1e-12
+    # All of the patch is drawn that nothing hides.
+    assert view.nearest >= depth[~surface.faded].max()
 
 
 def test_a_patch_of_an_inside_out_atlas_is_seen_from_outside_too(body: Atlas) -> None:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from bodymeasure._typing import Bools
 from bodymeasure.atlas import Unit
-from bodymeasure.scene import BodyScene, ColorScale, TapeScene, View, cut_away, patch_view
+from bodymeasure.scene import BodyScene, ColorScale, TapeScene, View, patch_view
 from bodymeasure.scene.diagonals.annotate import annotated
 from bodymeasure.scene.diagonals.build import patch_scene
 from bodymeasure.scene.diagonals.strokes import BODY_STYLE, CLOSEUP_STYLE, scene_picture
@@ -74,6 +74,19 @@ def test_silhouettes_and_colors_are_the_same(
     assert np.abs(ours - theirs)[smooth].max() <= COLOR
 
 
+def test_both_cut_at_the_same_plane(
+    renderers: tuple[Draw, Draw], survey_scene: BodyScene, views: Mapping[str, View]
+) -> None:
+    whole = views["front"]
+    cut = replace(whole, nearest=0.05 * whole.height)
+    ours, theirs = images(renderers, Picture(survey_scene.surface, cut, cut.size(600)))
+    assert (np.abs(ours - theirs).max(axis=-1) > 40).mean() < 0.002
+    # The breasts are cut off, the arms are not.
+    uncut = renderers[0](Picture(survey_scene.surface, whole, whole.size(600)))
+    changed = (np.abs(uncut - ours).max(axis=-1) > COLOR).mean()
+    assert 0.005 < changed < 0.2
+
+
 def test_lines_are_hidden_alike(
     renderers: tuple[Draw, Draw], survey_scene: BodyScene, views: Mapping[str, View]
 ) -> None:
@@ -133,8 +146,7 @@ def test_a_new_mark_is_drawn_by_both(
 def test_closeups_of_patches_are_the_same(renderers: tuple[Draw, Draw], survey: Any) -> None:
     part = patch_scene(survey, 100)
     view = patch_view(part, survey.atlas.axes)
-    scene = cut_away(part, view)
     style = replace(CLOSEUP_STYLE, height=300)
-    picture = scene_picture(scene, view, ColorScale.of(part.paths), style)
+    picture = scene_picture(part, view, ColorScale.of(part.paths), style)
     ours, theirs = images(renderers, annotated(picture, part.labels, Unit.M))
     assert (np.abs(ours - theirs).max(axis=-1) > 40).mean() < 0.001

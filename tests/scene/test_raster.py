@@ -53,3 +53,16 @@ def test_triangles_seen_edge_on_or_outside_cover_nothing() -> None:
     buffer = rasterize(corners, np.zeros(6), np.array([[0, 1, 2], [3, 4, 5]]), (10, 10))
     assert (buffer.triangle < 0).all()
     assert np.isneginf(buffer.depth).all()
+
+
+def test_what_is_nearer_than_a_plane_is_cut_away() -> None:
+    big = np.array([[-40.0, -30.0], [90.0, -20.0], [5.0, 100.0]])
+    corners, depth = np.concatenate([big, big]), np.concatenate([big[:, 0], [-50.0, -50.0, -50.0]])
+    triangles = np.arange(6).reshape(2, 3)
+    buffer = rasterize(corners, depth, triangles, (20, 16), nearest=7.0)
+    # The first triangle's depth is its column: it is cut at 7, and the second shows through.
+    x = np.broadcast_to(np.arange(20) + 0.5, (16, 20))
+    np.testing.assert_array_equal(buffer.triangle, np.where(x <= 7.0, 0, 1))
+    assert buffer.depth.max() <= 7.0
+    nothing = rasterize(corners, depth, triangles, (20, 16), nearest=-60.0)
+    assert (nothing.triangle < 0).all()

@@ -16,7 +16,6 @@ from bodymeasure.scene import (
     View,
     body_scene,
     body_views,
-    cut_away,
     patch_scene,
     patch_view,
 )
@@ -104,7 +103,7 @@ def test_a_closeup_shows_the_boundary_and_both_paths(survey: Any, body: Atlas, d
     view = patch_view(scene, body.axes)
     scale = ColorScale.of(scene.paths)
     style = replace(CLOSEUP_STYLE, height=PIXELS)
-    image = draw(scene_picture(cut_away(scene, view), view, scale, style)) / 255.0
+    image = draw(scene_picture(scene, view, scale, style)) / 255.0
     assert scale is not None
     color = scale.rgb(scene.paths.value[:1])[0]
     for path in scene.paths.lines.points:

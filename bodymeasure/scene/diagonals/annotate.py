@@ -47,7 +47,7 @@ def annotated(picture: Picture, labels: tuple[Label, ...], unit: Unit) -> Pictur
     x, y = BAR_MARGIN * width, (1.0 - BAR_MARGIN) * height
     tick = 0.4 * size
     outline = np.array([(x, y - tick), (x, y), (x + bar, y), (x + bar, y - tick)])
-    texts.append(Text(x + bar / 2, y - 0.9 * size, caption, size))
+    texts.append(Text(x + bar / 2, y - size, caption, size))
     return replace(picture, marks=[([outline], INK, 0.12 * size)], texts=texts)
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from bodymeasure.errors import InputError
-from bodymeasure.scene.camera import body_views, cut_away, patch_view
+from bodymeasure.scene.camera import body_views, patch_view
 from bodymeasure.scene.colors import ColorScale
 from bodymeasure.scene.diagonals.annotate import annotated
 from bodymeasure.scene.diagonals.build import body_scene, patch_scene
@@ -89,7 +89,7 @@ def pictures(
         for patch in closeups:
             part = patch_scene(survey, patch)
             view = patch_view(part, atlas.axes)
-            picture = scene_picture(cut_away(part, view), view, scale, CLOSEUP_STYLE)
+            picture = scene_picture(part, view, scale, CLOSEUP_STYLE)
             near[patch] = png(draw(annotated(picture, part.labels, atlas.unit)))
             advance(f"patch {patch}")
     return Pictures(body, near, color_bar(scene.paths), choice.renderer, choice.note)

@@ -105,7 +105,7 @@ def _unhidden(stroke: Stroke, picture: Picture, depth: Array) -> Lines:
     height, width = depth.shape
     column = np.clip(sample[..., 0], 0, width - 1)
     row = np.clip(sample[..., 1], 0, height - 1)
-    seen = present & (nearness >= depth[row, column])
+    seen = present & (nearness >= depth[row, column]) & (nearness <= picture.view.nearest)
     parts, curve = pieces(np.where(seen[..., None], places / SAMPLES, np.nan))
     return parts, stroke.colors[curve], stroke.width
 

@@ -1,16 +1,18 @@
-"""A depth buffer in NumPy: which triangle each pixel of an orthographic picture shows."""
+"""A depth buffer in NumPy, which finds the triangle that each pixel of a picture shows."""
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-# Widens a triangle's span in a row by so many pixels, so that round-off leaves no crack between
-# neighbours; where both then cover a pixel, the nearer wins.
+from bodymeasure._typing import Array, Ints
+
+# A triangle's span in a row is widened by so many pixels, so that round-off leaves no crack between
+# neighbors; where both then cover a pixel, the nearer wins.
 CRACK = 1e-7
-# Twice the area in pixels below which a triangle is seen edge-on and covers nothing.
+# A triangle of less than half this area, in pixels, is seen edge-on and covers nothing.
 EDGE_ON = 1e-9
-# Triangles at a time: bounds the memory for what they cover to some tens of megabytes.
+# The number of triangles at a time, which bounds the memory for the pixels that they cover to some
+# tens of megabytes.
 CHUNK = 4096
 
 
@@ -29,22 +31,20 @@ class DepthBuffer:
         Coefficients (a, b, c) of each triangle's barycentric coordinates a column + b row + c.
     """
 
-    depth: NDArray[np.float64]
-    triangle: NDArray[np.int64]
-    triangles: NDArray[np.int64]
-    edge: NDArray[np.float64]
+    depth: Array
+    triangle: Ints
+    triangles: Ints
+    edge: Array
 
-    def interpolated(self, values: NDArray[np.float64], background: float) -> NDArray[np.float64]:
-        """What each pixel shows of a quantity given at the vertices, shape (height, width)."""
+    def interpolated(self, values: Array, background: float) -> Array:
+        """Interpolate a quantity given at the vertices to the pixels, shape (height, width)."""
         covered = np.flatnonzero(self.triangle >= 0)
         picture = np.full(self.triangle.size, background)
         picture[covered] = self.at_pixels(values[:, None], covered)[:, 0]
         return picture.reshape(self.triangle.shape)
 
-    def at_pixels(
-        self, values: NDArray[np.float64], pixel: NDArray[np.int64]
-    ) -> NDArray[np.float64]:
-        """What some pixels show of c quantities given at the vertices.
+    def at_pixels(self, values: Array, pixel: Ints) -> Array:
+        """Interpolate c quantities given at the vertices to some pixels.
 
         Parameters
         ----------
@@ -66,26 +66,30 @@ class DepthBuffer:
 
 
 def rasterize(
-    pixels: NDArray[np.float64],
-    depth: NDArray[np.float64],
-    triangles: NDArray[np.int64],
+    pixels: Array,
+    depth: Array,
+    triangles: Ints,
     size: tuple[int, int],
+    *,
+    nearest: float = np.inf,
 ) -> DepthBuffer:
     """Find the nearest triangle at the center of each pixel.
 
     Parameters
     ----------
     pixels : ndarray, shape (n, 2)
-        Projected vertices, from the picture's top left corner.
+        Projected vertices, in pixels from the picture's top left corner.
     depth : ndarray, shape (n,)
-        Their depth; nearer is more.
+        Their depth, larger for nearer vertices.
     triangles : ndarray of int, shape (m, 3)
     size : tuple of int
         Width and height in pixels.
+    nearest : float
+        The largest depth that is drawn; what is nearer is cut away.
     """
     width, height = size
     buffer = np.full(height * width, -np.inf)
-    nearest = np.full(height * width, -1)
+    shown = np.full(height * width, -1)
     corner = pixels[triangles] - 0.5  # pixel centers now lie at whole numbers
     low, high = corner.min(axis=1), corner.max(axis=1)
     inside = (high[:, 0] >= 0) & (low[:, 0] < width) & (high[:, 1] >= 0) & (low[:, 1] < height)
@@ -104,32 +108,35 @@ def rasterize(
         which, row, column = np.repeat(which, count), np.repeat(row, count), _ranges(first, count)
         z = _at(plane, which, column, row)
         pixel = row * width + column
+        if nearest < np.inf:
+            kept = z <= nearest
+            z, pixel, which = z[kept], pixel[kept], which[kept]
         np.maximum.at(buffer, pixel, z)
         # Of triangles at the same depth, any one will do.
         wins = z == buffer[pixel]
-        nearest[pixel[wins]] = which[wins]
+        shown[pixel[wins]] = which[wins]
     shape = (height, width)
-    return DepthBuffer(buffer.reshape(shape), nearest.reshape(shape), triangles, edge)
+    return DepthBuffer(buffer.reshape(shape), shown.reshape(shape), triangles, edge)
 
 
-def _planes(edge: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
+def _planes(edge: Array, values: Array) -> Array:
     """Coefficients, shape (m, 3), of the linear functions with given values at the corners."""
     return np.asarray((values[:, None, :] @ edge)[:, 0])
 
 
 def _at(
-    plane: NDArray[np.float64],
-    triangle: NDArray[np.int64],
-    column: NDArray[np.int64],
-    row: NDArray[np.int64],
-) -> NDArray[np.float64]:
+    plane: Array,
+    triangle: Ints,
+    column: Ints,
+    row: Ints,
+) -> Array:
     a, b, c = plane.T
     return np.asarray(a[triangle] * column + b[triangle] * row + c[triangle])
 
 
 def _edge_functions(
-    corner: NDArray[np.float64],
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    corner: Array,
+) -> tuple[Array, Array]:
     """Coefficients (a, b, c), shape (m, 3, 3), of a x + b y + c = area times the barycentrics."""
     following, last = np.roll(corner, -1, axis=1), np.roll(corner, -2, axis=1)
     a = following[..., 1] - last[..., 1]
@@ -138,24 +145,22 @@ def _edge_functions(
     return np.stack([a, b, c], axis=-1), c.sum(axis=-1)
 
 
-def _rows(y: NDArray[np.float64], height: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Pairs of a triangle and a row of pixels that it crosses."""
+def _rows(y: Array, height: int) -> tuple[Ints, Ints]:
+    """Find all pairs of a triangle and a row of pixels that it crosses."""
     first = np.clip(np.ceil(y.min(axis=1)), 0, height).astype(np.int64)
     last = np.clip(np.floor(y.max(axis=1)), -1, height - 1).astype(np.int64)
     count = np.maximum(last - first + 1, 0)
     return np.repeat(np.arange(len(y)), count), _ranges(first, count)
 
 
-def _ranges(first: NDArray[np.int64], count: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Runs of whole numbers one after the other, each with its first and how many they are."""
+def _ranges(first: Ints, count: Ints) -> Ints:
+    """Join runs of consecutive whole numbers, given by their first numbers and their lengths."""
     ends = np.cumsum(count)
     return np.repeat(first - (ends - count), count) + np.arange(count.sum())
 
 
-def _span(
-    edge: NDArray[np.float64], row: NDArray[np.int64], width: int
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """First and last pixel of a row inside a triangle."""
+def _span(edge: Array, row: Ints, width: int) -> tuple[Ints, Ints]:
+    """The first and the last pixel of a row inside a triangle."""
     slope = edge[..., 0]
     rest = edge[..., 1] * row[:, None] + edge[..., 2]
     crossing = np.divide(-rest, slope, out=np.zeros_like(rest), where=slope != 0.0)

@@ -68,7 +68,8 @@ class _Drawn(NamedTuple):
 
 def _drawn(picture: Picture) -> _Drawn:
     surface, view, size = picture.surface, picture.view, picture.samples
-    buffer = rasterize(*view.project(surface.points, size), surface.triangles, size)
+    places, depth = view.project(surface.points, size)
+    buffer = rasterize(places, depth, surface.triangles, size, nearest=view.nearest)
     white_of, body_of = glow(surface, view)
     # Where nothing is faded, only the background is white.
     white = np.asarray(buffer.triangle < 0, dtype=np.float64)

@@ -62,3 +62,5 @@ def set_camera(plotter: Any, surface: Surface, view: View) -> None:
     camera.SetViewUp(view.up)
     camera.SetParallelScale(view.height / 2)
     plotter.renderer.ResetCameraClippingRange()
+    near, far = camera.GetClippingRange()
+    camera.SetClippingRange(max(near, distance - view.nearest), far)
