@@ -45,7 +45,14 @@ def load_sample(name: str) -> Atlas:
 
 
 def sample_names() -> tuple[str, ...]:
-    """Names of all samples, in alphabetical order."""
+    """Return the names of all samples, in alphabetical order.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> bm.sample_names()[:3]
+    ('enneper', 'female_average', 'female_full_bust')
+    """
     return tuple(sorted(path.stem for path in _folder().glob("*.atlas")))
 
 

@@ -9,7 +9,7 @@ from bodymeasure._typing import Array
 
 
 def homogeneous(control_points: ArrayLike, weights: ArrayLike) -> Array:
-    """Control points of rational patches.
+    """Return the control points of rational patches.
 
     Parameters
     ----------
@@ -22,6 +22,15 @@ def homogeneous(control_points: ArrayLike, weights: ArrayLike) -> Array:
     ndarray, shape (..., m + 1, n + 1, 4)
         ``(w x, w y, w z, w)``: wherever control points are taken, four coordinates mean a rational
         patch.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import bodymeasure as bm
+    >>> patch = bm.load_sample("paraboloid").control_points[0]
+    >>> rational = bm.homogeneous(patch, np.full((4, 4), 2.0))
+    >>> rational.shape, round(bm.solve_geodesic(rational, (0, 0), (1, 1)).length, 6)
+    ((4, 4, 4), 2.562007)
     """
     points = np.asarray(control_points, dtype=np.float64)
     weight = np.broadcast_to(np.asarray(weights, dtype=np.float64), points.shape[:-1])[..., None]

@@ -112,6 +112,18 @@ def read_atlas(
     InputError
         If the file is missing, unreadable or not valid, or it has no unit and none is given. The
         message names the file and the place in it.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> import bodymeasure as bm
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder, "body.bpt")
+    ...     bm.write_atlas(bm.load_sample("paraboloid"), file)
+    ...     atlas = bm.read_atlas(file, unit="cm")
+    >>> len(atlas), str(atlas.unit)
+    (1, 'cm')
     """
     path = Path(path)
     options = ReadOptions.checked(unit, up, front, group, tolerance)
@@ -175,6 +187,17 @@ def write_atlas(
     ------
     InputError
         If the extension is unknown or the file cannot be written; nothing half-written is left.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> import bodymeasure as bm
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder, "body.atlas")
+    ...     bm.write_atlas(bm.load_sample("paraboloid"), file)
+    ...     bm.read_atlas(file).name
+    'Paraboloid of revolution'
     """
     path = Path(path)
     form = format_of(path, format)
@@ -199,6 +222,20 @@ def read_population(path: str | PathLike[str]) -> tuple[Atlas, ...]:
     ------
     InputError
         If the file is missing, unreadable or not valid.
+
+    Examples
+    --------
+    >>> from dataclasses import replace
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> bodies = [body, replace(body, points=1.1 * body.points, name="A taller one")]
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder, "bodies.npz")
+    ...     bm.write_population(bodies, file)
+    ...     [body.name for body in bm.read_population(file)]
+    ['Average female body, 160.5 cm', 'A taller one']
     """
     path = Path(path)
     return npz.read_bodies(read_bytes(path), str(path))
@@ -217,6 +254,20 @@ def write_population(atlases: Sequence[Atlas], path: str | PathLike[str]) -> Non
     ------
     InputError
         If they differ in more, or the file cannot be written.
+
+    Examples
+    --------
+    >>> from dataclasses import replace
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> bodies = [body, replace(body, points=1.1 * body.points, name="A taller one")]
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder, "bodies.npz")
+    ...     bm.write_population(bodies, file)
+    ...     [body.name for body in bm.read_population(file)]
+    ['Average female body, 160.5 cm', 'A taller one']
     """
     path = Path(path)
     if path.suffix.lower() != ".npz":

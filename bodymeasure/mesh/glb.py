@@ -64,6 +64,19 @@ def write_glb(
     Notes
     -----
     glTF is in meters, y upwards, looking along z; so the body is turned and scaled.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> nape, bust = body.landmarks["back neck point"], body.landmarks["bust point left"]
+    >>> path = bm.geodesic_between(body, nape, bust)
+    >>> with TemporaryDirectory() as folder:
+    ...     bm.write_glb(Path(folder, "body.glb"), body, {"nape to bust": path})
+    ...     [file.name for file in Path(folder).iterdir()]
+    ['body.glb']
     """
     path = Path(path)
     if path.suffix.lower() != ".glb":

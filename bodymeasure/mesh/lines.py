@@ -12,7 +12,7 @@ from bodymeasure.mesh.points import points_of
 
 
 def path_to_trimesh(path: AtlasPath | MeshPath | ArrayLike) -> Any:
-    """A path as a `trimesh.path.Path3D`, to be shown in a scene or exported.
+    """Return a path as a `trimesh.path.Path3D`, to be shown in a scene or exported.
 
     Parameters
     ----------
@@ -29,6 +29,13 @@ def path_to_trimesh(path: AtlasPath | MeshPath | ArrayLike) -> Any:
         If it is no path.
     MissingExtraError
         If trimesh is not installed.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> line = bm.path_to_trimesh([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0)])
+    >>> print(line.length)
+    2.0
     """
     try:
         from trimesh.path import Path3D

@@ -44,7 +44,7 @@ def measure_mesh(
     *,
     unit: Unit | str | None = None,
 ) -> MeshPath:
-    """The shortest path over a triangle mesh, and how far the mesh's coarseness may put it off.
+    """Find the shortest path over a triangle mesh, and estimate what the mesh's coarseness costs.
 
     It measures the mesh, not a smooth surface: for that, `geodesic_between` wants an atlas.
 
@@ -76,6 +76,14 @@ def measure_mesh(
     Exact on the polyhedron (`bodymeasure.mesh.exact`). The error is estimated from the same path
     over triangles that are curved to meet the normals at the vertices, and cut into four
     (`bodymeasure.mesh.curved`).
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> vertices = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)]
+    >>> path = bm.measure_mesh((vertices, [(0, 1, 2), (0, 2, 3)]), (0.0, 0.5, 0.0), 2, unit="cm")
+    >>> print(f"{path.length:.6f} {path.unit}")
+    1.118034 cm
     """
     given = triangle_mesh(mesh)
     if not np.isfinite(given.vertices).all():

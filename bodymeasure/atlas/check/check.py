@@ -26,7 +26,7 @@ KINK = 15.0
 
 
 def check_atlas(atlas: Atlas) -> tuple[Finding, ...]:
-    """Faults of an atlas's geometry, errors first.
+    """Return the faults of an atlas's geometry, errors first.
 
     Parameters
     ----------
@@ -44,6 +44,14 @@ def check_atlas(atlas: Atlas) -> tuple[Finding, ...]:
     ------
     InputError
         If the atlas is so large or so small that squares of its areas are no numbers.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> findings = bm.check_atlas(body)
+    >>> [(finding.kind.value, finding.severity.value) for finding in findings[:1]]
+    [('kinked seam', 'warning')]
     """
     control_points = atlas.control_points
     require_size(project(control_points).reshape(-1, 3), atlas.unit)

@@ -10,7 +10,7 @@ from bodymeasure.section import Plane
 
 
 def closed_geodesic(atlas: Atlas, at: Location, *, on_failure: OnFailure = "raise") -> ClosedPath:
-    """The closed geodesic that the horizontal loop at a place contracts to.
+    """Return the closed geodesic that the horizontal loop at a place contracts to.
 
     From hip, waist or underbust, that is the natural waist. It follows the skin, and need not be
     level: a girth at a landmark's height is `body_girth`.
@@ -23,12 +23,24 @@ def closed_geodesic(atlas: Atlas, at: Location, *, on_failure: OnFailure = "rais
         What to do if there is no length that can be trusted: raise, so that no failure is
         overlooked, or say so in the status, with NaN for a length.
 
+    Returns
+    -------
+    ClosedPath
+
     Raises
     ------
     InputError
         As `body_girth`, or if the loop is open or contracts to a point.
     ConvergenceError
         If there is no length that can be trusted and `on_failure` is "raise".
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> waist = bm.closed_geodesic(body, "front waist point")
+    >>> print(f"{waist.length:.4f} {body.unit}, {waist.kind.name}")
+    0.6539 m, MINIMUM
     """
     plane = Plane(position_of(atlas, at), atlas.axes.up_vector)
     loop = section_loop(atlas, plane, at)

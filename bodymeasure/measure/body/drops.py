@@ -103,6 +103,14 @@ def vertical_drop(
     InputError
         If no way leads from the start directly to the level, both have one height, the section is
         not clean, or the surface winds about an end of the tape.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> back = bm.vertical_drop(body, "back neck point", "back waist point")
+    >>> print(f"{back.contact:.4f} {back.unit} along the skin, {back.taut:.4f} drawn taut")
+    0.4163 m along the skin, 0.4107 drawn taut
     """
     first, last, up = position_of(atlas, start), position_of(atlas, level), atlas.axes.up_vector
     if plane not in ("median", "side"):

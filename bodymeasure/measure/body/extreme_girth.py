@@ -76,6 +76,10 @@ def extreme_girth(
     limb : bool
         Whether planes are perpendicular to the line from start to end, not horizontal.
 
+    Returns
+    -------
+    ExtremeGirth
+
     Raises
     ------
     InputError
@@ -85,6 +89,14 @@ def extreme_girth(
     Notes
     -----
     17 planes at equal distances, then Brent's method between the neighbors of the best one.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> waist = bm.extreme_girth(body, "bust point left", "front hip point", "smallest")
+    >>> print(f"{waist.girth.contact:.4f} {body.unit} at {waist.height:.3f}, {waist.status.name}")
+    0.6559 m at 1.037, INSIDE
     """
     for what, word, known in (
         ("kind", kind, ("largest", "smallest")),

@@ -42,7 +42,7 @@ class _Level(NamedTuple):
 
 
 def fork_point(atlas: Atlas, regions: tuple[str, str]) -> AtlasPoint:
-    """Where two parts of the body part, going down: an armpit, the crotch.
+    """Return the point where two parts of the body part, going down: an armpit, the crotch.
 
     Parameters
     ----------
@@ -69,6 +69,14 @@ def fork_point(atlas: Atlas, regions: tuple[str, str]) -> AtlasPoint:
     Where loops merge, the height has a critical point (Morse): inside a patch, where Newton's
     method finds its gradient zero and its Hessian indefinite; on a seam with a kink; or at a corner
     of patches.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> armpit = bm.fork_point(body, ("torso", "upper arm left"))
+    >>> print(body.position(armpit).round(3))
+    [ 0.154 -0.009  1.212]
     """
     if isinstance(regions, str) or len(regions) != 2:
         raise InputError(

@@ -88,7 +88,7 @@ class Girth:
 
 
 def plane_girth(atlas: Atlas, plane: Plane, at: Location, *, limb: bool = False) -> Girth:
-    """Girth in a plane, of the part of the body that is nearest to a place.
+    """Return the girth in a plane, of the part of the body that is nearest to a place.
 
     Parameters
     ----------
@@ -99,11 +99,24 @@ def plane_girth(atlas: Atlas, plane: Plane, at: Location, *, limb: bool = False)
     limb : bool
         Whether the loop is to go round an arm or a leg alone.
 
+    Returns
+    -------
+    Girth
+
     Raises
     ------
     InputError
         If the plane misses the body or has no clean section, the landmark is unknown, or the loop
         is open or merges parts of the body.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> plane = bm.Plane(body.position(body.landmarks["front waist point"]), (0.0, 0.1, 1.0))
+    >>> girth = bm.plane_girth(body, plane, "front waist point")
+    >>> print(f"{girth.contact:.4f} {girth.unit}")
+    0.7299 m
     """
     return girth_of_loop(section_loop(atlas, plane, at, limb=limb))
 
@@ -127,7 +140,7 @@ def girth_of_loop(loop: SectionLoop, tape: SectionLoop | BridgedLoop | None = No
 def body_girth(
     atlas: Atlas, at: Location, *, cut: tuple[Location, Location] | None = None
 ) -> Girth:
-    """Horizontal girth at the height of a place: bust, waist, hip, neck.
+    """Return the horizontal girth at the height of a place: bust, waist, hip, neck.
 
     Parameters
     ----------
@@ -138,11 +151,23 @@ def body_girth(
         vertical planes from front to back, and the cuts are bridged straight; one that goes round
         the trunk alone is left whole.
 
+    Returns
+    -------
+    Girth
+
     Raises
     ------
     InputError
         As `plane_girth`; or if the first place to cut at does not lie to the left of the second,
         or a plane misses the loop that it is to cut.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> waist = bm.body_girth(body, "front waist point")
+    >>> print(f"{waist.contact:.4f} {waist.unit} along the skin, {waist.taut:.4f} drawn taut")
+    0.7111 m along the skin, 0.7110 drawn taut
     """
     plane = Plane(position_of(atlas, at), atlas.axes.up_vector)
     if cut is None:
@@ -166,7 +191,7 @@ def body_girth(
 def limb_girth(
     atlas: Atlas, start: Location, end: Location, *, at: Location | float = 0.5
 ) -> Girth:
-    """Girth of an arm or a leg, perpendicular to its axis.
+    """Return the girth of an arm or a leg, perpendicular to its axis.
 
     Parameters
     ----------
@@ -176,10 +201,22 @@ def limb_girth(
     at : float, str, AtlasPoint or ndarray of shape (3,)
         A fraction of the way from start to end, or a place that the plane passes through.
 
+    Returns
+    -------
+    Girth
+
     Raises
     ------
     InputError
         As `plane_girth`, if start and end coincide, or a fraction is not in [0, 1].
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> body = bm.load_sample("female_average")
+    >>> girth = bm.limb_girth(body, "shoulder point left", "elbow point left", at=0.7)
+    >>> print(f"{girth.contact:.4f} {girth.unit}")
+    0.2368 m
     """
     first, last = position_of(atlas, start), position_of(atlas, end)
     # `not inside` rather than `outside`, so that NaN is refused too.

@@ -37,15 +37,26 @@ class BoundaryLengths:
     error_estimate: Array
 
     def __repr__(self) -> str:
-        span = f"lengths from {self.length.min():.6g} to {self.length.max():.6g}"
+        span = f"from {self.length.min():.6g} to {self.length.max():.6g}"
         return f"<BoundaryLengths {span}, error at most {self.error_estimate.max():.1g}>"
 
 
 def boundary_lengths(atlas: Atlas) -> BoundaryLengths:
-    """Arc lengths of all patches' boundary curves.
+    """Return the arc lengths of the boundary curves of all patches.
 
     Gauss-Legendre quadrature of the speed on ever smaller parts of each curve, until two results
     agree to rounding. The paper's section 6.3 makes the same lengths equal to the physical ones.
+
+    Returns
+    -------
+    BoundaryLengths
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> sides = bm.boundary_lengths(bm.load_sample("paraboloid"))
+    >>> print(sides.length.round(6))
+    [[1.478943 1.478943 1.478943 1.478943]]
     """
     nets = atlas.control_points
     flat = sides_of(nets).reshape(-1, *nets.shape[-2:])

@@ -81,10 +81,21 @@ def measure_atlas(
     progress : callable, optional
         Called with the number of diagonals compared so far.
 
+    Returns
+    -------
+    Survey
+
     Raises
     ------
     MissingExtraError
         If the comparison is asked for and libigl is not installed.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> survey = bm.measure_atlas(bm.load_sample("paraboloid"), compare=False)
+    >>> print(survey.diagonals.length.round(6), len(survey.findings))
+    [[2.562007 1.53733 ]] 0
     """
     seconds: dict[str, float] = {}
     with _timed(seconds, "check of the atlas"):
