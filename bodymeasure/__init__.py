@@ -76,6 +76,7 @@ __all__ = [
     "measure_mesh",
     "path_to_trimesh",
     "plane_girth",
+    "rbf_coefficients",
     "read_atlas",
     "read_population",
     "sample_names",
@@ -164,6 +165,7 @@ if TYPE_CHECKING:
         geodesic_alternatives,
         geodesic_between,
         geodesics_between,
+        rbf_coefficients,
         solve_geodesic,
     )
     from bodymeasure.measure import (

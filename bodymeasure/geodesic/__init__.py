@@ -16,6 +16,7 @@ from bodymeasure.geodesic.solution import GeodesicSolution
 from bodymeasure.geodesic.solve import HasDerivatives, solve_geodesic
 from bodymeasure.geodesic.solving.protocol import EdgeContact, Method
 from bodymeasure.geodesic.spaces.kernels import WU_C2, WU_C4, WU_C6, WU_C10, Kernel
+from bodymeasure.geodesic.spaces.rbf import rbf_coefficients
 from bodymeasure.geodesic.status import Status
 
 __all__ = [
@@ -45,5 +46,6 @@ __all__ = [
     "geodesic_alternatives",
     "geodesic_between",
     "geodesics_between",
+    "rbf_coefficients",
     "solve_geodesic",
 ]

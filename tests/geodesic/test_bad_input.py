@@ -103,7 +103,7 @@ def test_a_method_is_one_with_its_settings(method: Any) -> None:
         ({"tolerance": 0.0}, "tolerance is 0.0; expected a positive number"),
         ({"tolerance": -1e-9}, "tolerance"),
         ({"tolerance": np.nan}, "tolerance is nan"),
-        ({"functions": 0}, "functions is 0; expected at least one function"),
+        ({"functions": 0}, "functions is 0; expected a whole number of at least 1"),
         ({"functions": -4}, "functions is -4"),
         ({"functions": ()}, r"functions is \(\)"),
         ({"functions": (8, 0)}, r"functions is \(8, 0\)"),

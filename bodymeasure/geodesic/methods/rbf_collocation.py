@@ -3,14 +3,13 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.methods.collocation import Form, check_form, collocate
-from bodymeasure.geodesic.methods.settings import check_positive
+from bodymeasure.geodesic.methods.settings import check_positive, whole_numbers
 from bodymeasure.geodesic.solving.on_spaces import TOLERANCE
 from bodymeasure.geodesic.solving.protocol import MethodResult
 from bodymeasure.geodesic.spaces.kernels import WU_C10, Kernel
@@ -21,7 +20,7 @@ from bodymeasure.geodesic.surfaces.protocol import Surface
 # Numbers of functions that are tried in turn. Even, so that symmetric centers and collocation
 # points give a regular system. 8 functions serve 9 of 10 diagonals of a body, 12 nearly all of the
 # rest (tests/benchmarks/patches/rbf_convergence.py).
-LADDER = (8, 12, 16, 20)
+FUNCTIONS = (8, 12, 16, 20)
 # With more functions than the kernel's degree, this many centers stay outside [0, 1].
 OUTER_CENTERS = 8
 # How far outside they lie: half as far as the paper's, whose second center is at 1.5, to double.
@@ -67,7 +66,7 @@ class RBFCollocation:
     """
 
     kernel: Kernel = WU_C10
-    functions: int | Sequence[int] = LADDER
+    functions: int | Sequence[int] = FUNCTIONS
     centers: Sequence[float] | None = None
     collocation_points: Sequence[float] | None = None
     support_radius: float = 2.0
@@ -85,21 +84,14 @@ class RBFCollocation:
             if not (len(centers) and np.isfinite(centers).all()):
                 raise InputError("centers must be finite numbers, at least one")
         counts = self._counts
-        if not counts or not all(_is_count(n) for n in counts):
-            raise InputError(
-                f"functions is {self.functions!r}; expected at least one function: a whole number, "
-                "or several to be tried in turn"
-            )
         if self.collocation_points is not None:
-            _check_collocation_points(self.collocation_points, self._counts)
+            _check_collocation_points(self.collocation_points, counts)
 
     @property
-    def _counts(self) -> tuple[Any, ...]:
+    def _counts(self) -> tuple[int, ...]:
         if self.centers is not None:
             return (len(self.centers),)
-        # Also numpy's integers are numbers.
-        functions: Any = self.functions
-        return (functions,) if np.ndim(functions) == 0 else tuple(functions)
+        return whole_numbers("functions", self.functions, 1)
 
     @property
     def spaces(self) -> Iterator[TrialSpace]:
@@ -134,11 +126,6 @@ def default_centers(kernel: Kernel, count: int) -> Array:
 def chebyshev_points(count: int) -> Array:
     """The inner Chebyshev-Lobatto points of [0, 1]."""
     return np.asarray(0.5 - 0.5 * np.cos(np.pi * np.arange(1, count + 1) / (count + 1)))
-
-
-def _is_count(value: Any) -> bool:
-    whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
-    return whole and bool(value >= 1)
 
 
 def _sequence(name: str, values: Sequence[float]) -> Array:

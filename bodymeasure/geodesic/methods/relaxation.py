@@ -3,13 +3,14 @@
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.interpolate import make_interp_spline
+from scipy.linalg import solve_banded
 
 from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.lengths.equations import linearization
 from bodymeasure.geodesic.methods.settings import check_positive, whole_numbers
-from bodymeasure.geodesic.numerics.damped_newton import LAST_STEP, LONGEST_STEP, SMALLEST_STEP
-from bodymeasure.geodesic.solving.newton import MAX_ITERATIONS, SUFFICIENT_DECREASE
+from bodymeasure.geodesic.numerics.damped_newton import damped_newton
 from bodymeasure.geodesic.solving.on_spaces import TOLERANCE, straight
 from bodymeasure.geodesic.solving.protocol import MethodResult
 from bodymeasure.geodesic.solving.resampled import Path, resampled
@@ -74,41 +75,31 @@ class Relaxation:
 
 
 def _spline(mesh: Array, start: Array, moves: Array) -> Path:
-    # Here, since `import bodymeasure` would take much longer with it.
-    from scipy.interpolate import make_interp_spline
-
     spline = make_interp_spline(mesh, moves.T, k=SPLINE_DEGREE)
     return lambda t: start[:, None] + np.asarray(spline(t).T)
 
 
 def _relaxed(surface: Surface, start: Array, moves: Array) -> tuple[Array | None, int]:
-    """Newton's method on one mesh, moves of shape (2, points), and how many steps it took."""
-    from scipy.linalg import solve_banded
+    """The moves on one mesh, shape (2, points), if Newton's method finds them, and its steps."""
+    steps = 0
 
-    span = float(np.abs(moves[:, -1]).max())
-    direction, step, norm = np.zeros_like(moves), 1.0, np.inf
-    for count in range(1, MAX_ITERATIONS + 1):
-        trial = moves + step * direction
-        residual, bands = _system(surface, start, trial)
-        trial_norm = float(np.linalg.norm(residual))
-        if not trial_norm <= (1.0 - SUFFICIENT_DECREASE * step) * norm:
-            step *= 0.5
-            if step < SMALLEST_STEP or norm == np.inf:
-                return None, count
-            continue
-        moves, norm = trial, trial_norm
+    def system(moves: Array) -> tuple[Array, Array]:
+        nonlocal steps
+        steps += 1
+        return _system(surface, start, moves)
+
+    def direction(residual: Array, bands: Array) -> Array:
+        result = np.zeros_like(moves)
         try:
             solution = solve_banded((BANDS, BANDS), bands, -residual)
         except (np.linalg.LinAlgError, ValueError):
-            # Singular, or not finite.
-            return None, count
-        direction = np.zeros_like(moves)
-        direction[:, 1:-1] = solution.reshape(-1, 2).T
-        size = float(np.abs(direction).max())
-        if size < LAST_STEP * span:
-            return moves + direction, count
-        step = min(1.0, LONGEST_STEP / max(size, LONGEST_STEP))
-    return None, MAX_ITERATIONS
+            # The system is singular, or not finite.
+            return np.full_like(moves, np.nan)
+        result[:, 1:-1] = solution.reshape(-1, 2).T
+        return result
+
+    solved = damped_newton(system, direction, moves, span=float(np.abs(moves[:, -1]).max()))
+    return None if solved is None else solved.unknowns, steps
 
 
 def _system(surface: Surface, start: Array, moves: Array) -> tuple[Array, Array]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure.errors import InputError
-from bodymeasure.geodesic.lengths.functionals import Functional
+from bodymeasure.geodesic.lengths.functionals import energy, length_over_v
 from bodymeasure.geodesic.methods.settings import check_positive, whole_numbers
 from bodymeasure.geodesic.solving.levenberg_marquardt import minimize
 from bodymeasure.geodesic.solving.on_spaces import TOLERANCE, solve_on_spaces
@@ -75,7 +75,7 @@ class Ritz:
                     f"start {first} and end {last} have the same u, so that v is no function of "
                     "u between them; use Ritz(parametrization='arbitrary')"
                 )
-        functional = Functional("energy" if self.parametrization == "arbitrary" else "length")
+        functional = energy if self.parametrization == "arbitrary" else length_over_v
         return solve_on_spaces(
             [partial(polynomial_space, n) for n in whole_numbers("order", self.order, LEAST_ORDER)],
             surface,

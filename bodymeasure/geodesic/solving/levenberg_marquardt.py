@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
-from bodymeasure.geodesic.lengths.functionals import Expansion, Functional, expand
+from bodymeasure.geodesic.lengths.functionals import Functional, SecondOrder
 from bodymeasure.geodesic.numerics.damped_newton import LAST_STEP, LONGEST_STEP
 from bodymeasure.geodesic.solving.newton import NewtonResult
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
@@ -40,6 +40,7 @@ def minimize(
     Parameters
     ----------
     functional : Functional
+        `functionals.energy` or `functionals.length_over_v`.
     surface : Surface
     space : TrialSpace
         With n + 1 nodes.
@@ -54,24 +55,25 @@ def minimize(
     """
     count = len(start)
     result = NewtonResult.unsolved(start)
-    metric = _slope_products(functional, space)
     active = np.arange(count)
     span = np.abs(start[:, :, -1] - start[:, :, 0]).max(axis=1)
-    base, best = start, expand(functional, surface, space, start)
+    base, best = start, functional(surface, space, start)
+    # A functional of one unknown function is one of v.
+    unknowns = best.gradient.shape[1] // (space.size - 1)
+    coordinates = (0, 1)[-unknowns:]
+    metric = _slope_products(space, unknowns)
     damping = np.zeros(count)
     for _ in range(max_iterations):
         step, solvable = _damped_step(best, metric, damping)
         direction = np.zeros_like(base)
-        direction[:, functional.coordinates, 1:-1] = step.reshape(
-            len(step), len(functional.coordinates), base.shape[2] - 2
-        )
+        direction[:, coordinates, 1:-1] = step.reshape(len(step), unknowns, base.shape[2] - 2)
         size = np.abs(step).max(axis=1, initial=0.0)
         slope = np.einsum("pi,pi->p", best.gradient, step)
         foretold = slope + 0.5 * np.einsum("pi,pij,pj->p", step, best.hessian, step)
         result.iterations[active] += 1
         good = solvable & (size <= LONGEST_STEP)
         moved = np.where(good[:, None, None], base + direction, base)
-        there = expand(functional, surface, space, moved)
+        there = functional(surface, space, moved)
         allowed = best.value + SUFFICIENT_DECREASE * foretold + ROUNDING * best.value
         accepted = good & (foretold <= 0.0) & (there.value <= allowed)
         last = np.maximum(LAST_STEP * span[active], SMALL_STEP)
@@ -91,20 +93,22 @@ def minimize(
             break
         if done.any():
             active, base, damping = active[keep], base[keep], damping[keep]
-            best = Expansion(best.value[keep], best.gradient[keep], best.hessian[keep])
+            best = SecondOrder(best.value[keep], best.gradient[keep], best.hessian[keep])
             surface = surface.take(keep)
     return result
 
 
-def _slope_products(functional: Functional, space: TrialSpace) -> Array:
+def _slope_products(space: TrialSpace, unknowns: int) -> Array:
     """Scalar products of the slopes of the unknowns' cardinal functions: what damping adds."""
     slopes = space.at_quadrature[1][:, 1:-1]
     products = (slopes.T * space.quadrature.weights) @ slopes
-    result: Array = np.kron(np.eye(len(functional.coordinates)), products)
+    result: Array = np.kron(np.eye(unknowns), products)
     return result
 
 
-def _damped_step(here: Expansion, metric: Array, damping: Array) -> tuple[Array, NDArray[np.bool_]]:
+def _damped_step(
+    here: SecondOrder, metric: Array, damping: Array
+) -> tuple[Array, NDArray[np.bool_]]:
     """Steps, and which could be computed."""
     finite = np.asarray(
         np.isfinite(here.gradient).all(axis=1) & np.isfinite(here.hessian).all(axis=(1, 2))
@@ -122,8 +126,8 @@ def _damped_step(here: Expansion, metric: Array, damping: Array) -> tuple[Array,
     return np.where(finite[:, None], step, 0.0), finite
 
 
-def _chosen(accepted: NDArray[np.bool_], there: Expansion, here: Expansion) -> Expansion:
-    return Expansion(
+def _chosen(accepted: NDArray[np.bool_], there: SecondOrder, here: SecondOrder) -> SecondOrder:
+    return SecondOrder(
         np.where(accepted, there.value, here.value),
         np.where(accepted[:, None], there.gradient, here.gradient),
         np.where(accepted[:, None, None], there.hessian, here.hessian),

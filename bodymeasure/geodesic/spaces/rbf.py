@@ -1,39 +1,37 @@
 """The trial space of the paper: a constant and radial functions, equations (5) and (6)."""
 
-from decimal import Context, Decimal, localcontext
+from decimal import Decimal
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
+from bodymeasure.geodesic.spaces.decimals import (
+    Decimals,
+    decimals,
+    inverse,
+    longdoubles,
+    many_digits,
+)
 from bodymeasure.geodesic.spaces.kernels import Kernel
 from bodymeasure.geodesic.spaces.piecewise import PiecewisePolynomials, sample_points
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 
-# Smooth kernels on many centers give condition numbers far beyond 1e16, though the space they span
-# is well behaved: only the basis is bad. So the change of basis, from coefficients to nodal values,
-# is done once per space in this many digits, and every matrix that double precision then meets has
-# entries of moderate size.
-DIGITS = 60
-# Past this condition number what is left of 60 digits no longer covers double precision with ten
-# to spare.
+# Past this condition number, what is left of the 60 digits of `decimals` no longer covers double
+# precision with ten digits to spare.
 DEGENERATE_CONDITION = 1e34
-# Nodes at which the functions can hardly be told apart show as cardinal functions (1 at one node, 0
-# at the others) that are huge between the nodes. The sum of their sizes is 2 to 4 on good nodes and
-# grows like the condition number on bad ones; it is the factor by which rounding errors grow.
+# Where the functions hardly differ at the nodes, the cardinal functions (1 at one node, 0 at the
+# others) are huge between the nodes. The sum of their sizes is 2 to 4 on good nodes and grows like
+# the condition number on bad ones; it is the factor by which rounding errors grow.
 LARGEST_CARDINAL_SUM = 1e3
 # Collocation points that make the system degenerate (symmetric ones do, for an odd number of
 # functions with symmetric centers) are moved by these fractions of the gap to the next one, until
 # one choice works: the paper's section 5 and Table 1, part 1.
 SHIFTS = (0.0, 0.25, 0.4, -0.25, 0.1)
-# Places where functions change their polynomial are one place if they are closer than this: they
-# differ by rounding (-1.7 + 2 and 0.3), and no points can be told apart between them.
+# Places where functions change their polynomial are taken for one if they are closer than this:
+# they differ by rounding (-1.7 + 2 and 0.3).
 CLOSEST_BREAKS = 1e-10
-
-_Matrix = NDArray[Any]  # of Decimal
 
 
 @lru_cache(maxsize=64)
@@ -43,7 +41,7 @@ def rbf_space(
     collocation_points: tuple[float, ...],
     support_radius: float,
 ) -> TrialSpace:
-    """The span of a constant and ``phi(|t - c_i| / radius)`` on given collocation points.
+    """Return the span of a constant and ``phi(|t - c_i| / radius)`` on given collocation points.
 
     Parameters
     ----------
@@ -69,14 +67,14 @@ def rbf_space(
     edges = np.array([0.0, *breaks, 1.0])
     samples = sample_points(edges, kernel.degree)
     condition, growth = float("inf"), float("inf")
-    with localcontext(Context(prec=DIGITS)):
+    with many_digits():
         sampled_basis = _basis(kernel, centers, samples.ravel(), support_radius)
         for shift in SHIFTS:
             nodes = _shifted_nodes(collocation_points, shift)
-            inverse, condition = _inverse(_basis(kernel, centers, nodes, support_radius)[0])
-            if inverse is None or condition > DEGENERATE_CONDITION:
+            inverted, condition = inverse(_basis(kernel, centers, nodes, support_radius)[0])
+            if inverted is None or condition > DEGENERATE_CONDITION:
                 continue
-            cardinal = np.stack([part @ inverse for part in sampled_basis])
+            cardinal = np.stack([part @ inverted for part in sampled_basis])
             growth = min(growth, float(max(abs(cardinal[0]).sum(axis=1))))
             if growth < LARGEST_CARDINAL_SUM:
                 functions = _piecewise(edges, samples, cardinal)
@@ -107,27 +105,21 @@ def _refusal(functions: str, condition: float, growth: float) -> str:
     )
 
 
-def _piecewise(edges: Array, samples: Array, cardinal: _Matrix) -> PiecewisePolynomials:
+def _piecewise(edges: Array, samples: Array, cardinal: Decimals) -> PiecewisePolynomials:
     """The polynomials through values and derivatives (3, all samples, functions)."""
     pieces, count = samples.shape
     by_piece = np.split(cardinal, pieces, axis=1)
     coefficients = np.empty((3, count, cardinal.shape[2], pieces), dtype=np.longdouble)
-    for i, (values, points) in enumerate(zip(by_piece, _decimals(samples), strict=True)):
-        left, right = _decimals(edges[i : i + 2])
+    for i, (values, points) in enumerate(zip(by_piece, decimals(samples), strict=True)):
+        left, right = decimals(edges[i : i + 2])
         x = (2 * points - left - right) / (right - left)
         chebyshev = [x * 0 + 1, x]
         for _ in range(2, count):
             chebyshev.append(2 * x * chebyshev[-1] - chebyshev[-2])
-        inverse, _ = _inverse(np.stack(chebyshev[:count], axis=1))
+        inverted, _ = inverse(np.stack(chebyshev[:count], axis=1))
         for order in range(3):
-            exact = inverse @ values[order]
-            coefficients[order, :, :, i] = np.vectorize(_long, otypes=[np.longdouble])(exact)
+            coefficients[order, :, :, i] = longdoubles(inverted @ values[order])
     return PiecewisePolynomials(edges, coefficients)
-
-
-def _long(value: Decimal) -> np.longdouble:
-    """To extended precision by way of text, since a float would cut it to double."""
-    return np.longdouble(f"{value:.25e}")
 
 
 def rbf_coefficients(
@@ -137,10 +129,14 @@ def rbf_coefficients(
     nodes: Array,
     nodal_values: Array,
 ) -> Array:
-    """The paper's a_0, a_1, ..., a_N (or b_i) of functions given by nodal values.
+    """Return the paper's coefficients a_0, ..., a_N (or b_i) of functions given by nodal values.
 
     Parameters
     ----------
+    kernel : Kernel
+    centers : tuple of float
+        The N centers.
+    support_radius : float
     nodes : ndarray, shape (N + 1,)
     nodal_values : ndarray, shape (N + 1, ...)
 
@@ -153,12 +149,26 @@ def rbf_coefficients(
     ------
     InputError
         If the system is singular.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> method = bm.RBFCollocation(bm.WU_C2, centers=(1.0, 1.5))
+    >>> solution = bm.solve_geodesic(
+    ...     bm.load_sample("paraboloid").control_points[0], (0, 0), (1, 1),
+    ...     method=method, on_failure="status",
+    ... )
+    >>> (paths,) = solution.batches
+    >>> rbf_coefficients(
+    ...     bm.WU_C2, (1.0, 1.5), 2.0, paths.space.nodes, paths.values[0].T
+    ... ).shape
+    (3, 2)
     """
-    with localcontext(Context(prec=DIGITS)):
-        inverse, _ = _inverse(_basis(kernel, centers, nodes, support_radius)[0])
-        if inverse is None:
+    with many_digits():
+        inverted, _ = inverse(_basis(kernel, centers, nodes, support_radius)[0])
+        if inverted is None:
             raise InputError("the collocation system is singular; it has no coefficients")
-        return np.asarray(inverse @ _decimals(nodal_values), dtype=np.float64)
+        return np.asarray(inverted @ decimals(nodal_values), dtype=np.float64)
 
 
 def _breaks(centers: tuple[float, ...], support_radius: float) -> list[float]:
@@ -178,18 +188,12 @@ def _shifted_nodes(collocation_points: tuple[float, ...], shift: float) -> Array
     return nodes
 
 
-def _decimals(values: Any) -> _Matrix:
-    values = np.asarray(values, dtype=np.float64)
-    flat = [Decimal(value) for value in values.ravel().tolist()]
-    return np.array(flat, dtype=object).reshape(values.shape)
-
-
 def _basis(
     kernel: Kernel, centers: tuple[float, ...], t: Array, support_radius: float
-) -> list[_Matrix]:
+) -> list[Decimals]:
     """Values, first and second derivatives of 1, phi_1, ..., phi_N at t; each (k, N + 1)."""
     radius = Decimal(support_radius)
-    offset = (_decimals(t)[:, None] - _decimals(centers)[None]) / radius
+    offset = (decimals(t)[:, None] - decimals(centers)[None]) / radius
     distance = abs(offset)
     inside = distance <= 1
     coefficients = [Decimal(c) for c in kernel.coefficients]
@@ -199,24 +203,7 @@ def _basis(
         for coefficient in reversed(coefficients[:-1]):
             values = values * distance + coefficient
         sign = np.where(offset < 0, -1, 1) if order == 1 else 1
-        constant = _decimals(np.full((len(t), 1), 1.0 if order == 0 else 0.0))
+        constant = decimals(np.full((len(t), 1), 1.0 if order == 0 else 0.0))
         result.append(np.hstack([constant, values * inside * sign / radius**order]))
         coefficients = [k * c for k, c in enumerate(coefficients)][1:] or [Decimal(0)]
     return result
-
-
-def _inverse(matrix: _Matrix) -> tuple[_Matrix | None, float]:
-    """Gauss-Jordan inverse with row pivoting, and the condition number in the 1-norm."""
-    size = len(matrix)
-    rows = np.hstack([matrix, _decimals(np.eye(size))])
-    for k in range(size):
-        pivot = max(range(k, size), key=lambda i: abs(rows[i, k]))
-        if rows[pivot, k] == 0:
-            return None, float("inf")
-        rows[[k, pivot]] = rows[[pivot, k]]
-        rows[k] = rows[k] / rows[k, k]
-        others = np.arange(size) != k
-        rows[others] = rows[others] - rows[others, k : k + 1] * rows[k]
-    inverse = rows[:, size:]
-    norms = [max(abs(part).sum(axis=0)) for part in (matrix, inverse)]
-    return inverse, float(norms[0] * norms[1])

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
-from bodymeasure.geodesic.lengths.functionals import Functional
+from bodymeasure.geodesic.lengths.functionals import length_over_v
 from bodymeasure.geodesic.solving.levenberg_marquardt import minimize
 from bodymeasure.geodesic.solving.newton import MAX_ITERATIONS
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
@@ -81,9 +81,7 @@ def solve_ritz(
         # Rounding must not move the ends, nor u off t.
         guess[:, 0], guess[:, :, 0], guess[:, :, -1] = finer.nodes, 0.0, 1.0
         part, space = surface.take(rows), finer
-        values = minimize(
-            Functional("length"), part, space, guess, max_iterations=MAX_ITERATIONS
-        ).values
+        values = minimize(length_over_v, part, space, guess, max_iterations=MAX_ITERATIONS).values
         here = arc_lengths(part, space, values)
         change[rows], order[rows] = np.abs(length[rows] - here), degree
         length[rows] = np.minimum(length[rows], here)

@@ -8,7 +8,11 @@ import pytest
 
 from bodymeasure import InputError
 from bodymeasure.geodesic import WU_C2, WU_C4, WU_C6, WU_C10, Kernel, RBFCollocation
-from bodymeasure.geodesic.methods.rbf_collocation import LADDER, chebyshev_points, default_centers
+from bodymeasure.geodesic.methods.rbf_collocation import (
+    FUNCTIONS,
+    chebyshev_points,
+    default_centers,
+)
 from bodymeasure.geodesic.spaces.rbf import rbf_coefficients, rbf_space
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 
@@ -101,7 +105,7 @@ def test_an_expansion_and_its_derivatives_come_back_from_its_nodal_values(
         assert (error <= reach + 1e-14 * np.abs(expected).max()).all()
 
 
-@pytest.mark.parametrize("count", LADDER)
+@pytest.mark.parametrize("count", FUNCTIONS)
 def test_the_default_spaces_hold_to_rounding(count: int, rng: np.random.Generator) -> None:
     # Their condition numbers go beyond what double precision could invert.
     centers = tuple(default_centers(WU_C10, count).tolist())

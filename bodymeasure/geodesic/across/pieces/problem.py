@@ -20,7 +20,7 @@ from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import on_side
 from bodymeasure.bezier import scaled
 from bodymeasure.geodesic.across.routes.route import Route
-from bodymeasure.geodesic.lengths.functionals import Functional, expand
+from bodymeasure.geodesic.lengths.functionals import energy
 from bodymeasure.geodesic.numerics.box_newton import SecondOrder
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.rational import surfaces_of
@@ -28,7 +28,6 @@ from bodymeasure.geodesic.surfaces.rational import surfaces_of
 # Pieces may be of no length, where the root has no derivative. In units of the whole path's length.
 EPSILON = 1e-14
 ALL_NODES = slice(None)
-ENERGY = Functional("energy")
 
 Slides = tuple[int | None, int | None]
 """The sides of their patches along which the start and the end of a path may move."""
@@ -165,12 +164,12 @@ class RouteProblem:
 
     def by_piece(self, unknowns: Array) -> tuple[Array, Array, Array]:
         """The root of each piece, with its gradient and Hessian by the unknowns of the piece."""
-        energy = expand(ENERGY, self.surface, self.space, self.values(unknowns), ALL_NODES)
-        root = np.sqrt(2.0 * energy.value + EPSILON)
+        whole = energy(self.surface, self.space, self.values(unknowns), ALL_NODES)
+        root = np.sqrt(2.0 * whole.value + EPSILON)
         local, sign = self.local, self.sign
-        slope = np.take_along_axis(energy.gradient, local, axis=1) * sign / root[:, None]
+        slope = np.take_along_axis(whole.gradient, local, axis=1) * sign / root[:, None]
         piece = np.arange(len(root))[:, None, None]
-        bend = energy.hessian[piece, local[:, :, None], local[:, None, :]]
+        bend = whole.hessian[piece, local[:, :, None], local[:, None, :]]
         bend = bend * (sign[:, :, None] * sign[:, None, :]) / root[:, None, None]
         bend -= slope[:, :, None] * slope[:, None, :] / root[:, None, None]
         return root, slope, bend
