@@ -248,6 +248,13 @@ def test_all_that_is_public_loads_nothing_heavy() -> None:
     assert loaded.isdisjoint(HEAVY), loaded & HEAVY
 
 
+def test_reports_scenes_and_the_viewer_load_what_is_heavy_only_when_they_draw() -> None:
+    names = _loaded("import bodymeasure.report, bodymeasure.scene, bodymeasure.viewer")
+    loaded = {name.split(".")[0] for name in names}
+    assert "bodymeasure.viewer" in names
+    assert loaded.isdisjoint({*HEAVY, "PIL"}), loaded & HEAVY
+
+
 @pytest.mark.parametrize(
     ("script", "loaded"),
     [

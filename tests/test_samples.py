@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from helpers.bodies import BODIES
 from helpers.surfaces.surfaces import SURFACES, Surface
 from numpy.typing import NDArray
 from scipy.integrate import solve_bvp
@@ -16,11 +17,10 @@ from bodymeasure.bezier import derivatives, evaluate
 from bodymeasure.errors import InputError
 from bodymeasure.samples import load_sample, sample_names, sample_path, samples
 
-MANNEQUINS = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
 KNOWN = ("enneper", "hyperbolic_paraboloid", "paraboloid", "ph_cylinder", "tangent_developable")
 
 
-@pytest.fixture(scope="module", params=MANNEQUINS)
+@pytest.fixture(scope="module", params=BODIES)
 def mannequin(request: pytest.FixtureRequest) -> Atlas:
     return load_sample(request.param)
 
@@ -39,7 +39,7 @@ def _numbers(atlas: Atlas, region: str) -> list[int]:
 
 
 def test_the_samples_are_the_mannequins_and_the_known_surfaces() -> None:
-    assert sample_names() == tuple(sorted((*MANNEQUINS, *KNOWN)))
+    assert sample_names() == tuple(sorted((*BODIES, *KNOWN)))
     listed = samples()
     assert [sample.name for sample in listed] == list(sample_names())
     assert all(sample.path.is_file() for sample in listed)
@@ -48,12 +48,12 @@ def test_the_samples_are_the_mannequins_and_the_known_surfaces() -> None:
     assert described["enneper"] == "Enneper's surface; 1 patch, in cm"
 
 
-@pytest.mark.parametrize("name", [*MANNEQUINS, *KNOWN])
+@pytest.mark.parametrize("name", [*BODIES, *KNOWN])
 def test_every_sample_is_sound_and_says_where_it_comes_from(name: str) -> None:
     atlas = load_sample(name)
-    assert atlas.unit == (Unit.M if name in MANNEQUINS else Unit.CM)
+    assert atlas.unit == (Unit.M if name in BODIES else Unit.CM)
     assert atlas.provenance["license"].startswith("CC0 1.0")
-    assert atlas.provenance.get("source" if name in MANNEQUINS else "formula")
+    assert atlas.provenance.get("source" if name in BODIES else "formula")
     assert [f for f in check_atlas(atlas) if f.severity is not Severity.WARNING] == []
 
 
@@ -160,7 +160,7 @@ def test_places_round_a_limb_are_where_they_say(mannequin: Atlas) -> None:
 
 
 def test_all_mannequins_share_layout_and_names() -> None:
-    first, *others = (load_sample(name) for name in MANNEQUINS)
+    first, *others = (load_sample(name) for name in BODIES)
     for other in others:
         np.testing.assert_array_equal(other.index, first.index)
         assert other.patch_names == first.patch_names

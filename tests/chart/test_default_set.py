@@ -8,6 +8,7 @@ from functools import cache
 import msgspec
 import numpy as np
 import pytest
+from helpers.bodies import BODIES
 from helpers.files.pattern_names import FREESEWING, SEAMLY
 
 from bodymeasure.atlas import Atlas, Axes
@@ -23,7 +24,6 @@ from bodymeasure.chart.kinds import FormulaMeasure
 from bodymeasure.samples import load_sample
 
 DEFAULT = load_definitions()
-BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
 bodies = pytest.mark.parametrize(
     "name",
     [pytest.param(name, marks=pytest.mark.slow) for name in BODIES],

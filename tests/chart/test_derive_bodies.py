@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from helpers.bodies import BODIES
 from helpers.surfaces.quadrics import joined, sphere_nets, stretched
 from numpy.typing import NDArray
 
@@ -14,7 +15,6 @@ from bodymeasure.bezier import evaluate
 from bodymeasure.chart import Derived, LandmarkRule, derive_landmarks, load_definitions
 from bodymeasure.chart.landmarks.rules import Boundary, Fork, Level, Median, Prominent
 
-BODIES = ["female_average", "female_full_bust", "female_heavy", "female_old", "male_average"]
 # Of the size of a body: what rules may change under a rigid motion, or from left to right.
 SAME = 1e-9
 # Of all kinds that need no geodesic; those are slow, and tried on all bodies by the slow test.

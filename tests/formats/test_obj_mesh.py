@@ -2,6 +2,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from helpers.bodies import BODIES
 from helpers.files.format_atlases import UNIT, read
 from helpers.surfaces.quad_grids import grid_mesh, hilly_net, spline_atlas
 
@@ -11,7 +12,6 @@ from bodymeasure.formats.options import ReadOptions
 from bodymeasure.subdivision import QuadMesh
 
 SAMPLES = Path(__file__).parents[2] / "sample_patches" / "quad_meshes.npz"
-BODIES = ("female_average", "male_average", "female_heavy", "female_full_bust", "female_old")
 POINTS = hilly_net(6, 5)
 MESH = grid_mesh(POINTS)
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from helpers.bodies import BODIES
 from helpers.oracles.reference import chebyshev_times, reference_lengths
 
 from bodymeasure import load_sample
@@ -9,9 +10,7 @@ from bodymeasure.geodesic import GeodesicSolution, Status, solve_geodesic
 from bodymeasure.measure.patches.cross_check import Verdict, cross_check
 from bodymeasure.measure.patches.diagonals import DIAGONAL_ENDS, DIAGONAL_STARTS, diagonals
 
-MANNEQUINS = ["female_average", "female_full_bust", "female_heavy", "female_old", "male_average"]
-
-bodies = pytest.mark.parametrize("name", MANNEQUINS)
+bodies = pytest.mark.parametrize("name", BODIES)
 
 
 def geodesics(name: str) -> GeodesicSolution:

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from helpers.bodies import BODIES
 from helpers.surfaces.tubes import ring_length, tube
 from numpy.typing import NDArray
 
@@ -9,8 +10,6 @@ from bodymeasure.errors import InputError
 from bodymeasure.geodesic import LoopKind, Status
 from bodymeasure.measure import body_girth, closed_geodesic, extreme_girth, height
 from bodymeasure.samples import load_sample
-
-BODIES = ["female_average", "female_full_bust", "female_heavy", "female_old", "male_average"]
 
 
 def at(x: float, y: float, z: float) -> NDArray[np.float64]:

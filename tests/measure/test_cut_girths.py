@@ -2,16 +2,15 @@
 
 import numpy as np
 import pytest
+from helpers.bodies import BODIES, armpits
 from helpers.surfaces.tubes import tube
 from numpy.typing import NDArray
 from scipy import optimize
 from scipy.spatial import ConvexHull
 
 from bodymeasure.errors import InputError
-from bodymeasure.measure import body_girth, breadth, fork_point
+from bodymeasure.measure import body_girth, breadth
 from bodymeasure.samples import load_sample
-
-BODIES = ["female_average", "female_full_bust", "female_heavy", "female_old", "male_average"]
 
 
 def at(x: float, y: float, z: float) -> NDArray[np.float64]:
@@ -54,7 +53,7 @@ def test_a_loop_between_the_planes_is_left_whole() -> None:
 @pytest.mark.parametrize("name", BODIES)
 def test_girths_above_the_armpits(name: str) -> None:
     atlas = load_sample(name)
-    left, right = (fork_point(atlas, ("torso", f"upper arm {side}")) for side in ("left", "right"))
+    left, right = armpits(name)
     top = atlas.position(left)
     above = at(0.0, -0.2, top[2] + 0.01)
     with pytest.raises(InputError, match=r"merges the trunk.*cut at the armpits \(cut\)"):

@@ -4,17 +4,17 @@ from functools import cache
 
 import numpy as np
 import pytest
+from helpers.bodies import BODIES, armpits
 from helpers.surfaces.tubes import tube
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
 from bodymeasure.atlas import AtlasPoint
 from bodymeasure.errors import InputError
-from bodymeasure.measure import Drop, fork_point, vertical_drop
+from bodymeasure.measure import Drop, vertical_drop
 from bodymeasure.samples import load_sample
 from bodymeasure.section import outer_hull, part, turned
 
-BODIES = ["female_average", "female_full_bust", "female_heavy", "female_old", "male_average"]
 MEASURES = (
     ("back neck point", "back waist point", "median"),
     ("front neck point", "front waist point", "median"),
@@ -129,7 +129,7 @@ def test_mistakes_are_named() -> None:
     atlas = load_sample("female_average")
     with pytest.raises(InputError, match=r"reaches the level, 0\.\d+ up from its start, nowhere"):
         vertical_drop(atlas, "back neck point", at(0.0, 0.0, 1.9))
-    armpit = fork_point(atlas, ("torso", "upper arm left"))
+    armpit, _ = armpits("female_average")
     with pytest.raises(InputError, match="only by going the other way first; choose a start"):
         vertical_drop(atlas, armpit, "side neck point left", plane="side")
     with pytest.raises(InputError, match=r"have one height.*expected two heights"):

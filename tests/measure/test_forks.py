@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from helpers.bodies import BODIES, armpits
 from helpers.surfaces.two_valleys import Knot, cubics, smooth, valleys
 from scipy.spatial.transform import Rotation
 
@@ -14,8 +15,6 @@ from bodymeasure.section import Plane, plane_section
 LEGS = ("leg left", "leg right")
 VALLEY = (smooth(-2.0, 4.0, -4.0), smooth(2.0, 4.0, 4.0))
 KINKED_VALLEY = (smooth(-2.0, 4.0, -3.0), Knot(0.0, 0.0, -1.0, 1.0), smooth(2.0, 4.0, 3.0))
-SIDES = ("left", "right")
-BODIES = ["female_average", "female_full_bust", "female_heavy", "female_old", "male_average"]
 
 
 def hill(*top: Knot) -> tuple[Knot, ...]:
@@ -72,9 +71,7 @@ def test_forks_follow_the_axes() -> None:
 @pytest.mark.parametrize("name", BODIES)
 def test_armpits_and_crotch_of_bodies(name: str) -> None:
     atlas = load_sample(name)
-    left, right = (
-        atlas.position(fork_point(atlas, ("torso", f"upper arm {side}"))) for side in SIDES
-    )
+    left, right = map(atlas.position, armpits(name))
     assert left == pytest.approx(right * (-1.0, 1.0, 1.0), abs=1e-6)
     assert 0.14 < left[0] < 0.20
     crotch = atlas.position(fork_point(atlas, ("thigh left", "thigh right")))

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from helpers.bodies import BODIES
 from helpers.surfaces.tubes import joined, ring_length, tube
 from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
@@ -27,8 +28,6 @@ from bodymeasure.measure import (
 )
 from bodymeasure.samples import load_sample
 from bodymeasure.section import Plane, convex_hull, plane_section
-
-BODIES = ["female_average", "female_full_bust", "female_heavy", "female_old", "male_average"]
 
 
 def at(x: float, y: float, z: float) -> np.ndarray:

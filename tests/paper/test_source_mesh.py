@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import pytest
+from helpers.bodies import BODIES
 
 from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.errors import InputError
@@ -11,10 +12,8 @@ from bodymeasure.paper.surface.source_mesh import load_source_mesh
 from bodymeasure.samples import load_sample
 from bodymeasure.subdivision import limit_positions, quads_within
 
-MANNEQUINS = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
 
-
-@pytest.mark.parametrize("name", MANNEQUINS)
+@pytest.mark.parametrize("name", BODIES)
 def test_the_atlas_lies_on_the_meshs_limit_surface_as_its_provenance_says(name: str) -> None:
     mesh, covered = load_source_mesh(name)
     atlas = load_sample(name)
@@ -36,7 +35,7 @@ def test_the_meshes_share_their_quads_and_are_wide_enough_for_the_limit_surface(
     assert not np.isin(on_boundary, mesh.quads[near]).any()
     # One closed curve on each of five openings.
     assert len(on_boundary) == mesh.edges.boundary.sum()
-    for name in MANNEQUINS[1:]:
+    for name in BODIES[1:]:
         other, count = load_source_mesh(name)
         np.testing.assert_array_equal(other.quads, mesh.quads)
         assert count == covered

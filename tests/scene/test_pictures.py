@@ -1,6 +1,4 @@
 import io
-import subprocess
-import sys
 from dataclasses import replace
 
 import numpy as np
@@ -52,12 +50,3 @@ def test_the_overview_holds_four_sides_side_by_side(body: Atlas) -> None:
     # Four bodies, with white between them.
     inked = (image[44:944] < 250).any(axis=(0, 2))
     assert np.count_nonzero(np.diff(inked.astype(int)) == 1) == 4
-
-
-def test_importing_the_scene_loads_nothing_heavy() -> None:
-    code = (
-        "import sys, bodymeasure.scene, bodymeasure.viewer; "
-        "print({'matplotlib', 'pyvista', 'vtkmodules', 'PIL'} & set(sys.modules))"
-    )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == "set()"

@@ -3,6 +3,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from helpers.bodies import BODIES
 from helpers.surfaces.quad_grids import grid_mesh, hilly_net, spline_atlas
 from numpy.typing import NDArray
 
@@ -20,7 +21,6 @@ from bodymeasure.subdivision import (
 )
 
 SAMPLES = Path(__file__).parents[2] / "sample_patches" / "quad_meshes.npz"
-BODIES = ("female_average", "male_average", "female_heavy", "female_full_bust", "female_old")
 NO_CREASES = np.empty((0, 2), dtype=np.int64)
 CUBE = np.array([[x, y, z] for x in (0.0, 2.0) for y in (0.0, 1.0) for z in (0.0, 1.5)])
 SIX = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])

@@ -9,13 +9,17 @@ os.environ["OMP_NUM_THREADS"] = "1"
 
 import argparse
 import resource
+import sys
 import time
+from pathlib import Path
 
 import bodymeasure as bm
 from bodymeasure.atlas import convert_length
 from bodymeasure.chart import Chart, Outcome, load_definitions, measure_chart
 
-BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
+sys.path.insert(0, str(Path(__file__).parents[2]))
+from helpers.bodies import BODIES
+
 MEBIBYTE = 2**20
 
 

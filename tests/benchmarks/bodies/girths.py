@@ -4,18 +4,19 @@ Run it by hand: ``python tests/benchmarks/bodies/girths.py``.
 
 Prints girths at landmarks, the largest and smallest over stretches, what each takes of one core,
 and how far sections by random planes are from those of tessellations, which take two minutes for
-160 planes of a body. It needs ``PYTHONPATH=tests``, for `mesh_sections`.
+160 planes of a body.
 """
 
 import os
 
 os.environ["OMP_NUM_THREADS"] = "1"
 import argparse
+import sys
 import time
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
-from helpers.oracles.mesh_sections import richardson_length
 from numpy.typing import NDArray
 
 from bodymeasure.atlas import Atlas, convert_length
@@ -24,7 +25,9 @@ from bodymeasure.measure import Girth, body_girth, extreme_girth, limb_girth
 from bodymeasure.samples import load_sample
 from bodymeasure.section import Plane, convex_hull, plane_section
 
-BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
+sys.path.insert(0, str(Path(__file__).parents[2]))
+from helpers.bodies import BODIES
+from helpers.oracles.mesh_sections import richardson_length
 
 
 def girths(atlas: Atlas) -> dict[str, Callable[[], Girth]]:

@@ -33,11 +33,11 @@ from bodymeasure.geodesic.across.search.ends import topology
 from bodymeasure.geodesic.across.search.search import shortest_along
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
+from helpers.bodies import BODIES
 from helpers.oracles.body_oracle import LEVELS, mesh_distance, quarter_point
 from helpers.surfaces.cut_atlases import cut, on_cut, on_part, random_point, slant_cut
 from helpers.surfaces.surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID, PH_CYLINDER, PLANE
 
-BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
 # The finest degree, and the meshes of the starts.
 DEGREE, SEGMENTS = 16, (4, 6, 8)
 # Where libigl does not agree, it has another look on these. What it can tell at all, relative.

@@ -5,8 +5,10 @@ centimeters, seconds of one thread.
 """
 
 import os
+import sys
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import TypeVar
 
 os.environ["OMP_NUM_THREADS"] = "1"
@@ -17,8 +19,10 @@ from bodymeasure.errors import InputError
 from bodymeasure.measure import body_girth, closed_geodesic, fork_point, vertical_drop
 from bodymeasure.samples import load_sample
 
+sys.path.insert(0, str(Path(__file__).parents[2]))
+from helpers.bodies import BODIES
+
 Result = TypeVar("Result")
-BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
 DROPS = (
     ("back neck point", "back waist point", "median"),
     ("front neck point", "front waist point", "median"),

@@ -6,19 +6,20 @@ On each body: all pairs of the first 13 landmarks and random pairs, whether chor
 holds, what a start that is pushed outward by 2 cm changes, whether the error estimate covers the
 change to a string of four times as many points, and time; how far mirror images are apart; and, on
 the centre lines, how far tapes are from the hull of the exact profile. Where a tape slides off the
-median plane, it is shorter than that hull. It needs ``PYTHONPATH=tests``, for `profiles`.
+median plane, it is shorter than that hull.
 """
 
 import os
 
 os.environ["OMP_NUM_THREADS"] = "1"
 import argparse
+import sys
 import time
 from collections import Counter
 from itertools import combinations
+from pathlib import Path
 
 import numpy as np
-from helpers.oracles.profiles import profile_hull
 from numpy.typing import NDArray
 
 import bodymeasure as bm
@@ -27,7 +28,10 @@ from bodymeasure.taut.skin import Skin, skin_of
 from bodymeasure.taut.solve import TautLeg, draw_taut
 from bodymeasure.taut.tape import SEGMENTS
 
-BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
+sys.path.insert(0, str(Path(__file__).parents[2]))
+from helpers.bodies import BODIES
+from helpers.oracles.profiles import profile_hull
+
 LANDMARKS = 13
 PUSH = 0.02
 CENTRE_LINES = (

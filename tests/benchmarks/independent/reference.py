@@ -25,7 +25,6 @@ from bodymeasure.bench.problems.reference import (
 from bodymeasure.samples import load_sample
 
 __all__ = [
-    "BODIES",
     "DEGREES",
     "FINEST",
     "GAUSS",
@@ -40,8 +39,6 @@ __all__ = [
     "symmetric",
     "wild_patches",
 ]
-
-BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
 
 
 def body_diagonals(name: str) -> Problems:

@@ -29,6 +29,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 from benchmarks.independent import reference
 from benchmarks.independent.polygons import LEVELS, Polygons, shortest_polygons
 from benchmarks.independent.reference import Problems
+from helpers.bodies import BODIES
 
 from bodymeasure._typing import Array
 
@@ -158,7 +159,7 @@ def main() -> None:
     for side in (1.0, 0.6):
         nets = reference.wild_patches(rng, count, side)
         report(f"wild {side:g}", reference.first_diagonals(nets))
-    bodies = [reference.body_diagonals(name) for name in reference.BODIES]
+    bodies = [reference.body_diagonals(name) for name in BODIES]
     report("bodies", Problems(*map(np.concatenate, zip(*bodies, strict=True))))
 
 

@@ -40,6 +40,7 @@ from bodymeasure.geodesic import Method
 sys.path.insert(0, str(Path(__file__).parents[2]))
 from benchmarks.independent import reference
 from benchmarks.independent.reference import Problems, Reference
+from helpers.bodies import BODIES
 
 from bodymeasure._typing import Array
 
@@ -63,7 +64,7 @@ METHODS["Ritz  8"] = Ritz(8, tolerance=ANY)
 def problem_sets(quick: bool) -> dict[str, Problems]:
     rng = np.random.default_rng(2)
     count = 24 if quick else 2000
-    bodies = [reference.body_diagonals(name) for name in reference.BODIES]
+    bodies = [reference.body_diagonals(name) for name in BODIES]
     sets = {"bodies": Problems(*map(np.concatenate, zip(*bodies, strict=True)))}
     if quick:
         sets["bodies"] = sets["bodies"].take(rng.choice(len(sets["bodies"].nets), count))
