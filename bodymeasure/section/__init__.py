@@ -2,10 +2,10 @@
 
 from bodymeasure.section.bridged import BridgedLoop
 from bodymeasure.section.curve import DRAWN, Curve, DrawnTape, drawn
-from bodymeasure.section.extent import extent
 from bodymeasure.section.hull import Hull, convex_hull, outer_hull, signed_area
 from bodymeasure.section.loop import SectionLoop
-from bodymeasure.section.part import nearest_place, part, sign_changes, turned
+from bodymeasure.section.part import part, turned
+from bodymeasure.section.places import extent, nearest_place, sign_changes
 from bodymeasure.section.plane import Plane
 from bodymeasure.section.section import PlaneSection, plane_section
 

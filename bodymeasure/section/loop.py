@@ -115,15 +115,6 @@ class SectionLoop:
         return row, place - row
 
     @cached_property
-    def centroid(self) -> Array:
-        """Center of mass of the curve, as of a thin wire, to sampling accuracy, shape (3,)."""
-        points = self.positions
-        points = np.concatenate([points, points[:1]]) if self.closed else points
-        chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
-        middles = 0.5 * (points[1:] + points[:-1])
-        return np.asarray(chords @ middles / chords.sum())
-
-    @cached_property
     def length_by_region(self) -> dict[str, float]:
         """Length inside each body region that the curve crosses, in `unit`."""
         result: dict[str, float] = {}

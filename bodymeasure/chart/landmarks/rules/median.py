@@ -11,7 +11,7 @@ from bodymeasure.chart.landmarks.choice import atlas_size, direction_vector
 from bodymeasure.chart.landmarks.rules.base import LandmarkRule, Landmarks
 from bodymeasure.errors import InputError
 from bodymeasure.section import Plane, SectionLoop, plane_section
-from bodymeasure.section.farthest import LoopPlaces, atlas_point, places_on
+from bodymeasure.section.places import LoopPlaces, places_on, point_of_place
 
 # As a fraction of the atlas's size: a place so close to the median plane lies on it. Rounding is
 # far below.
@@ -57,7 +57,7 @@ class Median(LandmarkRule, frozen=True, kw_only=True, tag="median"):
         for loop in section.loops:
             places = _crossings(loop, median, ON_PLANE * atlas_size(atlas))
             found += [
-                (places.position[k], atlas_point(loop, places, k)) for k in range(len(places[0]))
+                (places.position[k], point_of_place(loop, places, k)) for k in range(len(places[0]))
             ]
         if not found:
             raise InputError(

@@ -9,7 +9,7 @@ from bodymeasure.chart.landmarks.rules.base import Facing
 from bodymeasure.errors import InputError
 from bodymeasure.measure.body.merging import refuse_merged
 from bodymeasure.section import Plane, SectionLoop, plane_section
-from bodymeasure.section.farthest import LoopPlaces, atlas_point, local_maxima
+from bodymeasure.section.places import LoopPlaces, local_maxima, point_of_place
 
 
 def outermost(atlas: Atlas, at: Array, facing: Facing) -> AtlasPoint:
@@ -39,7 +39,7 @@ def outermost(atlas: Atlas, at: Array, facing: Facing) -> AtlasPoint:
     # If two are mirror images, the one on the landmark's own side is taken.
     apart = np.linalg.norm(places.position[best] - at, axis=1)
     best = best[apart <= apart.min() + tie]
-    return preferred(atlas, [atlas_point(loop, places, int(k)) for k in best])
+    return preferred(atlas, [point_of_place(loop, places, int(k)) for k in best])
 
 
 def _is_end(loop: SectionLoop, places: LoopPlaces, number: int) -> bool:

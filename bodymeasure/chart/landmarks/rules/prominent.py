@@ -18,7 +18,7 @@ from bodymeasure.chart.landmarks.choice import (
 from bodymeasure.chart.landmarks.rules.base import Direction, LandmarkRule, Landmarks, towards
 from bodymeasure.errors import InputError
 from bodymeasure.section import Plane, SectionLoop, plane_section
-from bodymeasure.section.farthest import LoopPlaces, atlas_point, local_maxima, places_on
+from bodymeasure.section.places import LoopPlaces, local_maxima, places_on, point_of_place
 
 
 class Prominent(LandmarkRule, frozen=True, kw_only=True, tag="prominent"):
@@ -80,7 +80,7 @@ def _on_section(atlas: Atlas, patches: Ints, direction: Array, plane: Plane) -> 
         inside = np.flatnonzero(np.isin(loop.pieces.patch, patches))
         for places in (local_maxima(loop, direction), _joints(loop)):
             points += [
-                atlas_point(loop, places, int(k))
+                point_of_place(loop, places, int(k))
                 for k in np.flatnonzero(np.isin(places.piece, inside))
             ]
     return points
