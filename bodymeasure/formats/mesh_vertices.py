@@ -8,13 +8,14 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.files import read_bytes
+from bodymeasure.formats.obj.statements import vertices
 
-# Others, such as STL, do not number vertices.
+# The kinds of files that number their vertices; others, such as STL, do not.
 NUMBERED = (".obj", ".off", ".ply")
 
 
 def mesh_vertices(path: Path) -> Array:
-    """Positions of a mesh file's vertices, shape (k, 3), in the file's unit.
+    """Return the positions of a mesh file's vertices, shape (k, 3), in the file's unit.
 
     Parameters
     ----------
@@ -35,28 +36,10 @@ def mesh_vertices(path: Path) -> Array:
             f"{path}: unknown kind of mesh {path.suffix!r}; expected one of {', '.join(NUMBERED)}, "
             "which number their vertices"
         )
-    vertices = _obj_vertices(content, path) if kind == ".obj" else _by_trimesh(path)
-    if not len(vertices):
+    found = vertices(content, str(path)) if kind == ".obj" else _by_trimesh(path)
+    if not len(found):
         raise InputError(f"{path}: holds no vertex; expected a mesh")
-    return vertices
-
-
-def _obj_vertices(content: bytes, path: Path) -> Array:
-    """The `v` lines: readers of whole meshes number vertices anew where texture has seams."""
-    vertices = []
-    for number, line in enumerate(content.splitlines(), start=1):
-        words = line.split()
-        if not words or words[0] != b"v":
-            continue
-        try:
-            x, y, z = (float(word) for word in words[1:4])
-        except ValueError:
-            raise InputError(
-                f"{path}, line {number}: is {line.decode(errors='replace')!r}; "
-                "expected v and three numbers"
-            ) from None
-        vertices.append((x, y, z))
-    return np.array(vertices, dtype=np.float64).reshape(-1, 3)
+    return found
 
 
 def _by_trimesh(path: Path) -> Array:

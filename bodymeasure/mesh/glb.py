@@ -15,14 +15,16 @@ from bodymeasure.files import write_bytes
 from bodymeasure.geodesic import AtlasPath
 from bodymeasure.mesh.path import MeshPath
 from bodymeasure.mesh.points import points_of
-from bodymeasure.mesh.tube import tube
+from bodymeasure.mesh.tubes import tube_surface
 
 # Steps along a patch's side.
 SEGMENTS = 8
-# Meters: as thick as a pencil is seen well on a body.
+# In meters: a tube as thick as a pencil is seen well on a body.
 RADIUS = 0.003
-# Of other objects than bodies, in parts of their size.
+# For other objects than bodies, as a part of their size.
 THICKNESS = 0.002
+# Sides of a tube: round enough at any size at which it is looked at.
+SIDES = 12
 SKIN = (217, 199, 184, 255)
 # Okabe and Ito's colors, which the color-blind tell apart.
 COLORS = (
@@ -97,10 +99,10 @@ def write_glb(
     radius = min(RADIUS, THICKNESS * size)
     for number, (name, given) in enumerate((paths or {}).items()):
         points, facts = points_of(repr(name), given, atlas.unit)
-        mesh = tube(points @ to_gltf.T, radius)
-        if not len(mesh.faces):
+        if len(points) < 2 or not np.ptp(points, axis=0).any():
             continue
-        drawn: Any = trimesh.Trimesh(*mesh, process=False, metadata=facts)
+        vertices, _, faces = tube_surface(points @ to_gltf.T, radius, SIDES)
+        drawn: Any = trimesh.Trimesh(vertices, faces, process=False, metadata=facts)
         drawn.visual.vertex_colors = COLORS[number % len(COLORS)]
         scene.add_geometry(drawn, geom_name=name, node_name=name)
     write_bytes(path, scene.export(file_type="glb"))

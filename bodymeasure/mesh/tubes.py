@@ -10,7 +10,7 @@ from bodymeasure._typing import Array, Ints
 SIDES = 8
 # Rings of a ball from pole to pole.
 RINGS = 6
-# Neighbouring tangents whose sum is shorter than this are opposite: there is no least rotation.
+# Neighboring tangents whose sum is shorter than this are opposite, and no rotation is the least.
 OPPOSITE = 1e-9
 
 
@@ -36,7 +36,7 @@ class Mesh:
 
 
 def joined(meshes: Sequence[Mesh]) -> Mesh:
-    """Several meshes as one."""
+    """Return several meshes as one."""
     if not meshes:
         nothing = np.empty((0, 3))
         none = np.empty(0, dtype=np.int64)
@@ -52,7 +52,7 @@ def joined(meshes: Sequence[Mesh]) -> Mesh:
 
 
 def tube(points: Array, radius: float, colors: Array, owner: int = 0) -> Mesh:
-    """A tube of `SIDES` sides around a curve, open at its ends.
+    """Return a colored tube around a curve, open at its ends.
 
     Parameters
     ----------
@@ -62,28 +62,32 @@ def tube(points: Array, radius: float, colors: Array, owner: int = 0) -> Mesh:
     colors : ndarray, shape (k, 3)
     owner : int
     """
+    vertices, normals, triangles = tube_surface(points, radius)
+    owners = np.full(len(triangles), owner)
+    return Mesh(vertices, normals, triangles, np.repeat(colors, SIDES, axis=0), owners)
+
+
+def tube_surface(points: Array, radius: float, sides: int = SIDES) -> tuple[Array, Array, Ints]:
+    """Return the vertices (n, 3), their normals (n, 3) and the triangles (m, 3) of a tube.
+
+    Ring after ring, each around one of the points (k, 3).
+    """
     first, second = frames(points)
-    angle = 2.0 * np.pi * np.arange(SIDES) / SIDES
+    angle = 2.0 * np.pi * np.arange(sides) / sides
     normals = (
         np.cos(angle)[:, None] * first[:, None, :] + np.sin(angle)[:, None] * second[:, None, :]
     )
-    count = len(points)
-    ring = SIDES * np.arange(count - 1)[:, None]
-    side = np.arange(SIDES)
-    a, b = ring + side, ring + (side + 1) % SIDES
-    quads = [np.stack([a, b, b + SIDES], axis=-1), np.stack([a, b + SIDES, a + SIDES], axis=-1)]
+    ring = sides * np.arange(len(points) - 1)[:, None]
+    side = np.arange(sides)
+    a, b = ring + side, ring + (side + 1) % sides
+    quads = [np.stack([a, b, b + sides], axis=-1), np.stack([a, b + sides, a + sides], axis=-1)]
     triangles = np.stack(quads, axis=2).reshape(-1, 3)
-    return Mesh(
-        (points[:, None, :] + radius * normals).reshape(-1, 3),
-        normals.reshape(-1, 3),
-        triangles,
-        np.repeat(colors, SIDES, axis=0),
-        np.full(len(triangles), owner),
-    )
+    vertices = points[:, None, :] + radius * normals
+    return vertices.reshape(-1, 3), normals.reshape(-1, 3), triangles
 
 
 def ball(center: Array, radius: float, color: Array, owner: int) -> Mesh:
-    """A ball, as a tube from pole to pole that swells and shrinks."""
+    """Return a ball: a tube from pole to pole that swells and shrinks."""
     latitude = np.pi * (np.arange(RINGS + 1) / RINGS - 0.5)
     longitude = 2.0 * np.pi * np.arange(SIDES) / SIDES
     normals = np.stack(
@@ -100,7 +104,7 @@ def ball(center: Array, radius: float, color: Array, owner: int) -> Mesh:
 
 
 def frames(points: Array) -> tuple[Array, Array]:
-    """Two unit vectors across a curve at each of its points, that do not turn about it.
+    """Return two unit vectors across a curve at each of its points that do not turn about it.
 
     Parameters
     ----------
@@ -128,7 +132,7 @@ def frames(points: Array) -> tuple[Array, Array]:
 
 
 def tangents(points: Array) -> Array:
-    """Unit tangents of a polygon at its points, shape (k, 3); round its joint if it is closed."""
+    """Return unit tangents of a polygon at its points, shape (k, 3), also across a closed joint."""
     step = np.diff(points, axis=0)
     length = np.linalg.norm(step, axis=1)
     if not length.any():

@@ -221,9 +221,9 @@ def test_other_meshes_are_read_by_trimesh(
     [
         ("gone.obj", None, "gone.obj: no such file; check the path"),
         ("body.stl", "", "body.stl: unknown kind of mesh '.stl'; expected one of .obj, .off, .ply"),
-        ("body.obj", "v 1 2\n", "body.obj, line 1: is 'v 1 2'; expected v and three numbers"),
+        ("body.obj", "v 1 2\n", "body.obj, line 1: a vertex of 2 numbers; expected v x y z"),
         ("body.obj", "f 1 2 3\n", "body.obj: holds no vertex; expected a mesh"),
-        ("body.obj", "v nan 0 0\n", "landmark 'x' is [nan, 0.0, 0.0]; expected three finite"),
+        ("body.obj", "v nan 0 0\n", "body.obj, line 1: 'nan' is not a finite number; expected"),
     ],
 )
 def test_bad_meshes_are_told(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import bodymeasure as bm
-from bodymeasure.mesh.tube import tube
+from bodymeasure.mesh.tubes import tube_surface
 
 trimesh = pytest.importorskip("trimesh")
 
@@ -92,7 +92,7 @@ def test_a_mesh_of_an_atlas_knows_where_its_vertices_are() -> None:
 
 def test_a_tube_keeps_its_radius_where_its_path_goes_back() -> None:
     points = np.array([[0.0, 0, 0], [1, 0, 0], [0, 0, 0], [0, 2, 0]])
-    mesh = tube(points, 0.1)
-    rings = mesh.vertices.reshape(len(points), -1, 3)
+    vertices, _, _ = tube_surface(points, 0.1)
+    rings = vertices.reshape(len(points), -1, 3)
     away = np.linalg.norm(rings - points[:, None], axis=-1)
     np.testing.assert_allclose(away, 0.1, rtol=1e-12)

@@ -107,6 +107,23 @@ def parse(content: bytes, source: str) -> ObjFile:
     return ObjFile(points, weights, frozenset(keywords), file, lines, before)
 
 
+def vertices(content: bytes, source: str) -> Array:
+    """Return the vertices (n, 3) in a file's content, whatever else it holds.
+
+    Readers of whole meshes number vertices anew where texture has seams; these keep their numbers.
+
+    Raises
+    ------
+    InputError
+        If a vertex is not made of numbers; the message has the line.
+    """
+    words = Words()
+    for line, (keyword, *numbers) in TextFile.parse(content, source, continued=True):
+        if keyword == b"v":
+            words.add(line, numbers)
+    return _vertices(words, source)[0]
+
+
 def _vertices(words: Words, source: str) -> tuple[Array, Array]:
     """Points, and weights: 1 where none is given."""
     ends = np.array(words.ends, dtype=np.int64)
