@@ -9,7 +9,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+import numpy as np
 import pytest
+import scipy
 
 import bodymeasure
 
@@ -42,6 +44,8 @@ LAYERS = (
 # The same within a package: a name is a folder or a module. What is not named stands on top, and
 # groups do not import from there.
 ORDERS = {
+    "atlas": "axes, components, normals, point, seams, size, units · tessellation · atlas ·"
+    " topology · queries · check, summary",
     "bench": "problems · entrants · size · records · timing · summary · figure",
     "chart": "accuracy, formula, landmarks/choice, landmarks/names, picks, tapes · entry,"
     " landmarks/paths · body, sides · kinds, landmarks/rules · landmarks · definitions ·"
@@ -49,13 +53,19 @@ ORDERS = {
     "cli": "console, tables · options · atlases, docs, landmarks, measuring, study · main",
     "compare": "names, records · readings · iso20685, read, shown · comparison, page",
     "formats": "groups, json_faults, options, patches, spline_patches, text · atlas_json, bez, bpt,"
-    " foreign, geomdl, mesh_vertices, npz, obj · registry",
+    " foreign, geomdl, npz, obj · mesh_vertices · registry",
     "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"
     " across/pieces, solving · contact, graph · across/contact, methods, shortest · across/search",
-    "measure": "patches · body",
+    "measure": "patches · body/cutting, body/drops, body/height_saddles, body/merging,"
+    " body/straight, body/taut_places · body/forks, body/girths · body/closed_girth,"
+    " body/extreme_girth, body/girth_arcs",
+    "mesh": "arrays, path, tubes · curved, exact, insert, points · glb, lines, measure",
     "paper": "method · data · surface · tables · reproduction · page",
     "report": "files, serial, units · numbers · templating · landmarks · patches · body",
     "scene": "model · camera, colors · lighting · figures · drawing · diagonals · tapes",
+    "section": "cells, plane, roots · crossings, pieces · arcs, loop · curve, part ·"
+    " bridged, places, section · hull",
+    "taut": "skin, status · valleys · equilibrium · string · refine · solve",
 }
 MOST_FILES = 15
 LEVEL = {layer: level for level, layers in enumerate(LAYERS) for layer in layers}
@@ -181,6 +191,34 @@ def test_groups_of_a_package_import_only_those_before_them(layer: str) -> None:
             if target != group and levels.get(target, len(levels)) >= levels[group]:
                 faults.append(f"{module.name}:{line}: {group} must not import {name}")
     assert not faults, "\n".join(faults)
+
+
+def test_no_modules_import_each_other() -> None:
+    """Each strongly connected component of the graph of imports at the top is one module."""
+    trees = {module.name: module.tree for module in MODULES}
+    imports = {name: list(_imported_at_the_top(tree, set(trees))) for name, tree in trees.items()}
+    number = {name: i for i, name in enumerate(imports)}
+    links = [(number[name], number[other]) for name in imports for other in imports[name]]
+    graph = scipy.sparse.coo_array((np.ones(len(links)), tuple(zip(*links, strict=True))))
+    graph.resize(len(number), len(number))
+    _, component = scipy.sparse.csgraph.connected_components(graph, connection="strong")
+    circles = [
+        [name for name in number if component[number[name]] == one]
+        for one, size in Counter(component.tolist()).items()
+        if size > 1
+    ]
+    assert not circles
+
+
+def _imported_at_the_top(tree: ast.Module, names: set[str]) -> Iterator[str]:
+    """The modules of the package that a module imports when it is loaded."""
+    for node in tree.body:
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names if alias.name in names)
+        elif isinstance(node, ast.ImportFrom):
+            for alias in node.names:
+                found = {f"{node.module}.{alias.name}", str(node.module)} & names
+                yield from sorted(found, key=len)[-1:]
 
 
 def test_no_folder_holds_more_files_than_a_reader_can_overlook() -> None:
