@@ -1,4 +1,4 @@
-"""Ng, Pong and Wong (2007), reproduced: their method, their data, their tables."""
+"""A reproduction of Ng, Pong and Wong (2007): their method, their data and their tables."""
 
 from bodymeasure.paper.method.normalization import Normalized, normalize
 

@@ -1,4 +1,4 @@
-"""Writing what a reproduction found."""
+"""The files of a reproduction."""
 
 from pathlib import Path
 from typing import Final
@@ -47,7 +47,7 @@ def write_reproduction(found: Reproduction, folder: Path) -> tuple[Path, ...]:
 
 
 def to_json(found: Reproduction) -> bytes:
-    """All tables with the seed, versions and times; every float round-trips."""
+    """Return all tables with the seed, versions and times; every float round-trips."""
     document = {
         "schema": SCHEMA,
         "version": VERSION,

@@ -1,4 +1,4 @@
-"""Both of the paper's methods and the truth on many patches, in worker processes."""
+"""The paper's two methods and the truth on many patches, in worker processes."""
 
 import time
 from collections.abc import Callable
@@ -16,35 +16,37 @@ from bodymeasure.paper.method.two_function_solve import solve_two_functions
 
 Result = TypeVar("Result")
 
-# Patches that a worker gets at once: some seconds of work. Fixed, so that what is computed together
-# does not depend on how many workers there are.
+# The number of patches that a worker gets at once, which is some seconds of work. It is fixed, so
+# that what is computed together does not depend on the number of workers.
 CHUNK = 20
 
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
-    """What was found on a set of patches; arrays of shape (patches,).
+    """The results on a set of patches; arrays of shape (patches,).
 
     Parameters
     ----------
     inside_length, all_length : ndarray
-        By two radial functions: the shortest solution inside the patch, and of all; NaN for none.
+        Lengths by two radial functions: the shortest solution inside the patch, and of all; NaN
+        without a solution.
     collocation_point : ndarray
-        That of `inside_length`; NaN for none.
+        The collocation point of `inside_length`; NaN without a solution.
     roots, roots_inside : ndarray of int
-        Real solutions at the collocation point 1/2, and those among them that stay inside.
+        Numbers of real solutions at the collocation point 1/2, and of those that stay inside.
     degenerate : ndarray of int
-        Collocation points that were given up because the determinant was zero, by either rule.
+        Number of collocation points that were refused because the determinant was zero.
     ritz_length : ndarray
     ritz_order : ndarray of int
     ritz_stopped, ritz_inside : ndarray of bool
         Whether the change fell under the bound, and whether the path stays in the patch.
     true_length, true_error : ndarray
-        Of the converged shortest path and its estimated error; NaN and infinite where unknown.
+        Length of the converged shortest path and its estimated error; NaN and infinite where
+        unknown.
     turns_back, along_edge : ndarray of bool
-        What the true path does.
+        Whether the true path does so.
     rbf_seconds, ritz_seconds : ndarray
-        Processor time of each patch by itself: of the solution inside the patch, and of Ritz.
+        Processor times of each patch by itself, for the solution inside the patch and for Ritz.
     """
 
     inside_length: Array
@@ -68,7 +70,7 @@ class Comparison:
         return len(self.roots)
 
     def take(self, rows: slice) -> "Comparison":
-        """Some of the patches."""
+        """Return some of the patches."""
         return Comparison(**{f.name: getattr(self, f.name)[rows] for f in fields(self)})
 
 
@@ -78,13 +80,13 @@ def compare(
     processes: int,
     progress: Callable[[int], None] | None = None,
 ) -> Comparison:
-    """Solve for the diagonals from (0, 0) to (1, 1) by both methods, and converged.
+    """Solve for the diagonals from (0, 0) to (1, 1) by both methods, and to convergence.
 
     Parameters
     ----------
     control_points : ndarray, shape (patches, 4, 4, 3)
     processes : int
-        Worker processes. What is found does not depend on how many there are.
+        Worker processes. The results do not depend on their number.
     progress : callable, optional
         Called with the number of patches that are done.
     """
@@ -102,7 +104,7 @@ def compare(
 
 
 def in_chunks(control_points: Array) -> list[Array]:
-    """Patches in the parts in which they are sent to workers."""
+    """Return patches in the parts in which they are sent to workers."""
     return [control_points[i : i + CHUNK] for i in range(0, len(control_points), CHUNK)]
 
 
@@ -111,7 +113,7 @@ def _patches_done(progress: Callable[[int], None], total: int) -> Callable[[int]
 
 
 def compare_chunk(control_points: Array) -> Comparison:
-    """`compare` for a few patches, here."""
+    """Return `compare` for a few patches, without workers."""
     every = solve_two_functions(control_points, "all")
     truth = true_diagonals(control_points)
     inside, rbf_seconds = _one_by_one(_solve_inside, control_points)
@@ -143,7 +145,7 @@ def _solve_inside(control_points: Array) -> Any:
 def _one_by_one(
     solve: Callable[[Array], Result], control_points: Array
 ) -> tuple[list[Result], Array]:
-    """Solutions for each patch by itself, and the processor time of each, as the paper has it."""
+    """Return the solution for each patch by itself, and its processor time, as in the paper."""
     results, seconds = [], []
     for net in control_points:
         begin = time.thread_time()

@@ -1,4 +1,4 @@
-"""The figures that the paper prints, to stand beside ours."""
+"""The figures that the paper prints, which stand beside ours."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ TABLE_3 = (
     (1.41368, 0.125, 1.40248, 0.109),
     (1.59956, 0.140, 1.59710, 0.125),
 )
-# Table 4: mean accuracy loss and mean time improved of each set, in parts of 1.
+# Table 4: mean accuracy loss and mean time improved of each set, as ratios.
 TABLE_4 = ((0.0289, 1.01), (0.0301, 1.01), (0.0322, 0.98), (0.0317, 1.05))
 MEAN_LOSS = sum(loss for loss, _ in TABLE_4) / len(TABLE_4)
 SECONDS_BY_RITZ = max(row[3] for row in TABLE_3)
@@ -18,7 +18,7 @@ LENGTHS = tuple(row[2] for row in TABLE_3)
 
 @dataclass(frozen=True)
 class Table5Row:
-    """A row of Table 5: lengths in cm, and the relative error in parts of 1 as it is printed."""
+    """A row of Table 5: lengths in cm, and the relative error as it is printed, as a ratio."""
 
     calculated: float
     physical: float

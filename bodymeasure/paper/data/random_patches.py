@@ -1,4 +1,4 @@
-"""The testing data of section 6.1, in the readings that its text admits."""
+"""The testing data of section 6.1, in the readings that its text allows."""
 
 from dataclasses import dataclass
 
@@ -13,31 +13,31 @@ from bodymeasure.atlas.normals import normal_coefficients
 from bodymeasure.errors import InputError
 from bodymeasure.paper.data.self_intersection import intersects_itself
 
-# "12 points at 6 possible heights", from the start's to the end's.
+# "12 points at 6 possible heights", from that of the start to that of the end.
 HEIGHTS = np.linspace(0.0, 1.0, 6)
 # "a predetermined increment, say 0.0225"
 INCREMENT = 0.0225
 GROUPS = 4
 GROUP_SIZE = 250
-# Past this many drawn for each that is wanted, a reading is as good as impossible.
+# A reading is given up after so many drawn patches for each that is wanted.
 MOST_DRAWN = 200
 
 
 @dataclass(frozen=True)
 class Reading:
-    """One way to read section 6.1.
+    """One way of reading section 6.1.
 
     Parameters
     ----------
     name, description : str
     side : float
-        Of the regular grid over which the control points stand.
+        Side of the regular grid over which the control points stand.
     steps : int
-        By how many increments, at most, each control point is moved in x and in y; 0 for none, and
-        the grid stays regular.
+        The most increments by which each control point is moved in x and in y; with 0, the grid
+        stays regular.
     corners : bool
-        Whether the two other corners have random heights too. If not they stand at half the
-        height, and 12 points are left, as the text counts them.
+        Whether the two other corners have random heights, too. If not, they stand at half the
+        height, and 12 points are left, as in the text.
     anywhere : bool
         Whether x and y are random multiples of the increment in the cube, in ascending order along
         u and along v, instead of near a grid.
@@ -90,7 +90,7 @@ READINGS = (
 
 @dataclass(frozen=True, eq=False)
 class RandomPatches:
-    """Accepted patches of one reading, and how many were refused.
+    """The accepted patches of one reading, and the numbers of refused ones.
 
     Parameters
     ----------
@@ -107,13 +107,13 @@ class RandomPatches:
 def make_testing_data(
     reading: Reading, seed: int, *, groups: int = GROUPS, size: int = GROUP_SIZE
 ) -> RandomPatches:
-    """Random patches as in section 6.1.
+    """Return random patches as in section 6.1.
 
     Parameters
     ----------
     reading : Reading
     seed : int
-        The same seed gives the same patches. Each group has a stream of its own.
+        The same seed gives the same patches. Each group has its own random numbers.
     groups, size : int
 
     Raises
@@ -143,7 +143,7 @@ def make_testing_data(
 
 
 def draw(reading: Reading, rng: np.random.Generator, count: int) -> Array:
-    """Patches as a reading has them, sound or not, shape (count, 4, 4, 3)."""
+    """Return patches of a reading, sound or not, shape (count, 4, 4, 3)."""
     height = HEIGHTS[rng.integers(0, len(HEIGHTS), (count, 4, 4))]
     height[:, 0, 0], height[:, 3, 3] = 0.0, 1.0
     if not reading.corners:
@@ -160,16 +160,16 @@ def draw(reading: Reading, rng: np.random.Generator, count: int) -> Array:
         moves = rng.integers(-reading.steps, reading.steps + 1, (count, 4, 4, 2))
         moves[:, 0, 0] = moves[:, 3, 3] = 0
         places = grid + INCREMENT * moves
-        # Within the cube.
+        # Control points stay within the cube.
         places = np.clip(places, 0.0, 1.0)
     return np.concatenate([places, height[..., None]], axis=-1)
 
 
 def fault(net: Array) -> str:
-    """``folded``, ``intersecting``, or empty for a sound patch (4, 4, 3).
+    """Return ``folded``, ``intersecting``, or the empty string for a sound patch (4, 4, 3).
 
-    A patch over a regular grid, or any that projects onto its parameters without a turn, is a
-    graph: it has neither fault.
+    A patch over a regular grid, and any patch whose projection onto its parameters is regular, is
+    a graph, which has neither fault.
     """
     normals = normal_coefficients(net[None])
     regular = np.diff(net[..., 0], axis=0) > 0.0, np.diff(net[..., 1], axis=1) > 0.0

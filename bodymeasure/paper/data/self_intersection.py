@@ -1,19 +1,18 @@
-"""Which patches cut through themselves, as far as a triangle mesh of them tells."""
+"""The patches that cut through themselves, as far as a triangle mesh of them shows."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.tessellation import grid_faces
 from bodymeasure.bezier import evaluate
 
-# Cells of the mesh along each side. A loop that is narrower than one may be missed: of 700 patches
-# of the widest scatter, twice as many cells find 18 more, all of which are folded too.
+# Cells of the mesh along each side. A loop narrower than a cell may be missed: among 700 patches of
+# the widest scatter, twice as many cells find 18 more, all of which are folded, too.
 CELLS = 16
 
 
 def intersects_itself(control_points: Array) -> bool:
-    """Whether two triangles without a common corner of a patch's mesh meet.
+    """Return whether two triangles of a patch's mesh meet that have no common corner.
 
     Parameters
     ----------
@@ -21,8 +20,8 @@ def intersects_itself(control_points: Array) -> bool:
 
     Notes
     -----
-    Triangles in general position meet where an edge of one goes through the other. Neighbors, which
-    meet in their common corner, are left to the test for folds.
+    Triangles in general position meet where an edge of one goes through the other. Neighboring
+    triangles, which meet in a common corner, are left to the test for folds.
     """
     side = np.linspace(0.0, 1.0, CELLS + 1)
     parameters = np.stack(np.meshgrid(side, side, indexing="ij"), axis=-1).reshape(-1, 2)
@@ -36,10 +35,8 @@ def intersects_itself(control_points: Array) -> bool:
     )
 
 
-def _near_pairs(
-    triangles: Array, faces: NDArray[np.int64]
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Pairs of triangles whose boxes overlap and that share no corner."""
+def _near_pairs(triangles: Array, faces: Ints) -> tuple[Ints, Ints]:
+    """Return pairs of triangles whose boxes overlap and that share no corner."""
     low, high = triangles.min(axis=1), triangles.max(axis=1)
     overlap = np.triu(np.ones((len(faces), len(faces)), bool), 1)
     for axis in range(3):
@@ -50,8 +47,8 @@ def _near_pairs(
     return first[~shared], second[~shared]
 
 
-def _pierced(triangles: Array, others: Array) -> NDArray[np.bool_]:
-    """Through which triangles (k, 3, 3) an edge of the other one goes."""
+def _pierced(triangles: Array, others: Array) -> Bools:
+    """Return through which triangles (k, 3, 3) an edge of the other one goes."""
     a, b, c = triangles.swapaxes(0, 1)
     result = np.zeros(len(triangles), bool)
     for i in range(3):
@@ -64,5 +61,5 @@ def _pierced(triangles: Array, others: Array) -> NDArray[np.bool_]:
 
 
 def _side(a: Array, b: Array, c: Array, point: Array) -> Array:
-    """Six times the volume of tetrahedra, with a sign that tells the side."""
+    """Return six times the volume of tetrahedra, whose sign gives the side."""
     return np.asarray((np.cross(b - a, c - a) * (point - a)).sum(axis=1))

@@ -1,4 +1,4 @@
-"""The converged shortest paths that both of the paper's methods are measured against."""
+"""The converged shortest paths with which both of the paper's methods are compared."""
 
 from dataclasses import dataclass
 
@@ -8,7 +8,7 @@ from bodymeasure._typing import Array, Bools
 from bodymeasure.geodesic import solve_geodesic
 
 START, END = (0.0, 0.0), (1.0, 1.0)
-# Where paths are looked at, and by how much u may fall from rounding.
+# The number of points at which paths are examined, and the decrease of u that is rounding.
 LOOKS = 129
 ROUNDING = 1e-9
 
@@ -20,12 +20,12 @@ class Truth:
     Parameters
     ----------
     length, error : ndarray
-        With its estimated error; NaN and infinite where no length can be trusted.
+        Length and its estimated error; NaN and infinite where no length can be trusted.
     turns_back : ndarray of bool
-        Whether u falls somewhere on the way, so that v is no function of u.
+        Whether u decreases somewhere on the path, so that v is no function of u.
     along_edge : ndarray of bool
-        Whether the path runs along an edge: the geodesic that the differential equations know
-        leaves the patch there.
+        Whether the path runs along an edge, where the geodesic of the differential equations
+        leaves the patch.
     """
 
     length: Array
@@ -33,14 +33,9 @@ class Truth:
     turns_back: Bools
     along_edge: Bools
 
-    @property
-    def is_known(self) -> Bools:
-        """Where there is a length."""
-        return np.isfinite(self.length)
-
 
 def true_diagonals(control_points: Array) -> Truth:
-    """The shortest paths from (0, 0) to (1, 1), searched thoroughly.
+    """Return the shortest paths from (0, 0) to (1, 1), which are searched for thoroughly.
 
     Parameters
     ----------

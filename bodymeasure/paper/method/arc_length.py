@@ -1,27 +1,26 @@
-"""Lengths of curves on patches as they are computed, and where these leave their patch."""
+"""Lengths of computed curves on patches, and which of the curves leave their patch."""
 
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 from bodymeasure.geodesic.spaces.quadrature import Quadrature
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# Gauss points: on the paper's patches, wild as they are, twice as many change the lengths of curves
-# inside by less than 1e-8.
+# Gauss points. On the paper's patches, which are strongly curved, twice as many change the lengths
+# of curves inside by less than 1e-8.
 POINTS = 64
-# Points at which a curve is looked at, and how far outside is rounding.
+# The number of points at which a curve is examined, and the distance outside that is rounding.
 LOOKS = 513
 OUTSIDE = 1e-9
 
 
 def arc_lengths(surface: Surface, space: TrialSpace, values: Array) -> Array:
-    """Lengths of curves given by u and v at a space's nodes, shape (curves, 2, n + 1).
+    """Return lengths of curves given by u and v at a space's nodes, shape (curves, 2, n + 1).
 
-    Infinite where a curve goes so far away that its length is no number.
+    A length is infinite where a curve goes so far away that it is no number.
     """
     place, slopes, weights = _maps(space)
     with np.errstate(over="ignore", invalid="ignore"):
@@ -39,8 +38,8 @@ def _maps(space: TrialSpace) -> tuple[Array, Array, Array]:
     return place, slopes, quadrature.weights
 
 
-def inside_patch(space: TrialSpace, values: Array) -> NDArray[np.bool_]:
-    """Which curves, of values as for `arc_lengths`, stay in [0, 1] x [0, 1]."""
+def inside_patch(space: TrialSpace, values: Array) -> Bools:
+    """Return which curves, given as for `arc_lengths`, stay in [0, 1] x [0, 1]."""
     curves = values @ _looks(space).T
     return np.asarray(((curves >= -OUTSIDE) & (curves <= 1.0 + OUTSIDE)).all(axis=(1, 2)))
 

@@ -1,4 +1,4 @@
-"""Patches moved, turned and scaled into the unit cube: the paper's section 2."""
+"""Patches that are moved, turned and scaled into the unit cube: the paper's section 2."""
 
 from dataclasses import dataclass
 from typing import Literal, get_args
@@ -10,31 +10,31 @@ from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.surfaces.control_points import checked_control_points
 
-# What "the longest side of the patch" is, which is to lie along x: that of the box round the
-# control points, or the chord of one of the patch's four sides.
+# "The longest side of the patch", which is to lie along x, is that of the box around the control
+# points, or the chord of one of the four sides of the patch.
 Side = Literal["box", "chord"]
 SIDES: tuple[Side, ...] = get_args(Side)
 
-# Rows bring x, y or z to the first place. They are rotations, so that nothing is mirrored.
+# Matrices that bring x, y or z to the first place. They are rotations, so that nothing is mirrored.
 _CYCLES = np.stack([np.roll(np.eye(3), shift, axis=1) for shift in range(3)])
-# Corners of a net, in the order in which its sides run round.
+# Corners of a net, in order around it.
 _ROUND = ((0, 0), (-1, 0), (-1, -1), (0, -1))
 
 
 @dataclass(frozen=True, eq=False)
 class Normalized:
-    """Patches in the unit cube, and the way back.
+    """Patches in the unit cube, and what takes them back.
 
     Parameters
     ----------
     control_points : ndarray, shape (*batch, m + 1, n + 1, 3)
-        In [0, 1]; each coordinate is 0 somewhere, and the largest of all is 1.
+        Points in [0, 1]; each coordinate is 0 somewhere, and the largest of all is 1.
     rotation : ndarray, shape (*batch, 3, 3)
-        What the original points were multiplied with first.
+        The rotation by which the original points were multiplied first.
     origin : ndarray, shape (*batch, 3)
-        What was subtracted then: the paper's Min(p_i).
+        The point that was subtracted then: the paper's Min(p_i).
     scale : ndarray, shape (*batch)
-        What they were divided by at last: the paper's Max(P_i).
+        The size by which they were divided last: the paper's Max(P_i).
     """
 
     control_points: Array
@@ -43,7 +43,7 @@ class Normalized:
     scale: Array
 
     def original_points(self, points: ArrayLike) -> Array:
-        """Points (*batch, ..., 3) of the normalized patches where they were on the original."""
+        """Return points (*batch, ..., 3) of the normalized patches as points of the original."""
         points = np.asarray(points, dtype=np.float64)
         axes = (1,) * (points.ndim - self.origin.ndim)
         origin = self.origin.reshape(*self.origin.shape[:-1], *axes, 3)
@@ -52,7 +52,7 @@ class Normalized:
         return np.asarray((turned[..., None, :] @ rotation)[..., 0, :])
 
     def original_lengths(self, lengths: ArrayLike) -> Array:
-        """Lengths (*batch, ...) on the normalized patches as they are on the original."""
+        """Return lengths (*batch, ...) on the normalized patches as lengths on the original."""
         lengths = np.asarray(lengths, dtype=np.float64)
         return lengths * self.scale.reshape(
             self.scale.shape + (1,) * (lengths.ndim - self.scale.ndim)
@@ -60,15 +60,15 @@ class Normalized:
 
 
 def normalize(control_points: ArrayLike, longest: Side = "box") -> Normalized:
-    """Put patches into the unit cube with their longest side along x.
+    """Return patches moved into the unit cube, with their longest side along x.
 
     Parameters
     ----------
     control_points : array_like, shape (*batch, m + 1, n + 1, 3)
     longest : {"box", "chord"}
-        Which side is meant. Box: of the box round the control points along the axes; the axes
-        change places in a circle. Chord: the straight line between neighboring corners; the patch
-        is turned until it lies along x.
+        The side that is meant. Box: a side of the box around the control points along the axes,
+        which are permuted in a cycle. Chord: a straight line between neighboring corners; the
+        patch is turned until that lies along x.
 
     Returns
     -------
@@ -101,16 +101,16 @@ def _along_box(nets: Array) -> Array:
 
 
 def _along_chord(nets: Array) -> Array:
-    """Rotations by the smallest angle that take the longest chord to x."""
+    """Return the rotations by the smallest angle that take the longest chord to x."""
     corners = np.stack([nets[..., i, j, :] for i, j in _ROUND], axis=-2)
     chords = np.roll(corners, -1, axis=-2) - corners
     lengths = np.linalg.norm(chords, axis=-1)
     which = lengths.argmax(axis=-1)[..., None]
     length = np.take_along_axis(lengths, which, axis=-1)
     chord = np.take_along_axis(chords, which[..., None], axis=-2)[..., 0, :]
-    # Of a patch whose corners are all one place, any direction serves.
+    # For a patch whose corners are all one point, any direction will do.
     direction = np.where(length > 0.0, chord / np.where(length > 0.0, length, 1.0), [1.0, 0.0, 0.0])
-    # A line has no sign: the nearer end of x is the smaller turn.
+    # A line has no sign; the nearer end of x is reached by the smaller turn.
     direction = direction * np.where(direction[..., :1] < 0.0, -1.0, 1.0)
     x, y, z = np.moveaxis(direction, -1, 0)
     rows = [[x, y, z], [-y, 1.0 - y * y / (1.0 + x), -y * z / (1.0 + x)]]

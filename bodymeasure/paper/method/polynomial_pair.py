@@ -1,4 +1,4 @@
-"""Pairs of polynomials in two variables, many at once."""
+"""Pairs of polynomials in two variables, in batches."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -12,8 +12,8 @@ from bodymeasure._typing import Array, Complex
 class PairValues(NamedTuple):
     """Both polynomials of each pair at points (pairs, k), with first derivatives.
 
-    Each is a pair of arrays of shape (pairs, k); `size` is the sum of the sizes of the terms, which
-    is what rounding errors are relative to.
+    Each is a pair of arrays of shape (pairs, k). Rounding errors are relative to `size`, which is
+    the sum of the sizes of the terms.
     """
 
     value: tuple[Complex, Complex]
@@ -24,7 +24,7 @@ class PairValues(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class PolynomialPair:
-    """Two polynomials in (x, y) for each of a batch.
+    """Two polynomials in (x, y) for each member of a batch.
 
     Parameters
     ----------
@@ -36,21 +36,21 @@ class PolynomialPair:
     second: Array
 
     def take(self, rows: NDArray[np.int64]) -> "PolynomialPair":
-        """Some of the batch."""
+        """Return some of the batch."""
         return PolynomialPair(self.first[rows], self.second[rows])
 
     @property
     def both(self) -> tuple[Array, Array]:
-        """The two, to loop over."""
+        """Both polynomials, to loop over."""
         return self.first, self.second
 
     @property
     def turned(self) -> "PolynomialPair":
-        """The same with x and y exchanged."""
+        """The same pair with x and y exchanged."""
         return PolynomialPair(*(c.swapaxes(1, 2) for c in self.both))
 
     def in_units(self, unit: float) -> "PolynomialPair":
-        """The same for x / unit and y / unit, with 1 for the largest coefficient."""
+        """Return the pair in x / unit and y / unit, whose largest coefficients are 1."""
         scaled = []
         for c in self.both:
             powers = [unit ** np.arange(n, dtype=np.float64) for n in c.shape[1:]]
@@ -58,7 +58,7 @@ class PolynomialPair:
         return PolynomialPair(*scaled)
 
     def at(self, points: Complex) -> PairValues:
-        """Values at points (pairs, k, 2)."""
+        """Return the values at points (pairs, k, 2)."""
         exponents = np.arange(max(max(c.shape[1:]) for c in self.both))
         x, y = (points[..., i, None] ** exponents for i in range(2))
         slopes = [
@@ -82,6 +82,6 @@ class PolynomialPair:
 
 
 def of_size_one(coefficients: Array) -> Array:
-    """Polynomials multiplied so that their largest coefficient is 1 in size; zero stays zero."""
+    """Return polynomials scaled to a largest coefficient of 1 in size; zero stays zero."""
     size = np.abs(coefficients).max(axis=(1, 2), keepdims=True)
     return np.asarray(coefficients / np.where(size > 0.0, size, 1.0))

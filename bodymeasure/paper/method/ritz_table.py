@@ -1,11 +1,10 @@
-"""The paper's comparison: Ritz's method with u = t and v a polynomial of growing order, Table 2."""
+"""Table 2, with which the paper compares: Ritz's method with u = t and v a polynomial of u."""
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.lengths.functionals import length_over_v
 from bodymeasure.geodesic.solving.levenberg_marquardt import minimize
@@ -14,23 +13,23 @@ from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.paper.method.arc_length import arc_lengths, inside_patch
 
-# The paper gives six figures of lengths of about 1, and neither its bound nor its limit.
+# The paper gives six figures of lengths of about 1, but neither its bound nor its limit.
 ERROR_BOUND = 1e-6
 MAX_ORDER = 16
 
 
 @dataclass(frozen=True, eq=False)
 class RitzSolution:
-    """What Ritz's method finds for a batch of patches; arrays of shape (patches,).
+    """The results of Ritz's method for a batch of patches; arrays of shape (patches,).
 
     Parameters
     ----------
     length : ndarray
-        The least of all orders, as in Table 2; NaN where it is no number.
+        The least length of all orders, as in Table 2; NaN where it is no number.
     order : ndarray of int
         The last order that was tried.
     change : ndarray
-        By how much the length changed with the last order, the table's Error.
+        The change of the length with the last order, which is the table's Error.
     stopped : ndarray of bool
         Whether the change fell under the bound before the orders were exhausted.
     inside : ndarray of bool
@@ -38,26 +37,26 @@ class RitzSolution:
     """
 
     length: Array
-    order: NDArray[np.int64]
+    order: Ints
     change: Array
-    stopped: NDArray[np.bool_]
-    inside: NDArray[np.bool_]
+    stopped: Bools
+    inside: Bools
 
 
 def solve_ritz(
     control_points: Array, error_bound: float = ERROR_BOUND, max_order: int = MAX_ORDER
 ) -> RitzSolution:
-    """Diagonals from (0, 0) to (1, 1) by equations (13) and (14).
+    """Return diagonals from (0, 0) to (1, 1) by equations (13) and (14).
 
-    The length is minimized over v alone, from the path of the order before, the first of which is
-    the straight line in (u, v). A path that turns back in u cannot be found; one that leaves the
-    patch is not kept from it.
+    The length is minimized over v alone, from the path of the order before; the first one is the
+    straight line in (u, v). A path that turns back in u cannot be found, and a path that leaves the
+    patch is not kept inside.
 
     Parameters
     ----------
     control_points : ndarray, shape (patches, 4, 4, 3)
     error_bound : float
-        In the unit of the control points.
+        Bound in the unit of the control points.
     max_order : int
 
     Raises
@@ -78,7 +77,7 @@ def solve_ritz(
     for degree in range(2, max_order + 1):
         finer = polynomial_space(degree)
         guess = values @ space.matrices(finer.nodes)[0].T
-        # Rounding must not move the ends, nor u off t.
+        # Rounding must move neither the ends, nor u away from t.
         guess[:, 0], guess[:, :, 0], guess[:, :, -1] = finer.nodes, 0.0, 1.0
         part, space = surface.take(rows), finer
         values = minimize(length_over_v, part, space, guess, max_iterations=MAX_ITERATIONS).values

@@ -15,47 +15,46 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bodymeasure._typing import Array, Complex
+from bodymeasure._typing import Array, Bools, Complex, Ints
 from bodymeasure.paper.method.polynomial_pair import PolynomialPair
 
-# Where the eigenvalue problem is shifted to: near zero, and at no place where a root has a reason
-# to be.
+# The shift of the eigenvalue problem, which is near zero and where no root is to be expected.
 SHIFT = 0.1374
-# Newton steps that polish a root.
+# The number of Newton steps that refine a root.
 POLISH = 12
-# The last one must move it by no more than this, relative to its size or 1: quadratic convergence
-# then leaves rounding alone.
+# The last step must be no larger than this, relative to the size of the root or 1; because of the
+# quadratic convergence, only rounding errors remain then.
 CONVERGED = 1e-9
-# Residual, relative to the sum of the sizes of the terms.
+# The largest residual, relative to the sum of the sizes of the terms.
 RESIDUAL = 1e-10
-# Roots nearer to one another, relative to their size or 1, are one.
+# Roots that are closer to one another than this, relative to their size or 1, are one root.
 SAME = 1e-7
-# At a multiple root Newton's method creeps. A point with such a residual that it still moves by no
-# more than this stands for one, and for all such points this near.
-CREEPING, CREPT = 1e-13, 1e-3
-# Among so many neighbors the same root is looked for.
+# Newton's method converges slowly to a multiple root. A point with a residual below the first
+# number, whose steps are below the second, stands for such a root and for all such points as close.
+MULTIPLE_RESIDUAL, MULTIPLE_ROOT = 1e-13, 1e-3
+# The number of neighbors among which the same root is looked for.
 WINDOW = 16
 _MIX = np.array([[0.7123, 0.4391], [0.5811, 0.3217]])
-# A root with an imaginary part of that relative size is a real one.
+# A root whose imaginary part is below this, relatively, is a real one.
 REAL = 1e-9
-# Roots beyond this have no meaning: powers of them no longer add up.
+# Larger roots have no meaning, since their powers cannot be added without loss.
 FURTHEST = 1e5
 
 
 def all_roots(pair: PolynomialPair, units: tuple[float, ...]) -> Complex:
-    """The isolated roots of each pair of a batch, real and complex.
+    """Return the isolated roots of each pair of a batch, real and complex.
 
     Parameters
     ----------
     pair : PolynomialPair
     units : tuple of float
-        Units of length in which the roots are sought, in turn; what is much larger or smaller than
-        the unit may be missed with it.
+        Units of length in which the roots are sought, in turn; with each, roots that are much
+        larger or smaller may be missed.
 
     Returns
     -------
     ndarray, shape (pairs, most, 2)
-        (x, y); NaN where a pair has fewer.
+        The roots (x, y); NaN where a pair has fewer.
     """
     found = []
     for unit in units:
@@ -63,18 +62,18 @@ def all_roots(pair: PolynomialPair, units: tuple[float, ...]) -> Complex:
         found += [unit * hidden_roots(scaled), unit * hidden_roots(scaled.turned)[..., ::-1]]
     simple, multiple = polish(pair, np.concatenate(found, axis=1))
     both = np.concatenate([simple, multiple], axis=1)
-    radius = np.repeat([SAME, CREPT], [simple.shape[1], multiple.shape[1]])
+    radius = np.repeat([SAME, MULTIPLE_ROOT], [simple.shape[1], multiple.shape[1]])
     return distinct(both, radius)
 
 
 def hidden_roots(pair: PolynomialPair) -> Complex:
-    """Approximate roots, with the second variable hidden, shape (pairs, eigenvalues, 2).
+    """Return approximate roots, with the second variable hidden, shape (pairs, eigenvalues, 2).
 
-    NaN for eigenvalues that stand for no root.
+    They are NaN for eigenvalues that stand for no root.
     """
     matrices = _sylvester(pair)
     pairs, order, size = len(matrices), matrices.shape[1] - 1, matrices.shape[2]
-    # Coefficients by powers of (y - shift): Horner's scheme.
+    # Horner's scheme gives the coefficients by powers of (y - shift).
     for low in range(order):
         for k in range(order - 1, low - 1, -1):
             matrices[:, k] += SHIFT * matrices[:, k + 1]
@@ -86,7 +85,7 @@ def hidden_roots(pair: PolynomialPair) -> Complex:
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         y = SHIFT + 1.0 / values
         blocks = vectors.reshape(pairs, order, size, order * size)
-        # Of the blocks, which are the null vector times powers of the eigenvalue, the largest.
+        # The largest of the blocks, which are the null vector times powers of the eigenvalue.
         largest = np.linalg.norm(blocks, axis=2).argmax(axis=1)
         null = np.take_along_axis(blocks, largest[:, None, None], axis=1)[:, 0]
         x = (null[:, :-1].conj() * null[:, 1:]).sum(axis=1)
@@ -97,13 +96,13 @@ def hidden_roots(pair: PolynomialPair) -> Complex:
 
 
 def _sylvester(pair: PolynomialPair) -> Array:
-    """Coefficients of the Sylvester matrices by powers of y, shape (pairs, powers, size, size)."""
+    """Return coefficients of Sylvester matrices by powers of y, (pairs, powers, size, size)."""
     degrees = [c.shape[1] - 1 for c in pair.both]
     size = sum(degrees)
     powers = max(c.shape[2] for c in pair.both)
     matrices = np.zeros((len(pair.first), powers, size, size))
     row = 0
-    # Each polynomial times as many powers of x as the other's degree.
+    # Each polynomial is multiplied by as many powers of x as the degree of the other.
     for c, other in zip(pair.both, reversed(degrees), strict=True):
         for i in range(other):
             matrices[:, : c.shape[2], row, i : i + c.shape[1]] = c.swapaxes(1, 2)
@@ -115,17 +114,17 @@ def _solved(matrices: Array, right: Array) -> Array:
     try:
         return np.asarray(np.linalg.solve(matrices, right))
     except np.linalg.LinAlgError:
-        # One of the batch is exactly singular: its equations depend on one another.
+        # One of the batch is exactly singular, since its equations depend on one another.
         return np.asarray(np.linalg.pinv(matrices) @ right)
 
 
 def polish(pair: PolynomialPair, guesses: Complex) -> tuple[Complex, Complex]:
-    """Newton's method from guesses (pairs, k, 2).
+    """Refine guesses (pairs, k, 2) by Newton's method.
 
     Returns
     -------
     simple, multiple : ndarray, shape (pairs, k, 2)
-        Where it arrived at a root, and where it creeps towards one; NaN elsewhere.
+        The points that are roots, and those that converge slowly to one; NaN elsewhere.
     """
     points = np.array(guesses, dtype=np.complex128)
     size = np.full(points.shape[:2], np.inf)
@@ -140,15 +139,17 @@ def polish(pair: PolynomialPair, guesses: Complex) -> tuple[Complex, Complex]:
             size = np.abs(step).max(axis=2) / np.maximum(1.0, np.abs(points).max(axis=2))
         near = (np.abs(points) < FURTHEST).all(axis=2)
         simple = near & (size < CONVERGED) & are_roots(pair, points, RESIDUAL)
-        multiple = near & ~simple & (size < CREPT) & are_roots(pair, points, CREEPING)
+        multiple = (
+            near & ~simple & (size < MULTIPLE_ROOT) & are_roots(pair, points, MULTIPLE_RESIDUAL)
+        )
     return (
         np.where(simple[..., None], points, np.nan),
         np.where(multiple[..., None], points, np.nan),
     )
 
 
-def are_roots(pair: PolynomialPair, points: Complex, tolerance: float) -> NDArray[np.bool_]:
-    """Whether both polynomials vanish at points (pairs, k, 2), relative to their terms."""
+def are_roots(pair: PolynomialPair, points: Complex, tolerance: float) -> Bools:
+    """Return whether both polynomials vanish at points (pairs, k, 2), relative to their terms."""
     here = pair.at(points)
     with np.errstate(invalid="ignore"):
         small = [
@@ -159,15 +160,16 @@ def are_roots(pair: PolynomialPair, points: Complex, tolerance: float) -> NDArra
 
 
 def distinct(points: Complex, radius: Array) -> Complex:
-    """Each point once, those that are none left out, shape (pairs, most, 2).
+    """Return each point once, shape (pairs, most, 2).
 
-    A point is left out if one before it is within its radius, shape (k,).
+    Points that are NaN are left out, and so are those that have an earlier one within their radius,
+    shape (k,).
     """
     valid = np.asarray(np.isfinite(points).all(axis=2))
     size = np.maximum(1.0, np.abs(points).max(axis=2))
     reach = np.where(valid, radius * size, 0.0)
-    # In the order of a number that no two different points have in common but by accident, points
-    # that are one stand together.
+    # Points are ordered by a number that two different ones share only by accident, so that equal
+    # points are neighbors.
     number = points.real @ _MIX[0] + points.imag @ _MIX[1]
     order = np.argsort(number, axis=1)
     ordered, reach = np.take_along_axis(points, order[..., None], axis=1), _along(reach, order)
@@ -184,17 +186,17 @@ def distinct(points: Complex, radius: Array) -> Complex:
     return np.take_along_axis(kept, order[..., None], axis=1)
 
 
-def _along(values: NDArray[Any], order: NDArray[np.int64]) -> NDArray[Any]:
+def _along(values: NDArray[Any], order: Ints) -> NDArray[Any]:
     return np.take_along_axis(values, order, axis=1)
 
 
-def counted(points: Complex) -> NDArray[np.int64]:
-    """How many points each of the batch has."""
+def counted(points: Complex) -> Ints:
+    """Return the number of points of each member of the batch."""
     return np.asarray(np.isfinite(points).all(axis=2).sum(axis=1))
 
 
 def real_roots(points: Complex) -> Array:
-    """The real ones among the points (k, 2) of one pair, in order of x."""
+    """Return the real ones among the points (k, 2) of one pair, in order of x."""
     points = points[np.isfinite(points).all(axis=1)]
     size = np.maximum(1.0, np.abs(points).max(axis=1, initial=0.0))
     real = points[(np.abs(points.imag) < REAL * size[:, None]).all(axis=1)].real

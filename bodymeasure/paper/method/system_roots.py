@@ -1,11 +1,10 @@
-"""All solutions of the paper's system for two functions."""
+"""All solutions of the paper's system of equations for two functions."""
 
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array, Complex
+from bodymeasure._typing import Array, Complex, Ints
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.paper.method.polynomial_pair import PolynomialPair
 from bodymeasure.paper.method.roots import SAME, all_roots, are_roots, counted, distinct, real_roots
@@ -16,15 +15,16 @@ from bodymeasure.paper.method.two_functions import (
     graph_equations,
 )
 
-# How many roots, real and complex, two general polynomials of degrees (5, 6) and (6, 5) have:
+# The number of roots, real and complex, of two general polynomials of degrees (5, 6) and (6, 5):
 # 5 * 5 + 6 * 6 (D. N. Bernstein, "The number of roots of a system of equations", 1975).
 GENERAL_COUNT = 61
-# The same for patches that are graphs, where the other 24 are at infinity; counted on random ones.
+# The same for patches that are graphs, where the other 24 are at infinity, counted on random ones.
 GRAPH_COUNT = 37
-# Units of length in which roots are sought: the patch's own, and, where fewer than the general
-# number have been found, larger ones for far roots.
+# Units of length in which roots are sought: that of the patch and, where fewer than the general
+# number have been found, larger ones for distant roots.
 UNITS = ((1.0,), (6.0, 40.0))
-# What makes a root of one form of the equations a root of the other, relative to their terms.
+# The residual, relative to the terms, below which a root of one form of the equations is a root of
+# the other.
 RESIDUAL = 1e-8
 
 
@@ -36,21 +36,21 @@ class SystemRoots(NamedTuple):
     real : tuple of ndarray, each of shape (roots, 2)
         (u, v) at the collocation point, in order of u.
     complex_count : ndarray of int, shape (patches,)
-        How many roots were found, those included that are not real.
+        Number of roots that were found, including those that are not real.
     """
 
     real: tuple[Array, ...]
-    complex_count: NDArray[np.int64]
+    complex_count: Ints
 
 
 def system_roots(control_points: Array, space: TrialSpace, *, far: bool = True) -> SystemRoots:
-    """All roots of equations (11) and (12) for diagonals, with one collocation point.
+    """Return all roots of equations (11) and (12) for diagonals, with one collocation point.
 
     Parameters
     ----------
     control_points : ndarray, shape (patches, 4, 4, 3)
     space : TrialSpace
-        Of two functions.
+        Trial space of two functions.
     far : bool
         Whether to look again for roots far from the patch where fewer than the general number have
         been found.
@@ -78,7 +78,7 @@ def _searched(
     count: int,
     units: tuple[tuple[float, ...], ...],
 ) -> Complex:
-    """Roots of a pair that are roots of the equations too, in larger units where some lack."""
+    """Return roots of a pair that solve the equations, too, in larger units where some lack."""
     found = np.full((len(pair.first), 0, 2), np.nan, np.complex128)
     rows = np.arange(len(pair.first))
     for some in units:

@@ -1,12 +1,11 @@
-"""The paper's method with two functions: Table 1."""
+"""Table 1: the paper's method with two functions."""
 
 from dataclasses import dataclass
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array, Ints
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.lengths.equations import residual_and_jacobian
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
@@ -15,19 +14,19 @@ from bodymeasure.paper.method.arc_length import arc_lengths, inside_patch
 from bodymeasure.paper.method.system_roots import system_roots
 from bodymeasure.paper.method.two_functions import paper_space
 
-# Which of the solutions is taken: the shortest of all, or the shortest that stays in the patch.
+# The solution that is taken: the shortest of all, or the shortest that stays in the patch.
 Rule = Literal["all", "inside"]
 RULES: tuple[Rule, ...] = get_args(Rule)
 # Collocation points that are tried in turn: the middle, then to either side of it.
 COLLOCATION_POINTS = (0.5, 0.45, 0.55, 0.4, 0.6, 0.35, 0.65, 0.3, 0.7)
-# The determinant is zero if the gradients of the two equations at the solution are parallel to this
-# angle, in radians: where solutions meet, rounding leaves an angle of some 1e-8.
+# The determinant counts as zero if the angle between the gradients of the two equations at the
+# solution is below this, in radians. Where solutions meet, rounding leaves an angle of some 1e-8.
 PARALLEL = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
 class TwoFunctionSolution:
-    """What the paper's method finds for a batch of patches; arrays of shape (patches,).
+    """The results of the paper's method for a batch of patches; arrays of shape (patches,).
 
     Parameters
     ----------
@@ -38,10 +37,10 @@ class TwoFunctionSolution:
     collocation_point : ndarray
         The one whose solution was accepted, NaN if none was.
     roots, inside : ndarray of int
-        How many real solutions there are at the first collocation point, and how many of these stay
-        in the patch.
+        Numbers of real solutions at the first collocation point, and of those that stay in the
+        patch.
     degenerate : ndarray of int
-        At how many collocation points the solution was refused because the determinant was zero.
+        Number of collocation points whose solution was refused because the determinant was zero.
     """
 
     length: Array
@@ -57,7 +56,7 @@ def solve_two_functions(
     rule: Rule,
     collocation_points: tuple[float, ...] = COLLOCATION_POINTS,
 ) -> TwoFunctionSolution:
-    """Diagonals from (0, 0) to (1, 1) by two functions and one collocation point.
+    """Return diagonals from (0, 0) to (1, 1) by two functions and one collocation point.
 
     Parameters
     ----------
@@ -66,8 +65,8 @@ def solve_two_functions(
         Whether the shortest of all solutions is taken, as Table 1 says, or of those that stay in
         the patch.
     collocation_points : tuple of float
-        Tried in turn, as long as the determinant is zero at the solution (section 5) or there is
-        no solution.
+        Points that are tried in turn, as long as the determinant is zero at the solution (section
+        5) or there is no solution.
 
     Raises
     ------
@@ -83,7 +82,7 @@ def solve_two_functions(
     rows = np.arange(count)
     for number, t in enumerate(collocation_points):
         space = paper_space((t,))
-        # What lies far away is no path inside; but all solutions are counted once.
+        # A distant solution is no path inside; but all solutions are counted once.
         far = rule == "all" or number == 0
         found = _candidates(control_points[rows], space, far)
         if number == 0:
@@ -108,19 +107,19 @@ def solve_two_functions(
 
 @dataclass(frozen=True, eq=False)
 class _Candidates:
-    """All real solutions of a batch: whose each is, where, how long, and whether inside."""
+    """All real solutions of a batch: the patch of each, its place and length, and if inside."""
 
     owner: Ints
     place: Array
     length: Array
-    inside: NDArray[np.bool_]
+    inside: Bools
 
     def take(self, rows: Ints) -> "_Candidates":
         return _Candidates(self.owner[rows], self.place[rows], self.length[rows], self.inside[rows])
 
 
 def nodal_values(places: Array) -> Array:
-    """Values (k, 2, 3) at the nodes 0, t* and 1 of diagonals through (u, v) at t*."""
+    """Return values (k, 2, 3) at the nodes 0, t* and 1 of diagonals through (u, v) at t*."""
     values = np.zeros((len(places), 2, 3))
     values[:, :, 1], values[:, :, 2] = places, 1.0
     return values
@@ -136,16 +135,16 @@ def _candidates(control_points: Array, space: TrialSpace, far: bool) -> _Candida
 
 
 def _shortest(found: _Candidates, allowed: Ints, count: int) -> Ints:
-    """Of each owner the shortest allowed candidate, -1 if it has none."""
+    """Return the shortest allowed candidate of each owner, -1 if it has none."""
     best = np.full(count, -1)
-    # The last one written stays.
+    # The last value that is written stays.
     order = allowed[np.argsort(found.length[allowed], kind="stable")[::-1]]
     best[found.owner[order]] = order
     return best
 
 
 def _angles(control_points: Array, space: TrialSpace, places: Array) -> Array:
-    """Angles between the gradients of the two equations: their scaled determinant."""
+    """Return the angles between the gradients of both equations: their scaled determinant."""
     surface = BezierSurfaces(control_points)
     _, jacobian = residual_and_jacobian(surface, space, nodal_values(places))
     matrix = jacobian[:, :, 0, :, 0]

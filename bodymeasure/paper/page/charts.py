@@ -1,4 +1,4 @@
-"""The page's charts, drawn from the tables alone."""
+"""The charts of the page, which are drawn from the tables alone."""
 
 import math
 from collections.abc import Sequence
@@ -11,9 +11,9 @@ from bodymeasure.scene.figures.color_bar import figure_svg
 
 COLORS = ("#1f5f8b", "#c2571a", "#2e7d4f", "#7b4ea3", "#8a6d1f", "#b3202c", "#3b82b5", "#555555")
 MARKERS = "osD^vPX*"
-# Errors below this are rounding.
+# Errors below this are rounding errors.
 FLOOR = 1e-16
-# What the two charts of `beyond` show.
+# The families in the two charts of `beyond`.
 METHODS = (
     "RBF Wu C2, centers outside",
     "RBF Wu C10, centers outside",
@@ -31,7 +31,7 @@ PLACINGS = (
 
 
 def accuracy_chart(table: Table, families: Sequence[str], name: str) -> bytes:
-    """Errors of paths against the number of functions, as SVG."""
+    """Return errors of paths against the number of functions, as SVG."""
     with chart_style():
         figure, panels = _by_set(table, families, ("functions", "raw_median"), joined=True)
         for axes in panels:
@@ -41,12 +41,12 @@ def accuracy_chart(table: Table, families: Sequence[str], name: str) -> bytes:
 
 
 def cost_chart(table: Table, families: Sequence[str], name: str) -> bytes:
-    """Errors with the correction against time, as SVG."""
+    """Return errors with the correction against time, as SVG."""
     with chart_style():
         figure, panels = _by_set(table, families, ("microseconds", "median"), joined=False)
         for axes in panels:
             axes.set_xlabel("microseconds a patch")
-            # Of a set of which no method solved anything there are no times.
+            # A set in which no method solved anything has no times.
             if not math.isfinite(axes.dataLim.minposx):
                 continue
             axes.set_xscale("log")
@@ -60,7 +60,7 @@ def cost_chart(table: Table, families: Sequence[str], name: str) -> bytes:
 def _by_set(
     table: Table, families: Sequence[str], across_and_up: tuple[str, str], *, joined: bool
 ) -> tuple[Any, list[Any]]:
-    """A panel for each set of patches with a line for each family, by two columns."""
+    """Return panels for the sets of patches, each with a line for each family, by two columns."""
     across, up = across_and_up
     rows = [row for row in table.records if row[across] is not None and row[up] is not None]
     sets = list(dict.fromkeys(row["patches"] for row in table.records))
@@ -80,7 +80,7 @@ def _by_set(
 
 
 def distribution_chart(table: Table, of: str, name: str) -> bytes:
-    """Which part of the lengths has a difference up to some size, as SVG."""
+    """Return the part of the lengths whose difference is below a size, as SVG."""
     with chart_style():
         figure, (axes,) = _panels(1)
         rows = [row for row in table.records if row["of"] == of]
@@ -99,11 +99,11 @@ def distribution_chart(table: Table, of: str, name: str) -> bytes:
 
 
 def roots_chart(table: Table, name: str) -> bytes:
-    """How many patches have how many real solutions, as SVG."""
+    """Return how many patches have how many real solutions, as SVG."""
     with chart_style():
         figure, (axes,) = _panels(1)
         labels = [c for c in table.columns if c.name.startswith("real_")]
-        # With few exceptions the number is odd: a line through the zeros between would be a saw.
+        # The number is odd with few exceptions; a line through the zeros between would zigzag.
         rows = [r for r in table.records if any(r[column.name] for column in labels)]
         axes.xaxis.get_major_locator().set_params(integer=True)
         for number, column in enumerate(labels):
@@ -146,21 +146,21 @@ def _line(
 
 
 def _ticks() -> Any:
-    """1, 2 and 5 times powers of ten."""
+    """Return ticks at 1, 2 and 5 times powers of ten."""
     from matplotlib.ticker import LogLocator
 
     return LogLocator(subs=(1.0, 2.0, 5.0))
 
 
 def _decades(axis: Any) -> None:
-    """A logarithmic axis with powers of ten in plain letters."""
+    """Make an axis logarithmic, with powers of ten in plain letters."""
     axis.axes.set(**{f"{axis.axis_name}scale": "log"})
     axis.set_major_formatter(lambda value, _: power_of_ten(round(math.log10(value))))
     axis.set_minor_formatter(lambda _value, _: "")
 
 
 def _legend(figure: Any, axes: Any) -> None:
-    """Below the panels, so that it hides nothing."""
+    """Put the legend below the panels, where it hides nothing."""
     handles, labels = axes.get_legend_handles_labels()
     rows = -(-len(labels) // 2)
     figure.subplots_adjust(left=0.1, right=0.97, top=0.92, bottom=0.16 + 0.058 * rows)

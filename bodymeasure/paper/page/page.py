@@ -1,4 +1,4 @@
-"""The reproduction as one self-contained page."""
+"""The page of the reproduction, one self-contained file."""
 
 from typing import Any
 
@@ -11,7 +11,7 @@ from bodymeasure.report import templating
 
 
 def render_page(found: Reproduction) -> bytes:
-    """A reproduction as one HTML page that loads nothing else.
+    """Return a reproduction as one HTML page that loads nothing else.
 
     Raises
     ------
@@ -41,42 +41,42 @@ def _context(found: Reproduction) -> dict[str, Any]:
 
 
 def _pictures(found: Reproduction) -> dict[str, list[tuple[str, str]]]:
-    """Charts by section, each with its caption."""
+    """Return the charts by section, each with its caption."""
     beyond = found.table("beyond")
     made = {
         "readings": [
             (
                 charts.roots_chart(found.table("roots"), "roots"),
-                "How many patches have how many real solutions, by reading; at t = 1/2.",
+                "The number of patches that have so many real solutions at t = 1/2, by reading.",
             )
         ],
         "truth": [
             (
                 charts.distribution_chart(found.table("distribution"), CHOSEN, "distribution"),
-                f"Reading “{CHOSEN}”: how large the differences are. Where the line of radial "
-                "functions against Ritz lies on that against the truth, the accuracy loss is that "
-                "of the two functions.",
+                f"The sizes of the differences for the reading “{CHOSEN}”. Where the line of "
+                "radial functions against Ritz lies on that against the truth, the accuracy loss "
+                "is that of the two functions.",
             )
         ],
         "table5": [
             (
                 charts.distribution_chart(found.table("body_distribution"), BODY, "body"),
-                "How large the relative errors (17) are, of all curves.",
+                "The sizes of the relative errors (17) of all curves.",
             )
         ],
         "beyond": [
             (
                 charts.accuracy_chart(beyond, charts.METHODS, "methods"),
-                "Error of the length of the computed path, without the correction.",
+                "The error of the length of the computed path, without the correction.",
             ),
             (
                 charts.accuracy_chart(beyond, charts.PLACINGS, "placings"),
-                "The same for the paper's kernel, by where centers and collocation points stand.",
+                "The same for the paper's kernel, by the places of centers and collocation points.",
             ),
             (
                 charts.cost_chart(beyond, charts.METHODS, "cost"),
-                "Error with the correction against processor time, one point a number of "
-                "functions.",
+                "The error with the correction against processor time, with a point for each "
+                "number of functions.",
             ),
         ],
     }

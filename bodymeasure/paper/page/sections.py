@@ -1,4 +1,4 @@
-"""What the page and the summary say, and in which order they show the tables."""
+"""The text of the page and the summary, and the order in which they show the tables."""
 
 from typing import NamedTuple
 
@@ -11,83 +11,84 @@ from bodymeasure.paper.tables.table import Column, Table
 from bodymeasure.paper.tables.table_5 import DIAGONALS, PAPERS_ROWS, TWO_FUNCTIONS
 from bodymeasure.report import numbers
 
-# Tables of each section by the beginnings of their names, and what the page says of them.
+# The sections: anchor, heading, the beginnings of the names of their tables, and a text.
 SECTIONS: tuple[tuple[str, str, tuple[str, ...], str], ...] = (
     (
         "bars",
         "What was to be reached",
         ("bars_",),
-        "The aims of this reproduction, set beforehand; what missed them is here too.",
+        "These are the aims of this reproduction, which were set beforehand. What missed them is "
+        "shown, too.",
     ),
     (
         "readings",
         "Which testing data",
         ("closest", "events"),
-        "Section 6.1 says how the 1000 patches were drawn, but leaves room. Each reading below was "
-        "drawn from the same seed, in four sets; patches that fold over or cut through themselves "
-        "were refused.",
+        "Section 6.1 says how the 1000 patches were drawn, but not in every detail. Each reading "
+        "below was drawn from the same seed, in four sets; patches that fold over or cut through "
+        "themselves were refused.",
     ),
     (
         "samples",
         "Table 3: sample data",
         ("table_3_",),
-        "Lengths and processor time by both methods, with the paper's rows at the right.",
+        "Lengths and processor times by both methods, with the paper's rows at the right.",
     ),
     (
         "losses",
         "Table 4: radial functions against Ritz",
         ("table_4_",),
         "Table 1 takes the shortest of all solutions. Most solutions run far outside the patch, "
-        "where the polynomial goes on and the patch does not; so each reading has a second table, "
-        "of the shortest solution that stays inside. Failures are counted, and none is dropped "
-        "from the count of patches.",
+        "where the polynomial continues and the patch does not; so each reading has a second "
+        "table, for the shortest solution that stays inside. Failures are counted, and none is "
+        "left out of the number of patches.",
     ),
     (
         "truth",
-        "Which of the two erred",
+        "Which of the two is in error",
         ("truth_",),
-        "The paper compares its method with Ritz's, which errs too. Here both stand against the "
-        "converged shortest path.",
+        "The paper compares its method with Ritz's, which has errors, too. Here both are compared "
+        "with the converged shortest path.",
     ),
     (
         "table5",
         "Table 5: a body",
         ("table_5",),
-        "The paper measured the virtual model of a real mannequin. Here that is the surface that a "
-        "sample body's atlas was fitted to; its lengths come from meshes of it, and share no code "
-        "with the calculated ones.",
+        "The paper measured the virtual model of a real mannequin. Here that is the surface to "
+        "which the atlas of a sample body was fitted. Lengths on it come from meshes of it, and "
+        "share no code with the calculated ones.",
     ),
-    ("speed", "Time a patch", ("speed",), "What the same accuracy costs."),
+    ("speed", "Time a patch", ("speed",), "The time that the same accuracy takes."),
     (
         "scaling",
         "Distributed collocation",
         ("scaling",),
-        "The paper's reference [8] splits the work over computers; here over processes.",
+        "The paper's reference [8] divides the work between computers; here processes share it.",
     ),
     (
         "beyond",
         "Beyond 2007",
         ("beyond",),
-        "The paper found three or more functions too slow to run. With Newton's method from the "
-        "straight line, instead of all solutions, they are not.",
+        "The paper found three or more functions too slow. With Newton's method from the straight "
+        "line, in place of a search for all solutions, they are not.",
     ),
 )
-# What was chosen where the paper leaves room.
+# The choices that were made where the paper leaves them open.
 CHOICES = (
     (
         "Which solution",
-        "Table 1 takes the shortest of all. Both that and the shortest inside the patch are shown.",
+        "Table 1 takes the shortest of all. That one and the shortest inside the patch are shown.",
     ),
     (
         "All solutions",
         "With the end conditions eliminated, the equations at the one collocation point are two "
-        "polynomials in two unknowns. A resultant finds all their roots, with either unknown "
-        "hidden, and Newton's method polishes them.",
+        "polynomials in two unknowns. A resultant, with either unknown hidden, finds all of their "
+        "roots, and Newton's method refines them.",
     ),
     (
         "Other collocation points",
-        "t = 0.5 first; where the determinant of the equations is zero at the solution, or there "
-        "is no solution, 0.45, 0.55, 0.4 and so on.",
+        "The first one is t = 0.5. Where the determinant of the equations is zero at the solution, "
+        "or there is no solution, 0.45, 0.55, 0.4 and so on are tried.",
     ),
     (
         "Ritz's bound and limit",
@@ -96,25 +97,25 @@ CHOICES = (
     ),
     (
         "Equation (15)",
-        "As it stands, it has a sum but no number of samples. “Mean accuracy loss” is taken as the "
-        "mean over a set of (15) for each sample; the root mean square stands beside it.",
+        "The printed equation has a sum but no number of samples. “Mean accuracy loss” is taken as "
+        "the mean, over a set, of (15) for each sample; the root mean square stands beside it.",
     ),
     (
         "The physical lengths",
-        "The paper says that they were measured on the virtual model of a mannequin, not how. Here "
-        "they are the shortest paths on the surface itself, between the points nearest to the "
-        "patch's corners.",
+        "The paper says that they were measured on the virtual model of a mannequin, but not how. "
+        "Here they are the shortest paths on the surface itself, between the points nearest to "
+        "the corners of the patch.",
     ),
-    ("Time", "Processor time of one patch by itself, where the paper has the clock's."),
-    ("The testing data", "See the readings of section 6.1."),
+    ("Time", "It is the processor time of one patch by itself; the paper has the clock's."),
+    ("The testing data", "They are described by the readings of section 6.1."),
 )
 SHARE = Column("share", "Share", "share")
-# Rows from which a table is folded away behind its charts.
+# The most rows of a table that is not folded away behind its charts.
 LONG = 30
 
 
 class Section(NamedTuple):
-    """A part of the page: where a link finds it, what it says, and its tables."""
+    """A part of the page: the anchor of its links, its heading and text, and its tables."""
 
     anchor: str
     heading: str
@@ -123,7 +124,7 @@ class Section(NamedTuple):
 
 
 def sections_of(found: Reproduction) -> tuple[Section, ...]:
-    """The sections that a run has tables for."""
+    """Return the sections for which a run has tables."""
     made = (
         Section(anchor, heading, words, tuple(t for t in found.tables if t.name.startswith(starts)))
         for anchor, heading, starts, words in SECTIONS
@@ -132,7 +133,7 @@ def sections_of(found: Reproduction) -> tuple[Section, ...]:
 
 
 def tiles(found: Reproduction) -> list[tuple[str, str, str]]:
-    """Heading, figure and remark of what a reader wants to know first."""
+    """Return what a reader wants to know first: headings, figures and remarks."""
     nearest = found.table("closest").records[0]
     chosen = next(r for r in found.table("closest").records if r["reading"] == CHOSEN)
     truth = {row["method"]: row for row in found.table(chosen_name("truth_")).records}
@@ -166,5 +167,5 @@ def tiles(found: Reproduction) -> list[tuple[str, str, str]]:
 
 
 def chosen_name(prefix: str) -> str:
-    """The name of that table, of those with a prefix, that is about the chosen reading."""
+    """Return the name of the table with a prefix that is about the chosen reading."""
     return prefix + key(CHOSEN)

@@ -1,14 +1,14 @@
-"""Values as the page and the summary show them."""
+"""The form in which the page and the summary show values."""
 
 from bodymeasure.paper.tables.table import Column, Value
 from bodymeasure.report import numbers
 
-# Below this, the first decimal of a percentage tells too little.
+# Below this, a percentage needs more than one decimal.
 SMALL_SHARE = 0.01
 
 
 def shown(value: Value, column: Column) -> str:
-    """A value as the page shows it; a dash for none."""
+    """Return a value as the page shows it; a dash for None."""
     if value is None:
         return numbers.NONE
     if isinstance(value, bool):

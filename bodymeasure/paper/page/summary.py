@@ -1,4 +1,4 @@
-"""The reproduction in short, as Markdown that a repository shows."""
+"""A summary of the reproduction, as Markdown that a repository shows."""
 
 from collections.abc import Iterator
 
@@ -11,7 +11,7 @@ from bodymeasure.paper.tables.table import Column, Table
 
 
 def render_summary(found: Reproduction) -> bytes:
-    """The same tables as the page has, but for those of other readings and long ones."""
+    """Return the tables of the page, except for those of other readings and long ones."""
     return ("\n".join(_lines(found)) + "\n").encode()
 
 
@@ -24,7 +24,7 @@ def _lines(found: Reproduction) -> Iterator[str]:
         f"Made by `bodymeasure paper{quick} --seed {settings.seed} --processes "
         f"{settings.processes}`; every figure is from that run, and columns marked † are measured "
         "times. The page and the files that it writes beside this summary have all readings of "
-        "the testing data, charts, and every value unrounded."
+        "the testing data, charts, and every value in full precision."
     )
     yield ""
     for heading, figure, remark in tiles(found):

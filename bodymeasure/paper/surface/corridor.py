@@ -1,29 +1,28 @@
-"""The part of a surface round a path that its shortest rival cannot leave."""
+"""Corridors: parts of a surface around a path that a shorter path cannot leave."""
 
 from collections.abc import Iterator
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.paper.surface.fine_surface import FineSurface
 from bodymeasure.subdivision import QuadMesh, children, fill_pinches, part, quads_within
 
 
 class Corridors:
-    """Corridors on one surface, by the quads of its coarsest mesh."""
+    """The corridors of one surface, by the quads of its coarsest mesh."""
 
     def __init__(self, surface: FineSurface) -> None:
         self.surface = surface
         self.tree = scipy.spatial.KDTree(surface.meshes[0].vertices)
 
-    def around(self, path: Array, half_width: float) -> NDArray[np.bool_]:
-        """Quads of the coarsest mesh within a distance of a path's points (k, 3).
+    def around(self, path: Array, half_width: float) -> Bools:
+        """Return the quads of the coarsest mesh within a distance of a path's points (k, 3).
 
-        One piece, the one that the path's first point lies on, and a manifold.
+        They form one piece, on which the first point of the path lies, and a manifold.
         """
         coarse = self.surface.meshes[0]
         near = np.unique(np.concatenate(self.tree.query_ball_point(path, half_width)))
@@ -35,26 +34,26 @@ class Corridors:
         home = label[(coarse.quads == first).any(axis=1) & chosen][0]
         return np.asarray(label == home)
 
-    def meshes(self, chosen: NDArray[np.bool_]) -> Iterator[QuadMesh]:
-        """The same part of each of the surface's meshes, from coarse to fine."""
+    def meshes(self, chosen: Bools) -> Iterator[QuadMesh]:
+        """Yield the same part of each mesh of the surface, from coarse to fine."""
         for step, mesh in enumerate(self.surface.meshes):
             yield part(mesh, children(chosen, step))[0]
 
 
 def shortest_way_out(mesh: QuadMesh, start: Array, end: Array) -> float:
-    """Lower bound of the lengths of all paths between two points that leave a part of a surface.
+    """Return a lower bound of the lengths of all paths between two points that leave a part.
 
     Parameters
     ----------
     mesh : QuadMesh
-        The part.
+        The part of the surface.
     start, end : ndarray, shape (3,)
 
     Returns
     -------
     float
-        Such a path crosses the part's boundary: the least sum of distances from the ends to a
-        vertex there, less the length of the longest edge, by which the sum can be smaller between
+        The least sum of distances from the ends to a vertex of the part's boundary, which such a
+        path crosses, less the length of the longest edge, by which the sum can be smaller between
         vertices.
     """
     ends = mesh.vertices[mesh.edges.ends[mesh.edges.boundary]]
@@ -65,8 +64,8 @@ def shortest_way_out(mesh: QuadMesh, start: Array, end: Array) -> float:
     return float(sums.min() - longest)
 
 
-def _pieces(mesh: QuadMesh, chosen: NDArray[np.bool_]) -> NDArray[np.int64]:
-    """The number of the piece that each chosen quad belongs to; quads meet at edges."""
+def _pieces(mesh: QuadMesh, chosen: Bools) -> Ints:
+    """Return the number of the piece to which each chosen quad belongs; quads meet at edges."""
     count = int(chosen.sum())
     edges = mesh.edges.of_side[chosen]
     quads = np.repeat(np.arange(count), 4)

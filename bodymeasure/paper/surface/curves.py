@@ -1,17 +1,16 @@
-"""The curves of an atlas that Table 5 is about: diagonals and boundary curves, as points."""
+"""The curves of an atlas in Table 5, diagonals and boundary curves, as points."""
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import EDGES, Atlas, edge_table
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic import Method
 from bodymeasure.measure import boundary_lengths, diagonals
 
-# Points of each curve: 1.4 mm apart on a mannequin's diagonals.
+# Number of points of each curve, which are 1.4 mm apart on the diagonals of a mannequin.
 POINTS = 65
 
 
@@ -26,9 +25,9 @@ class AtlasCurves:
         ``diagonal 1``, ``side u = 0`` and so on.
     points : ndarray, shape (k, POINTS, 3)
     length : ndarray, shape (k,)
-        Of the curves themselves, not of the polygons; NaN where there is none.
+        Lengths of the curves themselves, not of the polygons; NaN where there is none.
     status : tuple of str
-        What the length is worth, in words.
+        The status of each length, in words.
     """
 
     patch: tuple[str, ...]
@@ -40,8 +39,8 @@ class AtlasCurves:
     def __len__(self) -> int:
         return len(self.patch)
 
-    def take(self, numbers: NDArray[np.int64]) -> "AtlasCurves":
-        """Some of the curves."""
+    def take(self, numbers: Ints) -> "AtlasCurves":
+        """Return some of the curves."""
         return AtlasCurves(
             tuple(self.patch[i] for i in numbers),
             tuple(self.place[i] for i in numbers),
@@ -52,10 +51,10 @@ class AtlasCurves:
 
 
 def diagonal_curves(atlas: Atlas, method: Method | None = None) -> AtlasCurves:
-    """Both diagonal geodesics of every patch, patch after patch.
+    """Return both diagonal geodesics of every patch, patch after patch.
 
-    Where there is none, the straight line in (u, v) stands for it, without a length: a path that
-    was not solved may run anywhere.
+    Where there is none, the straight line in (u, v) takes its place without a length, since a path
+    that was not solved may run anywhere.
     """
     solution = diagonals(atlas, method=method, on_failure="status")
     t = np.linspace(0.0, 1.0, POINTS)
@@ -75,7 +74,7 @@ def diagonal_curves(atlas: Atlas, method: Method | None = None) -> AtlasCurves:
 
 
 def boundary_curves(atlas: Atlas) -> AtlasCurves:
-    """The sides of all patches; one that two share is there once, on the patch numbered lower."""
+    """Return the sides of all patches; a shared side is there once, on the lower patch."""
     _, first = np.unique(edge_table(atlas.index).edge.ravel(), return_index=True)
     patch, side = np.divmod(np.sort(first), 4)
     parameters = np.empty((len(EDGES), POINTS, 2))

@@ -1,12 +1,10 @@
-"""The surface that an atlas was fitted to, as meshes that close in on it."""
+"""The surface to which an atlas was fitted, as meshes that converge to it."""
 
 from dataclasses import dataclass
 
-import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.oracle.libigl import closest_on_mesh
 from bodymeasure.subdivision import (
     QuadMesh,
@@ -18,19 +16,19 @@ from bodymeasure.subdivision import (
     triangles,
 )
 
-# Steps of subdivision of the meshes. A mannequin's quads have sides of 1.8 cm; after 2, 3 and 4
-# steps, of 4, 2 and 1 mm. Distances on a mesh are off by the square of that, and what remains after
-# extrapolation is some 3e-6 of them in the median, a two hundredth of what an atlas differs.
+# Steps of subdivision of the meshes. The quads of a mannequin have sides of 1.8 cm, and of 4, 2 and
+# 1 mm after 2, 3 and 4 steps. The error of distances on a mesh is of second order in that; after
+# extrapolation it is 3e-6 of them in the median, a two hundredth of the differences of an atlas.
 LEVELS = (2, 3, 4)
-# For a quick look: 4e-5 of the lengths, in a third of the time.
+# The same for a quick run, whose errors are 4e-5 of the lengths, in a third of the time.
 QUICK_LEVELS = (1, 2, 3)
 
-# The closest points are searched on ever finer meshes round them, down to this many steps: the
-# meshes' sides are 0.03 mm then. A point is off along the surface by its distance from it times the
-# angle by which a face's normal is off, some 0.2 mm times 1e-4.
+# The closest points are sought on ever finer meshes around them, down to so many steps, where the
+# sides of the meshes are 0.03 mm. The error of a point along the surface is its distance from it
+# times the error of the normal of a face, some 0.2 mm times 1e-4.
 CLOSEST_LEVEL = 9
-# Rings of quads that are kept round the vertex closest to a position. The closest point lies within
-# one; after a step, one more is needed for the next closest vertex, and one for its limit.
+# Rings of quads that are kept around the vertex closest to a position. The first holds the closest
+# point; after a step, one more is needed for the next closest vertex, and one for its limit.
 RINGS = 3
 
 
@@ -54,16 +52,16 @@ class FineSurface:
 
     @property
     def segments(self) -> tuple[int, ...]:
-        """Into how many parts a side of a quad is cut at each level, to extrapolate with."""
+        """The number of parts of a side of a quad at each level, for the extrapolation."""
         return tuple(2**level for level in self.levels)
 
-    def faces(self, step: int) -> NDArray[np.int64]:
-        """Triangles of a mesh, two for each quad in their order."""
+    def faces(self, step: int) -> Ints:
+        """Return the triangles of a mesh, two for each quad in their order."""
         return triangles(self.meshes[step].quads)
 
 
 def fine_surface(mesh: QuadMesh, levels: tuple[int, ...] = LEVELS) -> FineSurface:
-    """Subdivide a control mesh.
+    """Return the meshes of a surface by subdivision of its control mesh.
 
     Parameters
     ----------
@@ -81,9 +79,9 @@ def fine_surface(mesh: QuadMesh, levels: tuple[int, ...] = LEVELS) -> FineSurfac
 
 
 def closest_limit_points(surface: FineSurface, positions: Array) -> Array:
-    """Points of the limit surface that are closest to given positions, shape (k, 3).
+    """Return points of the limit surface that are closest to given positions, shape (k, 3).
 
-    The neighborhoods of the closest vertices are subdivided together, and cut down to those of the
+    The neighborhoods of the closest vertices are subdivided together and reduced to those of the
     closest of the new vertices, again and again.
     """
     mesh = surface.control_mesh

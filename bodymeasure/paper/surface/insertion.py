@@ -1,4 +1,4 @@
-"""Points made vertices of a triangle mesh, so that distances between them can be measured on it."""
+"""Points made vertices of a triangle mesh, so that distances between them can be measured."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ NEAR = 0.05
 
 
 def insert_point(vertices: Array, faces: Ints, point: Array) -> tuple[Array, Ints, int]:
-    """A mesh that has a given point among its vertices.
+    """Return a mesh that has a given point among its vertices.
 
     The face closest to it is split in three; the two at an edge, if it lies near one, are split in
     two each; a vertex near it is moved to it.
@@ -21,13 +21,13 @@ def insert_point(vertices: Array, faces: Ints, point: Array) -> tuple[Array, Int
     vertices : ndarray, shape (n, 3)
     faces : ndarray of int, shape (f, 3)
     point : ndarray, shape (3,)
-        On the surface that the mesh follows, so that its vertices still lie on that.
+        A point of the surface that the mesh follows, so that the vertices still lie on that.
 
     Returns
     -------
     vertices, faces : ndarray
     number : int
-        The point's.
+        Number of the point.
     """
     foot, found = closest_on_mesh(vertices, faces, point[None])
     face = faces[found[0]]
@@ -38,7 +38,7 @@ def insert_point(vertices: Array, faces: Ints, point: Array) -> tuple[Array, Int
         vertices = vertices.copy()
         vertices[number] = point
         return vertices, faces, number
-    # The corners between which it lies: all faces that have them are split.
+    # All faces are split that have the corners between which the point lies.
     corners = face[far]
     split = np.isin(faces, corners).sum(axis=1) == len(corners)
     number = len(vertices)
@@ -50,7 +50,7 @@ def insert_point(vertices: Array, faces: Ints, point: Array) -> tuple[Array, Int
 
 
 def _barycentric(corners: Array, point: Array) -> Array:
-    """Weights of a triangle's corners (3, 3) that give a point of its plane; their sum is 1."""
+    """Return weights of a triangle's corners (3, 3), with sum 1, that give a point of its plane."""
     sides = np.stack([corners[1] - corners[0], corners[2] - corners[0]], axis=-1)
     second, third = np.linalg.lstsq(sides, point - corners[0], rcond=None)[0]
     return np.array([1.0 - second - third, second, third])

@@ -1,4 +1,4 @@
-"""Curves of an atlas laid on the surface that it was fitted to: each point goes to the closest."""
+"""Curves of an atlas laid on the surface to which it was fitted, each point on the closest one."""
 
 from typing import NamedTuple
 
@@ -9,8 +9,8 @@ from bodymeasure.oracle.extrapolate import richardson
 from bodymeasure.oracle.libigl import closest_on_mesh
 from bodymeasure.paper.surface.fine_surface import FineSurface
 
-# Bends are seen over so many points each way, 5 mm on a mannequin's diagonals: over fewer, the
-# faces of the mesh would count.
+# Bends are measured over so many points each way, 5 mm on the diagonals of a mannequin. Over fewer,
+# the faces of the mesh would matter.
 REACH = 4
 
 
@@ -20,17 +20,16 @@ class LaidCurves(NamedTuple):
     Parameters
     ----------
     points : ndarray, shape (k, p, 3)
-        On the finest mesh.
+        Points on the finest mesh.
     length : ndarray, shape (k,)
-        Of the laid curve, on the smooth surface.
+        Length of the laid curve on the smooth surface.
     uncertainty : ndarray, shape (k,)
     distance : ndarray, shape (k,)
         Largest distance of the curve from the surface.
     offset : ndarray, shape (k,)
         Mean distance along the curve, negative where the curve is inside.
     bend, own_bend : ndarray, shape (k,)
-        The sharpest bend of the laid curve, as its radius, and that of the curve itself in the
-        same place.
+        Radii of the laid curve at its sharpest bend, and of the curve itself at the same point.
     """
 
     points: Array
@@ -43,19 +42,19 @@ class LaidCurves(NamedTuple):
 
 
 def lay_curves(surface: FineSurface, curves: Array, ends: Array, lengths: Array) -> LaidCurves:
-    """Lay curves on a surface.
+    """Return curves laid on a surface.
 
     Parameters
     ----------
     surface : FineSurface
     curves : ndarray, shape (k, p, 3)
-        Points of each curve, p odd.
+        Points of each curve; p is odd.
     ends : ndarray, shape (k, 2, 3)
-        The points of the limit surface closest to its ends: those count in full, while the other
-        points may be off along the curve by the angle of a face, which hardly changes its length.
+        The points of the limit surface closest to the ends. These count in full, while an error of
+        other points along the curve, by the angle of a face, hardly changes its length.
     lengths : ndarray, shape (k,)
-        The curves' own lengths. Only by how much laying changes the polygon's length is taken from
-        the points: what a polygon lacks of its curve is the same for both.
+        The lengths of the curves themselves. The points only give the change of a polygon's length
+        by laying it, since a polygon differs from its curve by the same amount before and after.
     """
     by_level, by_half = [], []
     for step, mesh in enumerate(surface.meshes):
@@ -66,7 +65,7 @@ def lay_curves(surface: FineSurface, curves: Array, ends: Array, lengths: Array)
         by_level.append(_polygon(laid) - _polygon(curves) + lengths)
         by_half.append(_polygon(laid[:, ::2]) - _polygon(curves[:, ::2]) + lengths)
     length, uncertainty = richardson(np.stack(by_level, axis=-1), surface.segments)
-    # The last step's mesh and closest points: those of the finest.
+    # The mesh and the closest points of the last step are those of the finest mesh.
     corners = mesh.vertices[faces[face]]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     away = curves - laid
@@ -86,12 +85,12 @@ def lay_curves(surface: FineSurface, curves: Array, ends: Array, lengths: Array)
 
 
 def _polygon(points: Array) -> Array:
-    """Lengths of polygons (k, p, 3)."""
+    """Return the lengths of polygons (k, p, 3)."""
     return np.asarray(np.linalg.norm(np.diff(points, axis=1), axis=-1).sum(axis=-1))
 
 
 def _bends(points: Array) -> Array:
-    """Radii of the circles through each point of polygons (k, p, 3) and two on either side."""
+    """Return the radii of circles through points of polygons (k, p, 3) and one on each side."""
     back = points[:, REACH:-REACH] - points[:, : -2 * REACH]
     ahead = points[:, 2 * REACH :] - points[:, REACH:-REACH]
     doubled = np.linalg.norm(np.cross(back, ahead), axis=-1)

@@ -1,4 +1,4 @@
-"""Shortest distances on the surface that an atlas was fitted to: the paper's physical lengths."""
+"""The paper's physical lengths: shortest distances on the surface to which an atlas was fitted."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -16,14 +16,14 @@ from bodymeasure.paper.surface.fine_surface import FineSurface
 from bodymeasure.paper.surface.insertion import insert_point
 from bodymeasure.subdivision import QuadMesh, triangles
 
-# Half widths of corridors, as parts of the path's length: the first is taken that no path as short
-# can leave. A straight way round 0.15 of its length is longer by 4 %; next to a body's bends, the
-# straight distances that show it are shorter.
+# Half widths of corridors, as parts of the length of the path. The first one is taken that no path
+# as short can leave. A straight detour by 0.15 of the length is longer by 4 %; next to the bends of
+# a body, the straight distances that prove it are shorter.
 HALF_WIDTHS = (0.15, 0.2, 0.3, 0.45, 0.7, 1.0)
 
 
 class PhysicalLengths(NamedTuple):
-    """Lengths of shortest paths over a surface, and how far they may be off; each of shape (k,)."""
+    """Lengths of shortest paths over a surface and their uncertainties, each of shape (k,)."""
 
     length: Array
     uncertainty: Array
@@ -44,7 +44,7 @@ def physical_lengths(
     processes: int = 1,
     progress: Callable[[int], None] | None = None,
 ) -> PhysicalLengths:
-    """Shortest distances on a surface between pairs of its points, by libigl's exact geodesics.
+    """Return shortest distances between pairs of points of a surface, by libigl's exact geodesics.
 
     Each is measured on a part of the surface that the shortest path cannot leave, at all levels,
     and extrapolated.
@@ -53,8 +53,8 @@ def physical_lengths(
     ----------
     surface : FineSurface
     paths : ndarray, shape (k, p, 3)
-        Points of some path along the surface between each pair: the surface is cut out round it,
-        and its length shows how far the shortest can go.
+        Points of some path along the surface between each pair. The surface around it is cut out,
+        and its length limits how far the shortest path can go.
     ends : ndarray, shape (k, 2, 3)
         Points of the limit surface.
     processes : int
@@ -72,8 +72,8 @@ def physical_lengths(
     by_level = map_in_processes(_measure, tasks, processes=processes, progress=progress)
     length, uncertainty = richardson(np.array(by_level), surface.segments)
     # A shorter path than the one found would have to leave the corridor, which takes `way_out`.
-    doubt = np.maximum(length - [task.way_out for task in tasks], 0.0)
-    return PhysicalLengths(length, uncertainty + doubt + ROUND_OFF * length)
+    left_out = np.maximum(length - [task.way_out for task in tasks], 0.0)
+    return PhysicalLengths(length, uncertainty + left_out + ROUND_OFF * length)
 
 
 def _task(corridors: Corridors, path: Array, start: Array, end: Array) -> _Task:
@@ -88,7 +88,7 @@ def _task(corridors: Corridors, path: Array, start: Array, end: Array) -> _Task:
 
 
 def _measure(task: _Task) -> list[float]:
-    """The distance on the mesh of each level."""
+    """Return the distance on the mesh of each level."""
     distances = []
     for mesh in task.meshes:
         vertices, faces = mesh.vertices, triangles(mesh.quads)

@@ -1,4 +1,4 @@
-"""The quad meshes that the sample mannequins were fitted to."""
+"""The quad meshes to which the sample mannequins were fitted."""
 
 import numpy as np
 
@@ -6,13 +6,13 @@ from bodymeasure.errors import InputError
 from bodymeasure.samples import sample_path
 from bodymeasure.subdivision import QuadMesh
 
-# Beside the samples; written by `sample_patches/quad_meshes.py`.
+# The file beside the samples, which `sample_patches/quad_meshes.py` writes.
 FILE = "quad_meshes.npz"
-PER_METRE = 1_000_000
+PER_METER = 1_000_000
 
 
 def load_source_mesh(name: str) -> tuple[QuadMesh, int]:
-    """The quad mesh to whose Catmull-Clark limit surface a sample's atlas was fitted.
+    """Return the quad mesh to whose Catmull-Clark limit surface a sample's atlas was fitted.
 
     Parameters
     ----------
@@ -22,9 +22,9 @@ def load_source_mesh(name: str) -> tuple[QuadMesh, int]:
     Returns
     -------
     mesh : QuadMesh
-        In metres, as the samples are. Some rings of quads wider than the atlas.
+        The mesh in meters, as the samples are, some rings of quads wider than the atlas.
     covered : int
-        So many quads, the first, are those that the atlas covers.
+        The number of quads, from the first on, that the atlas covers.
 
     Raises
     ------
@@ -39,5 +39,5 @@ def load_source_mesh(name: str) -> tuple[QuadMesh, int]:
                 f"sample {name!r} was not fitted to a mesh, so there is nothing to compare it "
                 f"with; choose one of {', '.join(bodies)}"
             )
-        vertices = data[name] / PER_METRE
+        vertices = data[name] / PER_METER
         return QuadMesh(vertices, data["quads"].astype(np.int64)), int(data["covered"])

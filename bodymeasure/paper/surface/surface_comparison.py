@@ -1,18 +1,17 @@
-"""Lengths on an atlas beside those on the surface that it was fitted to, and how they differ."""
+"""Lengths on an atlas beside those on the surface to which it was fitted, and the differences."""
 
 from dataclasses import dataclass, fields
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas import Unit, convert_length
 
 
 @dataclass(frozen=True)
 class Row:
-    """One row of `Comparison`, field by field as its columns and properties of the same names."""
+    """One row of `Comparison`: its fields are the columns and properties of the same names."""
 
     name: str
     patch: str
@@ -39,30 +38,30 @@ class Comparison:
     Parameters
     ----------
     unit : Unit
-        Of all lengths: the atlas's.
+        Unit of all lengths, which is that of the atlas.
     patch : tuple of str
     place : tuple of str
         ``diagonal 1``, ``diagonal 2``, or the side: ``side u = 0``, ...
     calculated : ndarray, shape (k,)
-        On the atlas; NaN where there is no length.
+        Length on the atlas; NaN where there is none.
     physical : ndarray, shape (k,)
-        On the surface: of a diagonal, the shortest distance between the points closest to its ends;
-        of a boundary curve, the length of the curve laid on the surface.
+        Length on the surface: for a diagonal, the shortest distance between the points closest to
+        its ends; for a boundary curve, the length of the curve laid on the surface.
     uncertainty : ndarray, shape (k,)
-        How far `physical` may be off, as the meshes tell.
+        Uncertainty of `physical`, as the meshes show it.
     laid : ndarray, shape (k,)
-        Length of the atlas's curve laid on the surface, each point at the closest.
+        Length of the atlas's curve laid on the surface, each point on the closest one.
     laid_uncertainty : ndarray, shape (k,)
     distance : ndarray, shape (k,)
         Largest distance of the curve from the surface.
     offset : ndarray, shape (k,)
         Mean distance along the curve, negative where the atlas lies inside the surface.
     end_distance : ndarray, shape (k,)
-        Distance from the surface of that end which is farther from it.
+        Distance of the farther end from the surface.
     bend, own_bend : ndarray, shape (k,)
-        Radius of the laid curve's sharpest bend, and of the atlas's curve in the same place.
+        Radii of the laid curve at its sharpest bend, and of the atlas's curve at the same point.
     status : tuple of str
-        What the calculated length is worth, in words.
+        The status of the calculated length, in words.
     """
 
     unit: Unit
@@ -103,10 +102,10 @@ class Comparison:
         return np.asarray((self.laid - self.physical) / self.physical)
 
     @cached_property
-    def shorter_path(self) -> NDArray[np.bool_]:
-        """Where the surface has a path shorter than the laid curve, beyond the meshes' doubt."""
-        doubt = self.uncertainty + self.laid_uncertainty
-        return np.asarray(self.laid - self.physical > doubt)
+    def shorter_path(self) -> Bools:
+        """Where the surface has a path shorter than the laid curve, beyond the uncertainties."""
+        uncertainty = self.uncertainty + self.laid_uncertainty
+        return np.asarray(self.laid - self.physical > uncertainty)
 
     @cached_property
     def name(self) -> tuple[str, ...]:
@@ -126,26 +125,26 @@ class Comparison:
         )
 
     def rows(self) -> tuple[Row, ...]:
-        """All rows."""
+        """Return all rows."""
         return tuple(self.row(number) for number in range(len(self)))
 
 
 @dataclass(frozen=True)
 class Distribution:
-    """How relative errors (17) are spread.
+    """The spread of relative errors (17).
 
     Parameters
     ----------
     count : int
-        Rows.
+        Number of rows.
     without_length : int
-        Rows that have none on the atlas, which the other figures leave out.
+        Number of rows without a length on the atlas, which the other figures leave out.
     mean, mean_absolute, median_absolute, quantile_95 : float
-        Of the error, and of its absolute value.
+        Figures of the error, and of its absolute value.
     largest : Row or None
         The row with the largest absolute error.
     explanation : str
-        Where that error comes from, in words.
+        The origin of that error, in words.
     uncertainty : float
         Median of the physical lengths' relative uncertainty.
     """
@@ -162,7 +161,7 @@ class Distribution:
 
 
 def distribution(comparison: Comparison) -> Distribution:
-    """The spread of a comparison's errors."""
+    """Return the spread of a comparison's errors."""
     error = comparison.relative_error
     known = np.flatnonzero(np.isfinite(error))
     without = len(error) - len(known)
@@ -187,21 +186,21 @@ def distribution(comparison: Comparison) -> Distribution:
 
 
 def explain(row: Row, unit: Unit) -> str:
-    """Where the error of one row comes from, in words."""
+    """Return the origin of the error of one row, in words."""
 
-    def millimetres(length: float, digits: int = 2) -> str:
+    def millimeters(length: float, digits: int = 2) -> str:
         return f"{convert_length(length, unit, Unit.MM):.{digits}f} mm"
 
     side = "inside" if row.offset < 0 else "outside"
     words = (
         f"Of {row.relative_error:+.3%}, {row.of_fit:+.3%} is the fit: the atlas's curve lies up to "
-        f"{millimetres(row.distance)} off the surface ({millimetres(abs(row.offset))} {side} on "
-        f"average, {millimetres(row.end_distance)} at the farther end), and laid on it is "
+        f"{millimeters(row.distance)} off the surface ({millimeters(abs(row.offset))} {side} on "
+        f"average, {millimeters(row.end_distance)} at the farther end), and laid on it is "
         f"{'longer' if row.of_fit < 0 else 'shorter'} by that. Where it bends most there, its "
-        f"radius is {millimetres(row.bend, 1)} on the surface and "
-        f"{millimetres(row.own_bend, 1)} on the atlas."
+        f"radius is {millimeters(row.bend, 1)} on the surface and "
+        f"{millimeters(row.own_bend, 1)} on the atlas."
     )
-    if row.of_path == 0.0:  # a boundary curve, which is compared with nothing but itself
+    if row.of_path == 0.0:  # a boundary curve, which is compared with itself
         return words
     words += f" {row.of_path:+.3%} is the path: "
     if row.shorter_path:

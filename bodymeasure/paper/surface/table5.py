@@ -1,8 +1,8 @@
 """Table 5: lengths on an atlas against those on the virtual model of a mannequin.
 
-The paper measured "the virtual model of a real mannequin"; here that is the surface to which the
-atlas was fitted, the Catmull-Clark limit of a quad mesh, and the lengths on it are libigl's exact
-geodesics, extrapolated over levels of subdivision. They share no code with the solver.
+The paper measured "the virtual model of a real mannequin". Here that is the surface to which the
+atlas was fitted, which is the Catmull-Clark limit of a quad mesh. The lengths on it are libigl's
+exact geodesics, extrapolated over levels of subdivision; they share no code with the solver.
 """
 
 from collections.abc import Callable
@@ -31,33 +31,33 @@ from bodymeasure.paper.surface.surface_comparison import Comparison, Distributio
 from bodymeasure.samples import load_sample
 from bodymeasure.subdivision import QuadMesh
 
-# An atlas is off its surface by a part in a hundred of its patches at worst. A tenth means that
-# they are in different units or places.
+# The largest distance of an atlas from its surface, as a part of its curves. It is a hundredth at
+# worst; a tenth means that they have different units or places.
 FARTHEST = 0.1
 
 
 @dataclass(frozen=True, eq=False)
 class Table5:
-    """Calculated against physical lengths, as the paper's section 6.3 and Table 5 have them.
+    """Calculated and physical lengths, as in the paper's section 6.3 and Table 5.
 
     Parameters
     ----------
     diagonals, boundary : Comparison
-        Boundary curves that two patches share are there once, on the patch with the lower number.
+        A boundary curve that two patches share is there once, on the patch with the lower number.
     """
 
     diagonals: Comparison
     boundary: Comparison
 
     def distributions(self) -> tuple[Distribution, Distribution]:
-        """The spread of the diagonals' errors, and of the boundary curves'."""
+        """Return the spreads of the errors of the diagonals and of the boundary curves."""
         return distribution(self.diagonals), distribution(self.boundary)
 
     def in_the_papers_form(self) -> tuple[tuple[published.Table5Row, Row], ...]:
-        """Four rows, each beside the published one that it was chosen for.
+        """Return four rows, each with the published one for which it was chosen.
 
-        For each published row, the diagonal with the physical length nearest to it that no row
-        before has taken: by size alone, whatever its error. Fewer if there are not four lengths.
+        For each published row, the diagonal with the nearest physical length is taken that no row
+        before has taken, whatever its error. There are fewer rows without four lengths.
         """
         lengths = convert_length(self.diagonals.physical, self.diagonals.unit, Unit.CM)
         lengths = np.where(np.isfinite(self.diagonals.relative_error), lengths, np.inf)
@@ -78,17 +78,17 @@ def table5(
     processes: int = 1,
     progress: Callable[[int], None] | None = None,
 ) -> Table5:
-    """Table 5 for a sample mannequin.
+    """Return Table 5 for a sample mannequin.
 
     Parameters
     ----------
     name : str
         A sample that was fitted to a quad mesh, such as ``female_average``.
     rows : int, optional
-        For a quick look: so many diagonals and boundary curves, chosen at random, on coarser
-        meshes. All by default.
+        For a quick run, the number of diagonals and boundary curves, which are chosen at random
+        and measured on coarser meshes. All by default.
     seed : int
-        Of that choice.
+        Seed of that choice.
     processes : int
         Worker processes.
     progress : callable, optional
@@ -117,7 +117,7 @@ def compare_with_surface(
     processes: int = 1,
     progress: Callable[[int], None] | None = None,
 ) -> Table5:
-    """An atlas's diagonals and boundary curves against the surface that it was fitted to.
+    """Return diagonals and boundary curves of an atlas against the surface to which it was fitted.
 
     Parameters
     ----------
@@ -125,7 +125,7 @@ def compare_with_surface(
     mesh : QuadMesh
         The control mesh of that surface, in the atlas's unit.
     method : Method, optional
-        What the diagonals are calculated with; `RBFCollocation()` by default.
+        Method for the diagonals; `RBFCollocation()` by default.
     rows, seed, processes, progress
         See `table5`.
 
@@ -154,7 +154,7 @@ def compare_with_surface(
 
 
 def _on_surface(surface: FineSurface, curves: AtlasCurves) -> tuple[Array, LaidCurves]:
-    """The points of the surface closest to curves' ends (k, 2, 3), and the curves laid on it."""
+    """Return points of the surface closest to curves' ends (k, 2, 3), and the curves laid on it."""
     ends = _closest_ends(surface, curves.points)
     return ends, lay_curves(surface, curves.points, ends, curves.length)
 
@@ -185,7 +185,7 @@ def _comparison(
 
 
 def _closest_ends(surface: FineSurface, curves: Array) -> Array:
-    """Points of the surface closest to curves' ends, shape (k, 2, 3).
+    """Return points of the surface closest to curves' ends, shape (k, 2, 3).
 
     Raises
     ------
@@ -201,14 +201,14 @@ def _closest_ends(surface: FineSurface, curves: Array) -> Array:
     if distance > FARTHEST * chord:
         raise InputError(
             f"the atlas lies up to {distance:.3g} off the mesh's limit surface, with curves of "
-            f"{chord:.3g} on average; give the mesh that it was fitted to, in the same unit and "
+            f"{chord:.3g} on average; give the mesh to which it was fitted, in the same unit and "
             "place"
         )
     return points
 
 
 def _chosen(curves: AtlasCurves, rows: int | None, generator: np.random.Generator) -> AtlasCurves:
-    """All curves, or so many chosen at random, in order."""
+    """Return all curves, or so many chosen at random, in order."""
     if rows is None or rows >= len(curves):
         return curves
     return curves.take(np.sort(generator.choice(len(curves), rows, replace=False)))

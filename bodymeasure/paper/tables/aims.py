@@ -57,11 +57,11 @@ def accuracy_bars(chosen: ReadingResult, table_5_error: float) -> Table:
         "bars_accuracy",
         "Accuracy",
         (
-            Column("what", "What", "text", lambda row: row.what),
-            Column("found", "Found", "fine", lambda row: row.found),
-            Column("least", "At least", "fine", lambda row: row.least),
-            Column("most", "At most", "fine", lambda row: row.most),
-            Column("met", "Reached", "text", lambda row: row.met),
+            Column("what", "What", "text"),
+            Column("found", "Found", "fine"),
+            Column("least", "At least", "fine"),
+            Column("most", "At most", "fine"),
+            Column("met", "Reached", "text"),
         ),
         rows,
         f"Table 4 is that of reading “{chosen.reading.name}” with the solution inside the "
@@ -98,7 +98,7 @@ def speed_bars(tables: Sequence[Table]) -> Table:
         best = min(accurate, key=lambda row: float(row["seconds"]), default={})
         rows.append(_Best(table.title.partition(": ")[2], best, ritz if best else {}))
     columns = (
-        Column("patches", "Patches", "text", lambda row: row.patches),
+        Column("patches", "Patches", "text"),
         Column("method", "Our fastest as accurate as Ritz", "text", _best("method"), True),
         Column("solved", "Solved", "count", _best("solved"), True),
         Column("error", "Error: 90 %", "small", _best("nine_in_ten"), True),
@@ -106,7 +106,7 @@ def speed_bars(tables: Sequence[Table]) -> Table:
         Column("microseconds", "Microseconds a patch", "number", _best("seconds", 1e6), True),
         Column("than_paper", "Times as fast as the paper", "factor", _best("than_paper"), True),
         Column("than_two", "as our two functions", "factor", _best("than_two"), True),
-        Column("met", "Reached", "text", lambda row: row.met, True),
+        Column("met", "Reached", "text", is_timing=True),
     )
     return Table.of(
         "bars_speed",

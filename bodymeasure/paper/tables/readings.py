@@ -1,14 +1,14 @@
 """Tables across all readings of the testing data: what happened, and which is the nearest."""
 
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from functools import partial
+from typing import Any
 
 import numpy as np
 
 from bodymeasure._typing import Bools
 from bodymeasure.paper.data import published
 from bodymeasure.paper.data.comparison import Comparison
-from bodymeasure.paper.data.random_patches import Reading
 from bodymeasure.paper.tables.statistics import key, known, mean, median, signed_difference
 from bodymeasure.paper.tables.table import Column, Table
 from bodymeasure.paper.tables.tables_3_and_4 import RULES_IN_WORDS, ReadingResult, by_rule
@@ -71,50 +71,44 @@ def events_table(results: Sequence[ReadingResult]) -> Table:
     )
 
 
-class _Nearness(NamedTuple):
-    """How near a reading comes to the published figures."""
-
-    reading: Reading
-    inside: float | None
-    every: float | None
-    off: float | None
-    median_length: float | None
-    in_range: float
+def _mean_loss(result: ReadingResult, rule: str) -> float | None:
+    lengths, reference = by_rule(result.found, rule), result.found.ritz_length
+    return mean(known(signed_difference(lengths, reference)))
 
 
-def _nearness(result: ReadingResult) -> _Nearness:
-    found, (low, high) = result.found, (min(published.LENGTHS), max(published.LENGTHS))
-    inside, every = (
-        mean(known(signed_difference(by_rule(found, rule), found.ritz_length)))
-        for rule in RULES_IN_WORDS
-    )
-    lengths = known(found.ritz_length)
-    off = None if inside is None else abs(inside - published.MEAN_LOSS)
-    in_range = float(((lengths >= low) & (lengths <= high)).mean())
-    return _Nearness(result.reading, inside, every, off, median(lengths), in_range)
+def _off(result: ReadingResult) -> float | None:
+    loss = _mean_loss(result, "inside")
+    return None if loss is None else abs(loss - published.MEAN_LOSS)
 
 
 def closest_table(results: Sequence[ReadingResult]) -> Table:
     """Return how near each reading comes to the published figures, the nearest first."""
-    rows = [_nearness(result) for result in results]
+    low, high = min(published.LENGTHS), max(published.LENGTHS)
+
+    def in_range(result: ReadingResult) -> float:
+        lengths = known(result.found.ritz_length)
+        return float(((lengths >= low) & (lengths <= high)).mean())
+
+    inside, every = (partial(_mean_loss, rule=rule) for rule in RULES_IN_WORDS)
+    columns = (
+        Column("reading", "Reading", "text", lambda r: r.reading.name),
+        Column("description", "What it is", "text", lambda r: r.reading.description),
+        Column("mean_loss_inside", "Mean loss, inside", "percent", inside),
+        Column("mean_loss_all", "Mean loss, of all", "percent", every),
+        Column("off", "Off the paper's mean", "share", _off),
+        Column(
+            "median_length",
+            "Median length by Ritz",
+            "length",
+            lambda r: median(known(r.found.ritz_length)),
+        ),
+        Column("in_range", "Between the lengths of the paper's Table 3", "share", in_range),
+    )
     return Table.of(
         "closest",
         "The readings of section 6.1, the nearest to the published figures first",
-        (
-            Column("reading", "Reading", "text", lambda r: r.reading.name),
-            Column("description", "What it is", "text", lambda r: r.reading.description),
-            Column("mean_loss_inside", "Mean loss, inside", "percent", lambda r: r.inside),
-            Column("mean_loss_all", "Mean loss, of all", "percent", lambda r: r.every),
-            Column("off", "Off the paper's mean", "share", lambda r: r.off),
-            Column("median_length", "Median length by Ritz", "length", lambda r: r.median_length),
-            Column(
-                "in_range",
-                "Between the lengths of the paper's Table 3",
-                "share",
-                lambda r: r.in_range,
-            ),
-        ),
-        sorted(rows, key=lambda r: (r.off is None, r.off)),
+        columns,
+        sorted(results, key=lambda r: (_off(r) is None, _off(r))),
         f"The mean of the paper's four sets is {100 * published.MEAN_LOSS:.2f} %; its four "
-        f"lengths lie between {min(published.LENGTHS)} and {max(published.LENGTHS)}.",
+        f"lengths lie between {low} and {high}.",
     )

@@ -111,7 +111,7 @@ def scaling_table(runs: Sequence[Run]) -> Table:
         return float((one.seconds - one.start) / least)
 
     columns = (
-        Column("processes", "Processes", "count", lambda run: run.processes),
+        Column("processes", "Processes", "count"),
         Column("patches", "Patches", "count", lambda run: len(run.solution.length)),
         Column(
             "identical",
@@ -119,7 +119,7 @@ def scaling_table(runs: Sequence[Run]) -> Table:
             "text",
             lambda run: same_to_the_bit(one.solution, run.solution),
         ),
-        Column("seconds", "Seconds by the clock", "seconds", lambda run: run.seconds, True),
+        Column("seconds", "Seconds by the clock", "seconds", is_timing=True),
         Column("start_seconds", "of these to start", "seconds", lambda run: run.start, True),
         Column("speedup", "Speedup", "factor", lambda run: one.seconds / run.seconds, True),
         Column("speedup_started", "once started", "factor", speedup_started, True),

@@ -61,8 +61,8 @@ def spread_table(name: str, rows: Iterable[SpreadRow]) -> Table:
         return Column(f"quantile_{level}", f"{level} %", "small", lambda row: row.quantiles[number])
 
     columns = (
-        Column("of", "Of", "text", lambda row: row.of),
-        Column("difference", "Difference", "text", lambda row: row.difference),
+        Column("of", "Of", "text"),
+        Column("difference", "Difference", "text"),
         Column("count", "Lengths", "count", lambda row: row.known),
         *(quantile(number, level) for number, level in enumerate(LEVELS)),
     )

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
+from operator import attrgetter
 from typing import Any, Literal, Self
 
 import numpy as np
@@ -30,7 +31,8 @@ class Column:
     kind : Kind
         How its values are to be read.
     value : callable, optional
-        Gives the value of a row from the item that the row is about; see `Table.of`.
+        Gives the value of a row from the item that the row is about (see `Table.of`); by default,
+        the item's attribute of the column's name.
     is_timing : bool
         Whether the values are measured times, or made of them: they differ from run to run, while
         all others do not.
@@ -69,7 +71,7 @@ class Table:
         cls, name: str, title: str, columns: Sequence[Column], items: Iterable[Any], *notes: str
     ) -> Self:
         """Return a table with a row for each item, in which each column gives its value."""
-        values = [column.value for column in columns if column.value is not None]
+        values = [column.value or attrgetter(column.name) for column in columns]
         rows = tuple(tuple(plain(value(item)) for value in values) for item in items)
         return cls(name, title, tuple(columns), rows, notes)
 

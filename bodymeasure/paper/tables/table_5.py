@@ -137,15 +137,15 @@ def spread_of_table_5(found: Table5, two: Comparison) -> Table:
             explained.append(f"Largest of the {name}, {largest.name}: {spread.explanation}")
     rows.append(_printed_spread())
     columns = (
-        Column("curves", "Curves", "text", lambda r: r.curves),
+        Column("curves", "Curves", "text"),
         Column("count", "Count", "count", lambda r: r.spread.count),
         Column("without_length", "No length", "count", lambda r: r.spread.without_length),
         Column("mean", "Mean", "fine", lambda r: r.spread.mean),
         Column("mean_absolute", "Mean of its size", "share", lambda r: r.spread.mean_absolute),
         Column("median_absolute", "Median", "share", lambda r: r.spread.median_absolute),
         Column("quantile_95", "95 %", "share", lambda r: r.spread.quantile_95),
-        Column("largest", "Largest", "fine", lambda r: r.largest),
-        Column("which", "Which", "text", lambda r: r.which),
+        Column("largest", "Largest", "fine"),
+        Column("which", "Which", "text"),
         Column(
             "uncertainty",
             "Physical lengths' own doubt, median",

@@ -10,46 +10,16 @@ from bodymeasure.report.body.records import BodyRecord
 from bodymeasure.wording import hint
 
 # All measurements of FreeSewing (its config/measurements.mjs), in alphabetical order.
+# fmt: off
 FREESEWING_KEYS = (
-    "ankle",
-    "biceps",
-    "bustFront",
-    "bustPointToUnderbust",
-    "bustSpan",
-    "chest",
-    "crossSeam",
-    "crossSeamFront",
-    "crotchDepth",
-    "head",
-    "heel",
-    "highBust",
-    "highBustFront",
-    "hips",
-    "hpsToBust",
-    "hpsToWaistBack",
-    "hpsToWaistFront",
-    "inseam",
-    "knee",
-    "neck",
-    "seat",
-    "seatBack",
-    "shoulderSlope",
-    "shoulderToElbow",
-    "shoulderToShoulder",
-    "shoulderToWrist",
-    "underbust",
-    "upperLeg",
-    "waist",
-    "waistBack",
-    "waistToArmpit",
-    "waistToFloor",
-    "waistToHips",
-    "waistToKnee",
-    "waistToSeat",
-    "waistToUnderbust",
-    "waistToUpperLeg",
-    "wrist",
+    "ankle", "biceps", "bustFront", "bustPointToUnderbust", "bustSpan", "chest", "crossSeam",
+    "crossSeamFront", "crotchDepth", "head", "heel", "highBust", "highBustFront", "hips",
+    "hpsToBust", "hpsToWaistBack", "hpsToWaistFront", "inseam", "knee", "neck", "seat", "seatBack",
+    "shoulderSlope", "shoulderToElbow", "shoulderToShoulder", "shoulderToWrist", "underbust",
+    "upperLeg", "waist", "waistBack", "waistToArmpit", "waistToFloor", "waistToHips", "waistToKnee",
+    "waistToSeat", "waistToUnderbust", "waistToUpperLeg", "wrist",
 )
+# fmt: on
 FREESEWING_DEGREES = ("shoulderSlope",)
 
 # Characters that no name in Seamly2D may hold (schema of its measurement files, type shortName).
