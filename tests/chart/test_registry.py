@@ -53,10 +53,6 @@ def test_examples_name_what_the_default_set_knows(kind: type[Entry]) -> None:
     assert set(example.landmarks) <= names_in(default)
 
 
-def test_the_default_set_has_each_kind() -> None:
-    assert {type(one) for one in load_definitions().measurement} == set(KINDS.values())
-
-
 @pytest.mark.slow
 @every
 def test_examples_are_found_on_a_body(kind: type[Entry]) -> None:
