@@ -43,12 +43,12 @@ _GIRTH = re.compile(r"\bgirth|\bcircumference", re.IGNORECASE)
 
 
 def girth_class(name: str) -> AccuracyClass:
-    """The class of a girth of that name."""
+    """Return the class of a girth by its name."""
     return AccuracyClass.SMALL_GIRTH if _NOT_TRUNK.search(name) else AccuracyClass.LARGE_GIRTH
 
 
 def length_class(name: str) -> AccuracyClass:
-    """The class of a length of that name, which is a girth if the name says so.
+    """Return the class of a length by its name, which may say that the length is a girth.
 
     A path may lead round the body through landmarks, and a formula may be a sum of arcs.
     """

@@ -1,21 +1,17 @@
-"""A body while it is measured: its landmarks, and what several measurements share."""
+"""A body that is being measured: its landmarks, and the girths that several measurements share."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.normals import unit_normals
 from bodymeasure.atlas.queries.outside import outward_sign
-from bodymeasure.chart.landmarks.paths import leg_between
 from bodymeasure.chart.tapes import Tape, TapeKind
 from bodymeasure.errors import InputError
-from bodymeasure.geodesic import AtlasPath
 from bodymeasure.measure import Girth, body_girth, plane_girth
 from bodymeasure.section import DrawnTape, Plane
 from bodymeasure.wording import hint
@@ -27,15 +23,15 @@ class MissingLandmarkError(InputError):
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """An atlas whose landmarks are complete, as far as rules can do it.
+    """An atlas with its landmarks, as far as rules can complete them.
 
     Parameters
     ----------
     atlas : Atlas
     landmarks : mapping of str to AtlasPoint
-        The atlas's own, and those that rules gave.
+        The atlas's own landmarks, and those that rules gave.
     missing : mapping of str to str
-        Landmarks that rules could not give, and why.
+        The landmarks that rules could not give, each with the reason.
     """
 
     atlas: Atlas
@@ -48,7 +44,7 @@ class Body:
         return outward_sign(self.atlas)
 
     def point(self, name: str) -> AtlasPoint:
-        """The landmark of that name.
+        """Return the landmark of a name.
 
         Raises
         ------
@@ -62,20 +58,15 @@ class Body:
                 "add it with `bodymeasure landmarks`"
             )
         known = sorted(self.landmarks)
-        near = f"; {hint(name, known)}" if known else ", nor any other"
+        near = f"; {hint(name, known)}" if known else "; it has none at all"
         raise MissingLandmarkError(f"the atlas has no landmark {name!r}{near}")
 
     def position(self, name: str) -> Array:
-        """Where a landmark is, shape (3,), in the atlas's unit."""
+        """Return the position of a landmark, shape (3,), in the atlas's unit."""
         return self.atlas.position(self.point(name))
 
-    def path(self, through: Sequence[str]) -> AtlasPath:
-        """The geodesic through landmarks in order; each leg between two is found once."""
-        points = [self.point(name) for name in through]
-        return AtlasPath.concatenate([leg_between(self.atlas, *ends) for ends in pairwise(points)])
-
     def girth(self, plane: Plane, at: str, *, limb: bool = False) -> Girth:
-        """The girth in a plane through a landmark, each found once."""
+        """Return the girth in a plane through a landmark; each girth is found once."""
         key = (at, plane.normal.tobytes(), limb)
         if key not in self._girths:
             self._girths[key] = plane_girth(self.atlas, plane, self.point(at), limb=limb)
@@ -84,7 +75,7 @@ class Body:
     def level_girth(
         self, at: str, *, cut: tuple[str, str] | None = None, limb: bool = False
     ) -> Girth:
-        """The horizontal girth at a landmark's height.
+        """Return the horizontal girth at a landmark's height.
 
         Parameters
         ----------
@@ -100,14 +91,14 @@ class Body:
         return body_girth(self.atlas, self.point(at), cut=(left, right))
 
     def tape(self, kind: TapeKind, drawn: DrawnTape) -> Tape:
-        """A tape along a section, to be drawn."""
+        """Return a tape along a section, to be drawn."""
         on_skin = drawn.patch >= 0
         normals = np.zeros_like(drawn.positions)
         normals[on_skin] = self.normals(drawn.patch[on_skin], drawn.parameters[on_skin])
         return Tape(kind, drawn.positions, normals)
 
-    def normals(self, patch: NDArray[np.int64], parameters: Array) -> Array:
-        """Unit vectors out of the body at points of it; 0 where a patch has no normal.
+    def normals(self, patch: Ints, parameters: Array) -> Array:
+        """Return unit vectors out of the body at some of its points; 0 where a patch has no normal.
 
         Parameters
         ----------

@@ -65,7 +65,7 @@ class Definitions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
 
 
 def definitions_schema() -> dict[str, Any]:
-    """The JSON schema of a file of definitions, which TOML holds as well as JSON would."""
+    """Return the JSON schema of a file of definitions; TOML holds the same content as JSON."""
     rules, kinds = (reduce(or_, table.values()) for table in (RULES, KINDS))
     members: list[tuple[str, Any] | tuple[str, Any, Any]] = [
         ("format", Literal[FORMAT]),

@@ -1,4 +1,4 @@
-"""What a measurement and a rule have in common as entries of a file of definitions."""
+"""The entries of a file of definitions: what measurements and rules have in common."""
 
 from collections.abc import Iterator
 from functools import cache
@@ -16,7 +16,7 @@ FormulaText = Annotated[str, _FORMULA]
 
 
 class Fault(NamedTuple):
-    """What is wrong with one entry.
+    """A fault of one entry.
 
     Parameters
     ----------
@@ -61,33 +61,33 @@ class Entry(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         return tuple(getattr(self, name) for name in _members(type(self), _FORMULA))
 
     def faults(self) -> Iterator[Fault]:
-        """What is wrong with the entry beyond the types of its members."""
+        """Yield the faults of the entry beyond the types of its members."""
         return iter(())
 
 
 @cache
 def _members(kind: type[Entry], mark: msgspec.Meta) -> tuple[str, ...]:
-    """The members of a kind of entry whose types hold a mark."""
+    """Return the members of a kind of entry whose types hold a mark."""
     types = get_type_hints(kind, include_extras=True)
     return tuple(name for name in kind.__struct_fields__ if mark in _parts(types[name]))
 
 
 def _parts(annotation: Any) -> Iterator[Any]:
-    """All that a type is made of, marks included."""
+    """Yield all parts of a type, marks included."""
     for part in get_args(annotation):
         yield part
         yield from _parts(part)
 
 
 def texts(entry: Entry) -> Iterator[tuple[str, str]]:
-    """All texts of an entry, each with the name of the member in which it stands."""
+    """Yield all texts of an entry, each with the name of the member in which it stands."""
     for member in entry.__struct_fields__:
         for text in texts_in(getattr(entry, member)):
             yield member, text
 
 
 def texts_in(value: Any) -> Iterator[str]:
-    """All texts of an entry or of a member's value, in order."""
+    """Yield all texts of an entry or of a member's value, in order."""
     if isinstance(value, str):
         yield value
     elif isinstance(value, tuple):

@@ -1,4 +1,4 @@
-"""All measurements of a body, each with its outcome."""
+"""The measurement of a body by a set of definitions."""
 
 import time
 from collections.abc import Callable, Mapping
@@ -31,14 +31,14 @@ def measure_chart(
     ----------
     atlas : Atlas
     definitions : Definitions, optional
-        The default set, if not given; `load_definitions` reads others.
+        The default set if not given; `load_definitions` reads others.
     progress : callable, optional
         Called with the number of measurements done so far, and the number of all.
 
     Returns
     -------
     Chart
-        A measurement that cannot be taken says why, and the others are taken all the same.
+        A measurement that cannot be taken gives the reason; the others are taken all the same.
 
     Raises
     ------
@@ -49,7 +49,7 @@ def measure_chart(
 
     Notes
     -----
-    Heights are above the floor, where the coordinate along the atlas's way up is 0.
+    Heights are measured from the floor, where the coordinate along the atlas's way up is 0.
 
     Examples
     --------
@@ -84,7 +84,7 @@ def measure_chart(
 class _Taken(dict[str, Measured]):
     """The measurements of a body by key; each is taken when it is first asked for.
 
-    A formula that asks for its operands so never comes before them.
+    A formula asks for its operands, which so are taken before it.
     """
 
     def __init__(self, body: Body, definitions: Mapping[str, MeasurementDefinition]) -> None:

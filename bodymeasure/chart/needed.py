@@ -23,7 +23,7 @@ class Lacking(NamedTuple):
 
 
 def names_in(definitions: Definitions) -> frozenset[str]:
-    """Names of all landmarks to which a set's measurements and rules refer, or which they give."""
+    """Return the names of all landmarks that a set's measurements and rules name or give."""
     rules, measurements = both_sides(definitions.landmark), both_sides(definitions.measurement)
     needed = [name for entry in (*rules, *measurements) for name in entry.landmarks]
     return frozenset([*(rule.name for rule in rules), *needed])
@@ -32,7 +32,7 @@ def names_in(definitions: Definitions) -> frozenset[str]:
 def lacking(
     measurements: Sequence[MeasurementDefinition], there: Collection[str]
 ) -> tuple[Lacking, ...]:
-    """The measurements whose landmarks are not all there.
+    """Return the measurements whose landmarks are not all there.
 
     Parameters
     ----------

@@ -14,7 +14,7 @@ Definition = TypeVar("Definition", bound=msgspec.Struct)
 
 
 def both_sides(definitions: Iterable[Definition]) -> tuple[Definition, ...]:
-    """All definitions, where each one with ``{side}`` is given for the left and for the right.
+    """Return all definitions, each one with ``{side}`` once for the left and once for the right.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def both_sides(definitions: Iterable[Definition]) -> tuple[Definition, ...]:
 
 
 def _with_side(definition: Definition, side: str) -> Definition:
-    """A definition with a side in place of ``{side}``."""
+    """Return a definition with a side in place of ``{side}``."""
 
     def replaced(value: Any) -> Any:
         if isinstance(value, str):

@@ -10,6 +10,8 @@ from pathlib import Path
 import msgspec
 
 from bodymeasure.atlas import Unit
+from bodymeasure.chart import MeasurementDefinition
+from bodymeasure.chart.kinds import KINDS
 from bodymeasure.compare.readings import Reading, Readings, readings_of
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes
@@ -29,8 +31,6 @@ COLUMNS = {
 NEEDED = ("measurement", "value", "unit")
 # The first of these that the header contains is taken.
 DELIMITERS = ("\t", ";", ",")
-# The kind of measurement in a chart's CSV whose lengths may be zero or less, as differences.
-FORMULA = "formula"
 PLAIN_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?", re.IGNORECASE | re.ASCII)
 TAILORS_FRACTION = re.compile(r"(\d+\s+)?\d+/0*[1-9]\d*", re.ASCII)
 UNITS = (*(unit.value for unit in Unit), DEGREES)
@@ -128,7 +128,8 @@ def _reading(row: list[str], columns: dict[str, int], place: str, delimiter: str
     value, error = cell("value"), cell("error")
     decimal_comma = delimiter != ","
     number = _number(value, unit, decimal_comma, place) if value else None
-    if number is not None and number <= 0.0 and unit != DEGREES and cell("kind") != FORMULA:
+    kind = KINDS.get(cell("kind"), MeasurementDefinition)
+    if number is not None and number <= 0.0 and unit != DEGREES and not kind.may_be_negative:
         raise InputError(
             f"{place}: {value!r} is no length; expected one above zero, or an empty cell"
         )

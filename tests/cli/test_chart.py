@@ -116,7 +116,7 @@ def test_an_atlas_without_landmarks_is_no_success(run: Run) -> None:
     assert ran.code == 1
     assert "measured" not in ran.out
     assert re.search(r"^Bust girth .* missing landmark$", ran.out, re.M)
-    reason = "the atlas has no landmark 'front waist point', nor any other"
+    reason = "the atlas has no landmark 'front waist point'; it has none at all"
     assert f"Waist girth: {reason}" in ran.out
 
 

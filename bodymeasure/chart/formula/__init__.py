@@ -1,1 +1,1 @@
-"""Formulas of measurements: parsing, quantities, values, checks."""
+"""Formulas of measurements: their parsing, the quantities that they give and their values."""

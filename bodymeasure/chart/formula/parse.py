@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from bodymeasure.errors import InputError
+from bodymeasure.wording import counted
 
-# Far more than a formula for a body needs, and few enough for no nesting to be too deep.
+# Far more than a formula for a body needs, and so few that no nesting is too deep.
 LONGEST = 400
-# What a formula consists of. Python's own grammar would take far more, and warn of some of it.
+# The parts of a formula. Python's own grammar takes far more, and warns of some of it.
 _TOKEN = re.compile(
     r"\s+|(?P<number>(?:\d+\.?\d*|\.\d+)(?!\w))|(?P<name>[A-Za-z_]\w*)|[-+*/(),]", re.A
 )
@@ -25,9 +26,9 @@ class Formula:
     ----------
     text : str
     tree : ast.expr
-        Of numbers, names, ``+ - * /`` and calls of known functions only.
+        It consists of numbers, names, ``+ - * /`` and calls of known functions only.
     names : tuple of str
-        Keys of the measurements that it takes, each once.
+        Keys of the measurements that it needs, each once.
     """
 
     text: str
@@ -35,31 +36,31 @@ class Formula:
     names: tuple[str, ...]
 
 
-# As many as several sets of measurements hold.
+# As many formulas as several sets of measurements hold.
 @lru_cache(maxsize=1024)
 def parse_formula(text: str) -> Formula:
-    """The formula that a text holds, which is parsed once.
+    """Return the formula that a text holds; each text is parsed once.
 
     Raises
     ------
     InputError
-        If it is not arithmetic of the kind that `bodymeasure.chart.FormulaMeasure` says.
+        If it is not arithmetic of the kind that `bodymeasure.chart.kinds.FormulaMeasure` says.
     """
     if len(text) > LONGEST:
         raise formula_fault(
-            text[:20] + "...", f"is longer than {LONGEST} signs; use several formulas"
+            text[:20] + "...", f"is longer than {LONGEST} characters; use several formulas"
         )
     place = 0
     while place < len(text):
         token = _TOKEN.match(text, place)
         if token is None:
-            raise formula_fault(text, f"has {text[place]!r} at sign {place + 1}; {_ALLOWED}")
+            raise formula_fault(text, f"has {text[place]!r} at character {place + 1}; {_ALLOWED}")
         place = token.end()
     try:
-        # On one line, whatever the file's lines are.
+        # The parser takes one line; a file may give several.
         tree = ast.parse(" ".join(text.split()), mode="eval").body
     except SyntaxError as error:
-        where = f" at sign {error.offset}" if error.offset else ""
+        where = f" at character {error.offset}" if error.offset else ""
         raise formula_fault(text, f"is no arithmetic: {error.msg}{where}; {_ALLOWED}") from None
     _check(tree, text)
     names = (node.id for node in ast.walk(tree) if isinstance(node, ast.Name))
@@ -73,12 +74,12 @@ _ALLOWED = (
 
 
 def formula_fault(text: str, what: str) -> InputError:
-    """The error that a formula is at fault for."""
+    """Return the error that names a formula and its fault."""
     return InputError(f"the formula {text!r} {what}")
 
 
 def _check(node: ast.expr, text: str) -> None:
-    """Refuse all that is not plain arithmetic."""
+    """Refuse everything that is not plain arithmetic."""
     match node:
         case ast.Constant(value=int() | float() as number) if not isinstance(number, bool):
             return
@@ -103,6 +104,8 @@ def _check_call(function: str, arguments: list[ast.expr], text: str) -> None:
         raise formula_fault(text, f"calls {function!r}; expected one of {', '.join(FUNCTIONS)}")
     wanted = "one argument" if function in ANGLE_FUNCTIONS else "two arguments or more"
     if not arguments or (len(arguments) == 1) != (function in ANGLE_FUNCTIONS):
-        raise formula_fault(text, f"gives {function} {len(arguments)} of them; expected {wanted}")
+        raise formula_fault(
+            text, f"gives {function} {counted(len(arguments), 'argument')}; expected {wanted}"
+        )
     for argument in arguments:
         _check(argument, text)

@@ -1,4 +1,4 @@
-"""What a formula gives: a length, an angle or a pure number."""
+"""The quantity that a formula gives: a length, an angle or a pure number."""
 
 import ast
 from collections.abc import Mapping
@@ -9,7 +9,7 @@ from bodymeasure.errors import InputError
 
 
 class Quantity(StrEnum):
-    """What a number measures."""
+    """The quantity that a number measures."""
 
     NUMBER = "a pure number"
     LENGTH = "a length"
@@ -17,13 +17,13 @@ class Quantity(StrEnum):
 
 
 def quantity_of(formula: Formula, quantities: Mapping[str, Quantity]) -> Quantity:
-    """What a formula gives, of operands that are lengths or angles.
+    """Return what a formula gives if its operands are lengths or angles.
 
     Parameters
     ----------
     formula : Formula
     quantities : mapping of str to Quantity
-        For each of `formula.names`.
+        The quantity of each of `formula.names`.
 
     Raises
     ------

@@ -9,33 +9,33 @@ from bodymeasure.chart.formula.parse import ANGLE_FUNCTIONS, Formula, formula_fa
 
 
 class Estimate(NamedTuple):
-    """A value and how far it may be off."""
+    """A value and its error."""
 
     value: float
     error: float
 
 
 class _Dual(NamedTuple):
-    """A value and its partial derivatives by the operands."""
+    """A value and its partial derivatives with respect to the operands."""
 
     value: float
     slopes: dict[str, float]
 
 
 def evaluate_formula(formula: Formula, operands: Mapping[str, Estimate]) -> Estimate:
-    """The value of a formula, and what the operands' errors make of it.
+    """Return the value of a formula, and the error that follows from those of its operands.
 
     Parameters
     ----------
     formula : Formula
     operands : mapping of str to Estimate
-        For each of `formula.names`; angles in degrees.
+        The value of each of `formula.names`; angles are in degrees.
 
     Returns
     -------
     Estimate
-        Its error is the sum of the operands' errors, each times the size of the formula's partial
-        derivative by it.
+        The error is the sum of the operands' errors, each times the absolute value of the formula's
+        partial derivative with respect to that operand.
 
     Raises
     ------
@@ -45,7 +45,7 @@ def evaluate_formula(formula: Formula, operands: Mapping[str, Estimate]) -> Esti
     value, slopes = _visit(formula.tree, formula.text, operands)
     error = 0.0
     for name, slope in slopes.items():
-        # A slope without bound does no harm to an operand that is exact.
+        # An infinite slope does no harm if the operand is exact.
         error += abs(slope) * operands[name].error if operands[name].error else 0.0
     if not math.isfinite(value):
         raise formula_fault(formula.text, "has no finite value for these measurements")

@@ -1,4 +1,4 @@
-"""What all kinds of measurements share: how one is written, and what comes of it."""
+"""The definition of a measurement, which each kind extends, and its result."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -26,7 +26,7 @@ class Iso(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class MeasurementDefinition(Entry, frozen=True, kw_only=True, tag_field="kind"):
-    """How a body is measured; each kind adds members of its own.
+    """The definition of a measurement; each kind adds members of its own.
 
     Parameters
     ----------
@@ -47,6 +47,8 @@ class MeasurementDefinition(Entry, frozen=True, kw_only=True, tag_field="kind"):
     """
 
     label: ClassVar[str] = "key"
+    may_be_negative: ClassVar[bool] = False
+    """Whether the value may be zero or less, as a difference may."""
 
     key: str
     name: str

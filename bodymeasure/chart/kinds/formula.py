@@ -23,6 +23,7 @@ class FormulaMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="form
         Whether the result is in degrees and not a length; asin, acos and atan give angles.
     """
 
+    may_be_negative: ClassVar[bool] = True
     example: ClassVar[str] = 'formula = "outer_leg_length_left - knee_height_left"'
 
     formula: FormulaText

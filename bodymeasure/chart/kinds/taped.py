@@ -1,4 +1,4 @@
-"""The lengths and tapes of what was measured along a section, for the kinds that choose one."""
+"""The measurement of a section, along which a tape follows the skin or is drawn taut."""
 
 from collections.abc import Mapping
 from typing import Protocol
@@ -10,7 +10,7 @@ from bodymeasure.section import DrawnTape
 
 
 class BothTapes(Protocol):
-    """What a section gives: its length along the skin and drawn taut, with both tapes."""
+    """The lengths of a section along the skin and drawn taut, with both tapes."""
 
     @property
     def contact(self) -> float: ...
@@ -31,7 +31,7 @@ def taped(
     found: BothTapes,
     by_region: Mapping[str, float],
 ) -> Measured:
-    """The measurement whose value is the length of the tape that is wanted."""
+    """Return the measurement whose value is the length of the tape that is wanted."""
     tapes = [body.tape(TapeKind.CONTACT, found.contact_tape)]
     if wanted != "contact":
         tapes.append(body.tape(TapeKind.TAUT, found.taut_tape))
@@ -49,5 +49,5 @@ def taped(
 
 
 def sentence(remark: str) -> str:
-    """A remark as a sentence."""
+    """Return a remark as a sentence."""
     return f"{remark[:1].upper()}{remark[1:]}." if remark else ""

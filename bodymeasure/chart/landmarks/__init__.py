@@ -1,1 +1,1 @@
-"""Landmarks: rules that derive them, their names, picks, and symmetry."""
+"""Landmarks: the rules that derive them, their names and their symmetry."""

@@ -1,39 +1,39 @@
-"""Choosing patches by region, and one point of several that are equally good."""
+"""The choice of patches by region, and of one point among several that are equally good."""
 
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.errors import InputError
 from bodymeasure.wording import hint
 
-# Of the atlas's size: coordinates that differ by less are equal. Mirror images differ by their
-# rounding, and by the 1e-11 by which a section's plane may be moved.
+# As a fraction of the atlas's size: coordinates that differ by less are equal. Mirror images differ
+# by their rounding, and by the 1e-11 by which a section's plane may be moved.
 TIE = 1e-9
 
 
 def atlas_size(atlas: Atlas) -> float:
-    """Largest extent of the control points along an axis, in the atlas's unit."""
+    """Return the largest extent of the control points along an axis, in the atlas's unit."""
     return float(np.ptp(atlas.points, axis=0).max())
 
 
-def direction_vector(atlas: Atlas, name: str) -> NDArray[np.float64]:
-    """Unit vector of a direction by its name, as the wearer sees it, shape (3,)."""
+def direction_vector(atlas: Atlas, name: str) -> Array:
+    """Return the unit vector, shape (3,), of a direction by its name, as the wearer sees it."""
     axes = atlas.axes
     vectors = {"up": axes.up_vector, "front": axes.front_vector, "left": axes.left_vector}
     opposite = {"down": "up", "back": "front", "right": "left"}
     return vectors[name] if name in vectors else -vectors[opposite[name]]
 
 
-def patches_of_regions(atlas: Atlas, beginnings: Sequence[str]) -> NDArray[np.int64]:
-    """Patches whose regions begin with one of some words.
+def patches_of_regions(atlas: Atlas, beginnings: Sequence[str]) -> Ints:
+    """Return the patches whose regions begin with one of some words.
 
     Raises
     ------
     InputError
-        If there is none for one of them.
+        If no region begins with one of the words.
     """
     known = sorted(set(filter(None, atlas.regions)))
     if not known:
@@ -48,7 +48,7 @@ def patches_of_regions(atlas: Atlas, beginnings: Sequence[str]) -> NDArray[np.in
 
 
 def preferred(atlas: Atlas, points: Sequence[AtlasPoint]) -> AtlasPoint:
-    """The one farthest to the wearer's left, or of equal ones to the front."""
+    """Return the point farthest to the wearer's left; among equal ones, farthest to the front."""
     positions = np.stack([atlas.position(point) for point in points])
     best = np.arange(len(points))
     for direction in (atlas.axes.left_vector, atlas.axes.front_vector):

@@ -1,4 +1,4 @@
-"""Names of landmarks, as data: those of ISO 8559-1, and others that charts of measurements use."""
+"""Names of landmarks: those of ISO 8559-1, and others that charts of measurements use."""
 
 import re
 from collections.abc import Collection
@@ -6,10 +6,9 @@ from collections.abc import Collection
 from bodymeasure.wording import nearest
 
 SIDES = ("left", "right")
-# Landmarks of ISO 8559-1, as secondary sources name them (the standard itself was not at hand, and
-# is numbered differently from one edition to the next); and, by the same pattern, the points of the
-# levels that it defines.
-# On the median plane:
+# Landmarks of ISO 8559-1 as secondary sources name them (the standard itself was not at hand, and
+# its numbers differ between editions), and points of the levels that it defines, named by the same
+# pattern. These lie on the median plane.
 MEDIAN_NAMES = (
     "top of head",
     "front neck point",
@@ -30,7 +29,7 @@ MEDIAN_NAMES = (
     "crotch point",
     "floor point",
 )
-# One on either side; the side follows the name.
+# There is one of these on either side; the side follows the name.
 PAIRED_NAMES = (
     "side neck point",
     "shoulder point",
@@ -66,7 +65,7 @@ PAIRED_NAMES = (
     "heel point",
 )
 KNOWN_NAMES = (*MEDIAN_NAMES, *(f"{name} {side}" for name in PAIRED_NAMES for side in SIDES))
-# What anatomy and other programs call the same points.
+# Names that anatomy and other programs have for the same points.
 SYNONYMS = {
     "vertex": "top of head",
     "suprasternale": "front neck point",
@@ -95,31 +94,31 @@ SYNONYMS = {
     "outer ankle point": "ankle point",
     "medial malleolus": "inner ankle point",
 }
-# Likeness of names from which one is taken for a misspelling of the other.
+# Two names that are at least so similar are taken for misspellings of each other.
 NEAR = 0.8
 _SIDE_WORDS = {"l": "left", "left": "left", "r": "right", "right": "right"}
 
 
 def side_of(name: str) -> str:
-    """The side that a landmark's name ends with, ``left`` or ``right``; else an empty string."""
+    """Return the side with which a name ends, ``left`` or ``right``; else an empty string."""
     last = name.rpartition(" ")[2]
     return last if last in SIDES and last != name else ""
 
 
 def other_side(name: str) -> str:
-    """The name of a paired landmark's partner; a name without side is its own."""
+    """Return the name of a paired landmark's partner; a name without a side is its own partner."""
     side = side_of(name)
     return name if not side else name.removesuffix(side) + SIDES[1 - SIDES.index(side)]
 
 
 def suggested_name(name: str, others: Collection[str] = ()) -> str | None:
-    """The known name that an unknown one resembles; None if it is known or resembles none.
+    """Return the known name that a name resembles; None if it is known itself or resembles none.
 
     Parameters
     ----------
     name : str
     others : collection of str
-        Names that are known besides `KNOWN_NAMES`, such as those of a set of definitions.
+        Names that are known in addition to `KNOWN_NAMES`, such as those of a set of definitions.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Whether landmarks are mirror images of one another."""
+"""A check that landmarks are mirror images of one another."""
 
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
@@ -12,13 +12,13 @@ from bodymeasure.bezier import evaluate
 from bodymeasure.chart.landmarks.names import other_side, side_of
 from bodymeasure.section import Plane
 
-# Samples a side of each patch that are mirrored, and looked for among themselves.
+# Samples along a side of each patch, which are mirrored and compared with one another.
 SAMPLES = 8
-# Of the samples, how many count: those with the best partners. Arms and hands are held unevenly.
+# The fraction of the samples that counts: those with the best partners. Arms are held unevenly.
 TRUSTED = 0.8
-# The search moves a sample to its neighbors; a body is some hundred samples round.
+# A round of the search moves a sample by one neighbor; a body is some hundred samples round.
 ROUNDS = 100
-# Of distances as parts of the atlas's size, so that rounding does not order those that are 0.
+# Decimals of distances by the atlas's size, so that rounding does not order those that are 0.
 DIGITS = 9
 
 
@@ -29,7 +29,7 @@ class PairCheck(NamedTuple):
     ----------
     left, right : str
     apart : float
-        Distance of the mirrored left one from the right one.
+        Distance of the mirrored left landmark from the right one.
     """
 
     left: str
@@ -47,15 +47,15 @@ class SymmetryCheck:
         The mirror; its normal points to the wearer's left.
     kind : {"fitted", "axes"}
     deviation : float
-        Root mean square distance of the surface's samples from their mirror images' nearest ones,
-        of the 80 % that fit best.
+        Root mean square distance between the mirrored samples of the surface and the samples
+        nearest to them, over the 80 % that fit best.
     pairs : tuple of PairCheck
-        The worst first.
+        The worst pair comes first.
     unpaired : tuple of str
-        Landmarks with a side whose partner is not there.
+        Landmarks with a side whose partner is missing.
     median : tuple of (str, float)
-        Landmarks without a side, and their distance from the plane, positive on the left; the
-        farthest first.
+        Landmarks without a side, with their distances from the plane, positive on the left; the
+        farthest comes first.
     """
 
     plane: Plane
@@ -67,15 +67,15 @@ class SymmetryCheck:
 
 
 def check_symmetry(atlas: Atlas, kind: Literal["fitted", "axes"] = "fitted") -> SymmetryCheck:
-    """Mirror left landmarks and see how far the right ones are.
+    """Mirror the left landmarks and measure how far from the right ones they fall.
 
     Parameters
     ----------
     atlas : Atlas
     kind : {"fitted", "axes"}
         Whether the mirror is the plane in which the surface is most nearly symmetric, or the plane
-        across the atlas's axes, from front to back, in the middle of its median landmarks (of the
-        whole, if it has none).
+        along the atlas's axes, from front to back, in the middle of its median landmarks (of the
+        whole atlas if it has none).
     """
     positions = {name: atlas.position(point) for name, point in atlas.landmarks.items()}
     size = float(np.ptp(atlas.points, axis=0).max())
@@ -125,14 +125,14 @@ def _mirrored(positions: Array, plane: Plane) -> Array:
 
 
 def _fitted(samples: Array, start: Plane) -> Plane:
-    """The plane in which the samples are most nearly symmetric, searched from another.
+    """Return the plane in which the samples are most nearly symmetric, searched from another.
 
     Notes
     -----
-    Samples are paired with those nearest to their mirror images, and the best mirror for these
-    pairs is found, by turns: P. Besl and N. McKay, IEEE PAMI 14 (1992) 239-256, for mirrors. Of
-    pairs (p, q), its normal is the eigenvector to the smallest eigenvalue of the symmetric part
-    of sum (p - mean p) (q - mean q)^T, and it passes the middle of the means.
+    In turn, samples are paired with those nearest to their mirror images, and the best mirror for
+    these pairs is found, as P. Besl and N. McKay, IEEE PAMI 14 (1992) 239-256, do for motions. For
+    pairs (p, q), the mirror's normal is the eigenvector to the smallest eigenvalue of the symmetric
+    part of sum (p - mean p) (q - mean q)^T, and the mirror passes through the middle of the means.
     """
     tree = scipy.spatial.KDTree(samples)
     plane, previous = start, np.empty(0, dtype=np.int64)

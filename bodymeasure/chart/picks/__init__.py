@@ -1,1 +1,1 @@
-"""Picked landmarks: putting them on an atlas, and files of picked positions."""
+"""Picked landmarks: how they are put on an atlas, and files of picked positions."""

@@ -1,4 +1,4 @@
-"""Files of picked positions: CSV with name, x, y and z."""
+"""Files of picked positions: CSV with the columns name, x, y and z."""
 
 import codecs
 import csv
@@ -6,24 +6,24 @@ import io
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes
 
 COLUMNS = ("name", "x", "y", "z")
 
 
-def read_picks(path: Path) -> tuple[tuple[str, ...], NDArray[np.float64]]:
-    """Names, and positions of shape (k, 3), from a CSV file with the columns name, x, y, z.
+def read_picks(path: Path) -> tuple[tuple[str, ...], Array]:
+    """Return the names and positions, shape (k, 3), of a CSV file with the columns name, x, y, z.
 
     A first row with these words is skipped, as are empty rows.
 
     Raises
     ------
     InputError
-        Naming the file and the line, if the file cannot be read, is empty, or a row is not a name
-        and three numbers.
+        If the file cannot be read or is empty, or a row is not a name and three numbers; the
+        message names the file and the line.
     """
     try:
         # Spreadsheets put a byte order mark in front.

@@ -1,19 +1,20 @@
-"""Putting landmarks on an atlas, and taking them off."""
+"""Landmarks that are put on an atlas or taken off."""
 
 import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 from bodymeasure.atlas.queries.locations import points_near
 from bodymeasure.errors import InputError
 from bodymeasure.wording import hint
 
-# In metres: positions farther from the body are refused. A picked position lies on a mesh of the
-# body, whose atlas is some millimeters off at the worst; one in a wrong unit is much farther.
+# In meters. Positions farther from the body are refused: a picked position lies on a mesh of the
+# body, from which the atlas is some millimeters off at the worst, and a position in a wrong unit is
+# much farther.
 FARTHEST = 0.02
 
 
@@ -26,7 +27,7 @@ class Pick:
     name : str
     point : AtlasPoint
     distance : float
-        Of the position that was given from the atlas, in the atlas's unit; 0 for a patch's point.
+        Distance of the given position from the atlas, in its unit; 0 for a point of a patch.
     """
 
     name: str
@@ -37,12 +38,12 @@ class Pick:
 def nearest_picks(
     atlas: Atlas,
     names: Sequence[str],
-    positions: NDArray[np.float64],
+    positions: Array,
     unit: Unit | str,
     *,
     far: bool = False,
 ) -> tuple[Pick, ...]:
-    """The atlas's closest points to positions.
+    """Return the atlas's closest points to positions, as picks.
 
     Parameters
     ----------
@@ -50,15 +51,15 @@ def nearest_picks(
     names : sequence of str, length k
     positions : ndarray, shape (k, 3)
     unit : Unit or str
-        Of the positions.
+        The unit of the positions.
     far : bool
-        Whether they may be farther than 2 cm from the body.
+        Whether the positions may be farther than 2 cm from the body.
 
     Raises
     ------
     InputError
-        If one is not finite, or too far from the body; the message says in which unit it would not
-        be.
+        If a position is not finite, or too far from the body; the message says in which unit it
+        would be close.
     """
     unit = Unit.parse(unit)
     allowed = np.inf if far else FARTHEST / atlas.unit.metres
@@ -73,19 +74,19 @@ def nearest_picks(
 
 
 def with_landmarks(atlas: Atlas, picks: Sequence[Pick], *, replacing: bool = False) -> Atlas:
-    """The atlas with more landmarks.
+    """Return the atlas with more landmarks.
 
     Parameters
     ----------
     atlas : Atlas
     picks : sequence of Pick
     replacing : bool
-        Whether they may take the place of landmarks that are there.
+        Whether the picks may replace landmarks of the same name.
 
     Raises
     ------
     InputError
-        If a name is no name, is given twice, or is there already.
+        If a name is empty or has more than one line, is given twice, or is there already.
     """
     landmarks = dict(atlas.landmarks)
     new: dict[str, AtlasPoint] = {}
@@ -103,12 +104,12 @@ def with_landmarks(atlas: Atlas, picks: Sequence[Pick], *, replacing: bool = Fal
 
 
 def without_landmarks(atlas: Atlas, names: Sequence[str]) -> Atlas:
-    """The atlas without some of its landmarks.
+    """Return the atlas without some of its landmarks.
 
     Raises
     ------
     InputError
-        If it has none of that name.
+        If it has no landmark of one of the names.
     """
     landmarks: Mapping[str, AtlasPoint] = atlas.landmarks
     for name in names:

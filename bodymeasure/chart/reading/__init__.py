@@ -1,1 +1,1 @@
-"""Reading files of definitions, and checking them."""
+"""Files of definitions: how they are read, checked and described."""

@@ -17,7 +17,7 @@ _BRACED = re.compile(r"\{[^{}]*\}|[{}]")
 
 
 def first_fault(definitions: Definitions) -> Fault | None:
-    """The first thing that is wrong with a set; None if nothing is."""
+    """Return the first fault of a set; None if it has none."""
     return next(_faults(definitions), None) or formula_fault(definitions.measurement)
 
 

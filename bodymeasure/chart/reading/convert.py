@@ -1,4 +1,4 @@
-"""One entry of a file of definitions: from what TOML gives to a definition, or what is wrong."""
+"""The conversion of what TOML gives into definitions, with what is wrong in words."""
 
 import re
 from collections.abc import Mapping
@@ -39,7 +39,7 @@ class Table(NamedTuple):
 MEASUREMENTS = Table("measurement", "kind", MeasurementDefinition.label, KINDS)
 LANDMARKS = Table("landmark", "rule", LandmarkRule.label, RULES)
 
-# What msgspec calls things, in words for who writes a file.
+# The words that msgspec uses for types, and those that people who write files know.
 _WORDS = {
     "str": "text",
     "int": "a whole number",
@@ -53,7 +53,7 @@ _MISFIT = re.compile(r"Expected `(?P<expected>[^`]*)`(?P<more>[^,]*), got (?P<go
 
 
 class MisfitError(Exception):
-    """What is wrong with an entry, and with which member of it."""
+    """What is wrong with an entry, and the member at fault."""
 
     def __init__(self, words: str, member: str = "") -> None:
         super().__init__(words)
@@ -61,7 +61,7 @@ class MisfitError(Exception):
 
 
 def entry_of(table: Table, raw: Any) -> Entry:
-    """The definition that an entry describes.
+    """Return the definition that an entry describes.
 
     Raises
     ------
@@ -96,7 +96,7 @@ def entry_of(table: Table, raw: Any) -> Entry:
 
 
 def converted(raw: Any, struct: type[Struct]) -> Struct:
-    """A struct from what TOML gives.
+    """Return a struct from what TOML gives.
 
     Raises
     ------
@@ -118,7 +118,7 @@ def converted(raw: Any, struct: type[Struct]) -> Struct:
 
 
 def _check_choice(field: msgspec.structs.FieldInfo, value: Any) -> None:
-    """Refuse a word that is none of those which a member may be."""
+    """Refuse a word that is not one of those that a member may be."""
     allowed = choices(field.type)
     if allowed and value not in allowed:
         raise MisfitError(
@@ -128,10 +128,10 @@ def _check_choice(field: msgspec.structs.FieldInfo, value: Any) -> None:
 
 
 def choices(annotation: Any) -> tuple[str, ...]:
-    """The words of which a member of that type has to be one; empty if it may be others."""
+    """Return the words of which a member of that type has to be one; empty if it is free."""
     return get_args(annotation) if get_origin(annotation) is Literal else ()
 
 
 def as_toml(value: Any) -> str:
-    """A value as messages and comments show it."""
+    """Return a value as messages show it."""
     return {True: "true", False: "false"}[value] if isinstance(value, bool) else repr(value)

@@ -13,7 +13,7 @@ from bodymeasure.wording import hint
 
 
 def formula_fault(measurements: Sequence[MeasurementDefinition]) -> Fault | None:
-    """The first thing that is wrong with the formulas of a set; None if nothing is.
+    """Return the first fault of the formulas of a set; None if they have none.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ def formula_fault(measurements: Sequence[MeasurementDefinition]) -> Fault | None
 def _faults(
     every: Mapping[str, MeasurementDefinition],
 ) -> Iterator[tuple[str, str, str]]:
-    """Keys of measurements whose formula is at fault, the formula, and what is wrong with it."""
+    """Yield the keys of measurements whose formula is at fault, the formula and its fault."""
     for key, one in every.items():
         for text in one.formulas:
             try:
@@ -66,7 +66,7 @@ def _faults(
 
 
 def _evaluation_order(every: Mapping[str, MeasurementDefinition]) -> tuple[str, ...]:
-    """The keys of measurements, each after those that its formulas need.
+    """Return the keys of measurements, each after those that its formulas need.
 
     Raises
     ------

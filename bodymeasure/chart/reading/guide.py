@@ -21,7 +21,7 @@ WIDTH = 100
 
 
 def default_set() -> str:
-    """The file of the default set, with comments that say how such files are written.
+    """Return the file of the default set, whose comments say how such files are written.
 
     Examples
     --------
@@ -40,7 +40,7 @@ def default_set() -> str:
 
 
 def _described(kinds: Mapping[str, type[Entry]], base: type[Entry]) -> str:
-    """Comments that describe kinds of entries, with the members that they add to a base."""
+    """Return comments that describe kinds of entries, with the members that they add to a base."""
     lines = []
     for tag, kind in kinds.items():
         summary = (inspect.getdoc(kind) or "").partition("\n\n")[0]
@@ -56,7 +56,7 @@ def _wrapped(text: str, indent: int) -> list[str]:
 
 
 def _members(kind: type[Entry], base: type[Entry]) -> Iterator[str]:
-    """The members that a kind adds to a base: what each is, may be, and is if it is left out."""
+    """Yield what the members are that a kind adds to a base, with their choices and defaults."""
     words = _documented(kind)
     about: dict[str, list[str]] = {}
     for field in msgspec.structs.fields(kind):
@@ -74,13 +74,13 @@ def _members(kind: type[Entry], base: type[Entry]) -> Iterator[str]:
 
 
 def _example(kind: type[Entry]) -> Iterator[str]:
-    """The lines of a kind's example."""
+    """Yield the lines of a kind's example."""
     yield "for example:"
     yield from ("    " + line for line in inspect.cleandoc(kind.example).splitlines())
 
 
 def _documented(kind: type[Entry]) -> dict[str, str]:
-    """What the docstring of a kind says of its members."""
+    """Return what the docstring of a kind says of each of its members."""
     section = (inspect.getdoc(kind) or "").partition("Parameters\n----------\n")[2]
     found = re.findall(r"^(\w[\w, ]*) : .*((?:\n {4}.*)*)", section, re.M)
     return {name: " ".join(words.split()) for names, words in found for name in names.split(", ")}

@@ -1,4 +1,4 @@
-"""Reading files of definitions, with errors that whoever wrote them can act on."""
+"""Reading files of definitions, with errors on which their authors can act."""
 
 import codecs
 import re
@@ -35,18 +35,19 @@ def load_definitions(path: str | Path | None = None) -> Definitions:
     Parameters
     ----------
     path : str or Path, optional
-        The default set if not given. Its file, ``bodymeasure/chart/data/default.toml``, tells in
-        comments how such files are written.
+        The default set if not given. ``bodymeasure chart --print-set`` prints its file, whose
+        comments say how such files are written.
 
     Returns
     -------
     Definitions
-        Checked, and with what it extends.
+        The set, checked, together with what it extends.
 
     Raises
     ------
     InputError
-        Naming the file, the line, the measurement, what was expected and what to do.
+        If the file is no set of definitions. The message names the file, the line and the
+        measurement, and says what was expected and what to do.
 
     Examples
     --------
@@ -65,7 +66,7 @@ def _default() -> Definitions:
 
 
 def definitions_from(content: bytes, source: str) -> Definitions:
-    """The definitions in a file's content; `source` names the file in errors.
+    """Return the definitions in a file's content; `source` names the file in errors.
 
     Raises
     ------
@@ -106,7 +107,7 @@ def _parsed(content: bytes, source: str) -> tuple[str, dict[str, Any]]:
     except tomllib.TOMLDecodeError as error:
         reason = str(error)
         found = re.search(r" \(at line (\d+), column (\d+)\)$", reason)
-        # At the end of the document, the parser gives no number.
+        # The parser gives no number at the end of the document.
         line = int(found[1]) if found else text.count("\n") + 1
         column = f" at column {found[2]}" if found else " at the end of the file"
         what = reason[: found.start()] if found else reason.removesuffix(" (at end of document)")
@@ -115,7 +116,7 @@ def _parsed(content: bytes, source: str) -> tuple[str, dict[str, Any]]:
             "compare with the default set, or look it up on toml.io"
         ) from None
     except ValueError as error:
-        # Such as whole numbers of thousands of digits.
+        # For example, a whole number of thousands of digits.
         raise InputError(f"{source}: holds a value that cannot be read ({error})") from None
     except RecursionError:
         raise InputError(f"{source}: is nested too deeply to hold definitions") from None
@@ -129,7 +130,7 @@ def _check_header(raw: dict[str, Any], lines: SourceLines, source: str) -> None:
             f'format = "{FORMAT}" at its head, got {raw.get("format")!r}'
         )
     version = raw.get("version")
-    # True is 1 in Python, but no version.
+    # True equals 1 in Python, but is no version.
     if version != VERSION or isinstance(version, bool):
         raise InputError(
             f"{source}, line {lines.member('version')}: has version {version!r}; this bodymeasure "
@@ -172,7 +173,7 @@ def _entries(table: Table, raw: dict[str, Any], lines: SourceLines, source: str)
 
 
 def _check_repeated(own: Definitions, lines: SourceLines, source: str) -> None:
-    """Refuse what one file defines twice, which replacing would hide."""
+    """Refuse what one file defines twice; otherwise the second would replace the first unseen."""
     for table, entries in ((LANDMARKS, own.landmark), (MEASUREMENTS, own.measurement)):
         first: dict[str, int] = {}
         for number, entry in enumerate(entries):
@@ -188,7 +189,7 @@ def _check_repeated(own: Definitions, lines: SourceLines, source: str) -> None:
 
 
 def _extended(own: Definitions, lines: SourceLines, source: str) -> Definitions:
-    """The set with what it extends, less what it drops."""
+    """Return the set with what it extends, without what it drops."""
     base = _default() if own.extends else None
     rules = base.landmark if base else ()
     measurements = base.measurement if base else ()
@@ -218,26 +219,26 @@ def _extended(own: Definitions, lines: SourceLines, source: str) -> Definitions:
 
 
 def _as_written(name: str) -> str:
-    """A name as it stands in a set, if it is that of one side."""
+    """Return the name that a set gives to both sides, from the name of one side."""
     return re.sub(r"(?<![^\W_])(left|right)(?![^\W_])", SIDE, name)
 
 
 def _merged(base: Sequence[Any], own: Sequence[Any], drop: Sequence[str]) -> tuple[Any, ...]:
-    """The entries of a base set and a set's own, which take the place of those of their names."""
+    """Return the entries of a base set, with a set's own in the place of those they replace."""
     result = {getattr(entry, entry.label): entry for entry in base}
     result = {name: entry for name, entry in result.items() if name not in drop}
-    # What is there already keeps its place.
+    # An entry that replaces another stands in its place.
     result |= {getattr(entry, entry.label): entry for entry in own}
     return tuple(result.values())
 
 
 def _place(definition: Any, member: str, own: Definitions, lines: SourceLines) -> str:
-    """Line and name of a definition at fault, which may be one of those that are extended."""
+    """Return the line and the name of a definition at fault, which may be an extended one."""
     for table, entries in ((LANDMARKS, own.landmark), (MEASUREMENTS, own.measurement)):
         for number, entry in enumerate(entries):
             if entry is definition:
                 line = lines.entry_member(table.name, number, member)
                 return f"line {line}: {table.name} {getattr(entry, table.label)!r}"
-    label = getattr(definition, "key", None) or definition.name
+    label = getattr(definition, definition.label)
     line = lines.member("drop" if own.drop else "extends")
     return f"line {line}: {label!r} of the default set, with the changes that this file makes"

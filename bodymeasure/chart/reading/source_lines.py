@@ -1,9 +1,9 @@
-"""On which line of a TOML text something stands, which its parser does not tell."""
+"""The lines of a TOML text on which its entries and members stand; its parser does not say."""
 
 import re
 from dataclasses import dataclass
 
-# Strings and comments: what stands in them is no header and no member.
+# Strings and comments, in which there are no headers and no members.
 _HIDDEN = re.compile(
     r'"""(?:\\.|[^\\])*?"{3,5}|\'\'\'.*?\'{3,5}|"(?:\\.|[^"\\\n])*"|\'[^\'\n]*\'|#[^\n]*', re.S
 )
@@ -11,28 +11,28 @@ _HIDDEN = re.compile(
 
 @dataclass(frozen=True)
 class SourceLines:
-    """A TOML text in which strings and comments are blank, line by line."""
+    """The lines of a TOML text, with strings and comments blanked out."""
 
     lines: tuple[str, ...]
 
     @classmethod
     def of(cls, text: str) -> "SourceLines":
-        """The lines of a text."""
+        """Return the lines of a text."""
         blank = _HIDDEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
         return cls(tuple(blank.split("\n")))
 
     def member(self, name: str) -> int:
-        """Line of a member of the whole file; 1 if it cannot be told."""
+        """Return the line of a member of the whole file; 1 if it is not found."""
         return self._line_of(name, 0, len(self.lines)) or 1
 
     def entry(self, table: str, number: int) -> int:
-        """Line of the header of an array's entry, counted from 0."""
+        """Return the line of the header of an array's entry; entries are counted from 0."""
         headers = self._headers(table)
-        # An array may also be written in one, as `table = [{...}, {...}]`.
+        # An array may also be written on one line, as `table = [{...}, {...}]`.
         return headers[number] + 1 if number < len(headers) else self.member(table)
 
     def entry_member(self, table: str, number: int, name: str) -> int:
-        """Line of a member of an array's entry; that of its header if it cannot be told."""
+        """Return the line of a member of an array's entry; its header's line if it is not found."""
         headers = [*self._headers(table), len(self.lines)]
         if number + 1 >= len(headers):
             return self.entry(table, number)

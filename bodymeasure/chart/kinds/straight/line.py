@@ -24,7 +24,7 @@ def straight(
     line: tuple[Array, Array],
     relative: float = ROUNDING,
 ) -> Measured:
-    """The length of a line between two positions; `relative` is its error by the body's size."""
+    """Return the measurement of a line; its error is `relative` times the body's size."""
     size = float(np.abs(body.atlas.points).max())
     return Measured(
         definition,
@@ -43,14 +43,14 @@ def extent(
     direction: Array,
     extent_of: Callable[[Atlas, SectionLoop], float],
 ) -> Measured:
-    """The extent, in a direction, of the horizontal loop at a landmark's height."""
+    """Return the measurement of the extent of the horizontal loop at a landmark's height."""
     loop = body.level_girth(at).loop
     line = _through_middle(loop.positions, direction)
     return straight(body, definition, extent_of(body.atlas, loop), line, EXTENT)
 
 
 def _through_middle(points: Array, direction: Array) -> tuple[Array, Array]:
-    """The ends of the line through the middle of a loop that spans it in a direction."""
+    """Return the ends of the line through the middle of a loop that spans it in a direction."""
     along = points @ direction
     low, high = float(along.min()), float(along.max())
     others = points - along[:, None] * direction

@@ -15,7 +15,7 @@ STEPS = 8
 
 
 def along(body: Body, definition: MeasurementDefinition, path: AtlasPath) -> Measured:
-    """The length of a path along the skin, if it converged."""
+    """Return the measurement of a path along the skin, if it converged."""
     status = path.status
     if not path.converged:
         return Measured(
@@ -41,7 +41,7 @@ def along(body: Body, definition: MeasurementDefinition, path: AtlasPath) -> Mea
 
 
 def _drawn_times(path: AtlasPath) -> Array:
-    """Parameters that lie evenly on each piece of the path, so that no corner is cut."""
+    """Return parameters that lie evenly on each piece of the path, so that no corner is cut."""
     lengths = np.array([piece.length for piece in path.pieces])
     total = float(lengths.sum())
     if total == 0.0:

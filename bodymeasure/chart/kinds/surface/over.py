@@ -26,16 +26,16 @@ STANDING_OUT = 1e-12
 
 
 class _Profile(NamedTuple):
-    """What a tape in a vertical plane passes over.
+    """The profile and the point over which a tape in a vertical plane passes.
 
     Parameters
     ----------
     arc : SectionLoop
         The body's profile, from the tape's start to its end.
     over : ndarray, shape (3,)
-        A point that it has to go round as well.
+        A point that the tape has to pass over as well.
     outwards : ndarray, shape (3,)
-        Across the line from start to end, in the plane, away from the body.
+        The unit vector across the line from start to end, in the plane, away from the body.
     """
 
     arc: SectionLoop
@@ -93,14 +93,14 @@ class OverMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="over"):
 
 
 def _middle(body: Body, start: str, over: tuple[str, str]) -> Array:
-    """The middle between two landmarks, moved sideways into the tape's plane."""
+    """Return the middle between two landmarks, moved sideways into the tape's plane."""
     left = body.atlas.axes.left_vector
     middle = 0.5 * (body.position(over[0]) + body.position(over[1]))
     return np.asarray(middle + ((body.position(start) - middle) @ left) * left)
 
 
 def _outwards(body: Body, start: str, arc: SectionLoop) -> Array:
-    """The unit vector across the tape's chord, to the side that the skin faces at its start."""
+    """Return the unit vector across the tape's chord, to the skin's outer side at its start."""
     first, last = arc.positions_at(np.array([0.0, float(arc.count)]))
     across = np.cross(body.atlas.axes.left_vector, last - first)
     across /= np.linalg.norm(across)
@@ -110,7 +110,7 @@ def _outwards(body: Body, start: str, arc: SectionLoop) -> Array:
 
 
 def _hull(profile: _Profile, count: int) -> tuple[Array, Array]:
-    """The corners of the tape, and their places on the profile (NaN where it stands free).
+    """Return the corners of the tape, and their places on the profile (NaN where it stands free).
 
     The tape is the convex hull of all that stands out beyond the line from start to end.
     """

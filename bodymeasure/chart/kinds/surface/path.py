@@ -11,6 +11,7 @@ from bodymeasure.chart.entry import Fault, Landmark
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome, TapeWanted
 from bodymeasure.chart.kinds.checks import same_place
 from bodymeasure.chart.kinds.surface.along import along
+from bodymeasure.chart.landmarks.paths import leg_between
 from bodymeasure.chart.tapes import Tape, TapeKind
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import AtlasPath
@@ -43,7 +44,8 @@ class PathMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="path"):
             yield from same_place(self, "through", one, other)
 
     def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
-        path = body.path(self.through)
+        points = [body.point(name) for name in self.through]
+        path = AtlasPath.concatenate([leg_between(body.atlas, *ends) for ends in pairwise(points)])
         contact = along(body, self, path)
         if self.tape == "contact" or contact.outcome is not Outcome.MEASURED:
             return contact
@@ -54,7 +56,7 @@ class PathMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="path"):
         return taut
 
     def _drawn_taut(self, path: AtlasPath, contact: Measured) -> Measured:
-        """The same measurement with its tape drawn taut, as far as that can be done."""
+        """Return the measurement with its tape drawn taut, as far as that can be done."""
         start, *via, end = path.points
         try:
             tape = taut_tape(path.atlas, start, end, via, contact=path, on_failure="status")

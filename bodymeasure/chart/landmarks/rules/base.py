@@ -15,7 +15,7 @@ Landmarks = Mapping[str, AtlasPoint]
 
 
 class LandmarkRule(Entry, frozen=True, kw_only=True, tag_field="rule"):
-    """How a landmark follows from others; each kind of rule adds members of its own.
+    """A rule by which a landmark follows from others; each rule adds members of its own.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ class LandmarkRule(Entry, frozen=True, kw_only=True, tag_field="rule"):
         raise NotImplementedError
 
     def point(self, atlas: Atlas, landmarks: Landmarks) -> AtlasPoint:
-        """The landmark on an atlas; of mirror images, the one on the wearer's left.
+        """Return the landmark on an atlas; of mirror images, the one on the wearer's left.
 
         Parameters
         ----------
@@ -56,5 +56,5 @@ class LandmarkRule(Entry, frozen=True, kw_only=True, tag_field="rule"):
 
 
 def towards(direction: Direction) -> str:
-    """A direction in words."""
+    """Return a direction in words."""
     return direction if direction in ("up", "down") else f"to the {direction}"

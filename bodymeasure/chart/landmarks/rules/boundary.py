@@ -66,7 +66,7 @@ class Boundary(LandmarkRule, frozen=True, kw_only=True, tag="boundary"):
 
 
 def _open_sides(atlas: Atlas, patches: Ints) -> tuple[Ints, Ints]:
-    """Patch and side (in the order of `EDGES`) of each open edge of some patches."""
+    """Return patch and side (in the order of `EDGES`) of each open edge of some patches."""
     table = edge_table(atlas.index)
     control = table.control_index[patches]
     collapsed = (control == control[:, :, :1]).all(axis=2)
@@ -77,7 +77,7 @@ def _open_sides(atlas: Atlas, patches: Ints) -> tuple[Ints, Ints]:
 
 
 def _stations(nets: Array, direction: Array) -> tuple[Ints, Array]:
-    """Ends of curves (k, m + 1, 3 or 4), and where they turn back: number of the curve, and t."""
+    """Return curve and parameter of the ends and turning points of curves (k, m + 1, 3 or 4)."""
     roots = roots_of_polynomials(_slopes(nets, direction))
     along = np.concatenate([np.broadcast_to([0.0, 1.0], (len(nets), 2)), roots], axis=1)
     curve, number = np.nonzero(np.isfinite(along))
@@ -85,9 +85,9 @@ def _stations(nets: Array, direction: Array) -> tuple[Ints, Array]:
 
 
 def _slopes(nets: Array, direction: Array) -> Array:
-    """Bernstein coefficients of what has the sign of a coordinate's slope, a row for each curve.
+    """Return Bernstein coefficients of a function with the sign of a coordinate's slope, by curve.
 
-    Of a rational curve f / w that is f' w - f w', of degree 2 m - 1, by interpolation.
+    For a rational curve f / w, the function is f' w - f w' of degree 2 m - 1, by interpolation.
     """
     coordinate = nets[..., :3] @ direction
     if nets.shape[-1] == 3:

@@ -83,7 +83,7 @@ class _Stretch(NamedTuple):
 
 
 def _polished(stretch: _Stretch, fraction: float) -> float:
-    """The fraction at which the girth's slope vanishes, searched from one that is close.
+    """Return the fraction at which the girth's slope vanishes, searched from one that is close.
 
     A search by the girth's values alone finds half of the digits.
     """

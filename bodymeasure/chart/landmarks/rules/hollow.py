@@ -65,7 +65,7 @@ class Hollow(LandmarkRule, frozen=True, kw_only=True, tag="hollow"):
 
 
 def _turns(path: AtlasPath, start: Array, axis: Array) -> list[tuple[int, float]]:
-    """Places (number of a piece, fraction of it) where the distance from the chord is extreme.
+    """Return places (piece, fraction of it) where the distance from the chord is extreme.
 
     These are the places where ``x . x' = 0`` for the offset x from the chord.
     """
@@ -90,7 +90,7 @@ def _turns(path: AtlasPath, start: Array, axis: Array) -> list[tuple[int, float]
 def _state(
     path: AtlasPath, number: int, fraction: float, start: Array, axis: Array
 ) -> tuple[AtlasPoint, Array, float, Array]:
-    """Point, offset from the chord, half the slope of the offset's square, and the normal."""
+    """Return point, offset from the chord, half the slope of the offset's square, and normal."""
     piece = path.pieces[number]
     matrices = piece.space.matrices(fraction)[:2, 0]
     (u, v), (u_slope, v_slope) = (matrices @ piece.values.T).tolist()

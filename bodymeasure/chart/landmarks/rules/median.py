@@ -69,7 +69,7 @@ class Median(LandmarkRule, frozen=True, kw_only=True, tag="median"):
 
 
 def _crossings(loop: SectionLoop, plane: Plane, near: float) -> LoopPlaces:
-    """The places at which a loop meets a plane that cuts the loop's own plane."""
+    """Return the places at which a loop meets a plane that cuts the loop's own plane."""
     grid = np.broadcast_to(np.arange(STEPS + 1) / STEPS, (len(loop.pieces), STEPS + 1))
     side = plane.distances(loop.surface.points(loop.pieces, grid)[1])
     on_plane = np.abs(side) <= near

@@ -13,7 +13,7 @@ from bodymeasure.section.places import LoopPlaces, local_maxima, point_of_place
 
 
 def outermost(atlas: Atlas, at: Array, facing: Facing) -> AtlasPoint:
-    """The outermost point, in a direction, of the horizontal loop that is nearest to a position.
+    """Return the outermost point of the horizontal loop that is nearest to a position.
 
     Raises
     ------

@@ -74,7 +74,7 @@ class Prominent(LandmarkRule, frozen=True, kw_only=True, tag="prominent"):
 
 
 def _on_section(atlas: Atlas, patches: Ints, direction: Array, plane: Plane) -> list[AtlasPoint]:
-    """Local maxima of the section's curves inside some patches."""
+    """Return local maxima of the section's curves inside some patches."""
     points = []
     for loop in plane_section(atlas, plane).loops:
         inside = np.flatnonzero(np.isin(loop.pieces.patch, patches))
@@ -87,6 +87,6 @@ def _on_section(atlas: Atlas, patches: Ints, direction: Array, plane: Plane) -> 
 
 
 def _joints(loop: SectionLoop) -> LoopPlaces:
-    """Both ends of each piece, where a curve may leave the regions."""
+    """Return both ends of each piece, where a curve may leave the regions."""
     piece = np.repeat(np.arange(len(loop.pieces)), 2)
     return places_on(loop, piece, np.tile([0.0, 1.0], len(loop.pieces)))
