@@ -5,7 +5,7 @@ import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any, Self
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,6 +19,9 @@ from bodymeasure.atlas.units import Unit
 from bodymeasure.bezier import evaluate, homogeneous, project
 from bodymeasure.errors import InputError
 from bodymeasure.wording import counted
+
+if TYPE_CHECKING:
+    from trimesh import Trimesh
 
 # Lower degrees are written as this one without loss, so that one atlas has one degree.
 LEAST_DEGREE = 3
@@ -184,7 +187,7 @@ class Atlas:
         """Position of a point of the atlas, shape (3,), in the atlas's unit."""
         return evaluate(self.control_points[point.patch], (point.u, point.v))
 
-    def to_trimesh(self, segments: int = 8) -> Any:
+    def to_trimesh(self, segments: int = 8) -> "Trimesh":
         """A mesh of the atlas as a `trimesh.Trimesh`, with vertex attributes ``patch``, u and v.
 
         Parameters

@@ -1,7 +1,7 @@
 """Triangle meshes of an atlas, welded along its seams."""
 
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
@@ -9,6 +9,9 @@ from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.seams import EDGES, edge_table
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError, MissingExtraError
+
+if TYPE_CHECKING:
+    from trimesh import Trimesh
 
 
 class Patches(Protocol):
@@ -50,7 +53,11 @@ class Tessellation:
     face_patch: Ints
     face_parameters: Array
 
-    def to_trimesh(self) -> Any:
+    def __repr__(self) -> str:
+        vertices, faces = len(self.vertices), len(self.faces)
+        return f"<Tessellation of {vertices:,} vertices and {faces:,} triangles>"
+
+    def to_trimesh(self) -> "Trimesh":
         """The mesh as a `trimesh.Trimesh`, with vertex attributes ``patch``, ``u`` and ``v``.
 
         Raises

@@ -1,7 +1,7 @@
 """Geodesics on one patch and across patches: trial spaces, methods, routes, solutions."""
 
 from bodymeasure.geodesic.across.pieces.error import LoopKind
-from bodymeasure.geodesic.across.pieces.part import PathPiece
+from bodymeasure.geodesic.across.pieces.part import PathPart, PathPiece
 from bodymeasure.geodesic.across.pieces.path import AtlasPath, SeamCrossing
 from bodymeasure.geodesic.alternatives import geodesic_alternatives
 from bodymeasure.geodesic.between import geodesic_between, geodesics_between
@@ -14,10 +14,12 @@ from bodymeasure.geodesic.methods.shooting import Shooting
 from bodymeasure.geodesic.shortest.search import SEARCHES, Search
 from bodymeasure.geodesic.solution import GeodesicSolution
 from bodymeasure.geodesic.solve import HasDerivatives, solve_geodesic
-from bodymeasure.geodesic.solving.protocol import EdgeContact, Method
+from bodymeasure.geodesic.solving.protocol import EdgeContact, Method, MethodResult, PathBatch
 from bodymeasure.geodesic.spaces.kernels import WU_C2, WU_C4, WU_C6, WU_C10, Kernel
 from bodymeasure.geodesic.spaces.rbf import rbf_coefficients
+from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.status import Status
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 __all__ = [
     "SEARCHES",
@@ -33,6 +35,9 @@ __all__ = [
     "Kernel",
     "LoopKind",
     "Method",
+    "MethodResult",
+    "PathBatch",
+    "PathPart",
     "PathPiece",
     "PolynomialCollocation",
     "RBFCollocation",
@@ -42,6 +47,8 @@ __all__ = [
     "Search",
     "Shooting",
     "Status",
+    "Surface",
+    "TrialSpace",
     "contracted_loop",
     "geodesic_alternatives",
     "geodesic_between",

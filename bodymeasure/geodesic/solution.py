@@ -1,17 +1,22 @@
 """What is known of the geodesics of a batch of problems."""
 
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from typing import Any
+from types import EllipsisType
+from typing import Any, SupportsIndex
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.solving.protocol import PathBatch
 from bodymeasure.geodesic.status import have_length
 from bodymeasure.wording import result_line
+
+# What takes some problems out of a batch, as numpy's arrays are indexed.
+_Index = SupportsIndex | slice | EllipsisType | Sequence[int] | Ints | Bools
 
 
 @dataclass(frozen=True, eq=False)
@@ -150,7 +155,7 @@ class GeodesicSolution:
             points[batch.problems] = batch.points(times.ravel())
         return points.reshape(*self.shape, *times.shape, 2)
 
-    def __getitem__(self, key: Any) -> "GeodesicSolution":
+    def __getitem__(self, key: "_Index | tuple[_Index, ...]") -> "GeodesicSolution":
         """Some of the problems, by indexing the batch as an array."""
         numbers = np.arange(int(np.prod(self.shape))).reshape(self.shape)[key]
         place = np.full(int(np.prod(self.shape)), -1)

@@ -89,7 +89,7 @@ def write_glb(
         raise MissingExtraError("a GLB file", "trimesh", "oracle") from None
     to_gltf = _to_gltf(atlas)
     scene: Any = trimesh.Scene()
-    body = tessellate(atlas, segments).to_trimesh()
+    body: Any = tessellate(atlas, segments).to_trimesh()
     body.vertices = body.vertices @ to_gltf.T
     body.vertex_attributes.clear()
     body.visual.vertex_colors = SKIN

@@ -1,6 +1,6 @@
 """Paths as trimesh's."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,8 +10,11 @@ from bodymeasure.geodesic import AtlasPath
 from bodymeasure.mesh.path import MeshPath
 from bodymeasure.mesh.points import points_of
 
+if TYPE_CHECKING:
+    from trimesh.path import Path3D
 
-def path_to_trimesh(path: AtlasPath | MeshPath | ArrayLike) -> Any:
+
+def path_to_trimesh(path: AtlasPath | MeshPath | ArrayLike) -> "Path3D":
     """Return a path as a `trimesh.path.Path3D`, to be shown in a scene or exported.
 
     Parameters

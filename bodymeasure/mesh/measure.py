@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 import scipy
@@ -37,7 +36,7 @@ RINGS = 3.0
 
 
 def measure_mesh(
-    mesh: Any,
+    mesh: object,
     start: MeshPlace,
     end: MeshPlace,
     via: Sequence[MeshPlace] = (),

@@ -82,7 +82,7 @@ def test_nothing_is_written_of_what_is_wrong(
 def test_a_mesh_of_an_atlas_knows_where_its_vertices_are() -> None:
     body = bm.load_sample("paraboloid")
     mesh = body.to_trimesh(5)
-    attributes = mesh.vertex_attributes
+    attributes = {name: np.asarray(values) for name, values in mesh.vertex_attributes.items()}
     for row in (0, 17, 35):
         point = bm.AtlasPoint(
             int(attributes["patch"][row]), float(attributes["u"][row]), float(attributes["v"][row])
