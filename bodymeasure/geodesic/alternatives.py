@@ -1,4 +1,4 @@
-"""The shortest of really different ways between two points of an atlas."""
+"""The shortest of clearly different ways between two points of an atlas."""
 
 from collections.abc import Iterator
 
@@ -19,27 +19,29 @@ from bodymeasure.geodesic.across.search.ends import checked_points, topology
 from bodymeasure.geodesic.across.search.leg import leg_along, shortest_leg
 from bodymeasure.geodesic.across.search.search import SHORTER
 
-# Two paths are one if they are nowhere further apart, at equal parts of their lengths, than this
-# part of the shorter one. Ways a few micrometers to the left and right of a seam are no choice for
-# anyone.
+# Two paths count as one if they are nowhere farther apart, at equal parts of their lengths, than
+# this part of the shorter one. Nobody chooses between ways a few micrometers to the left and to the
+# right of a seam.
 SAME = 0.02
-# A way on the mesh this near to a known path, likewise, would be pulled onto it.
+# A way on the mesh that is nowhere farther from a known path than this would be pulled onto it.
 NEAR = 0.05
-# Where paths are compared.
+# The parts of their lengths at which paths are compared.
 PARTS = np.linspace(0.0, 1.0, 33)
-# What is searched, in parts of the shortest way: more and more, until enough is found, or ways are
-# this many times as long as the longest that is the shortest to somewhere and on.
+# The longest way that is looked at: at first this many times the shortest one, then this many times
+# the reach before, until enough is found or the reach is this many times the shortest way through
+# the point that is farthest from both ends.
 FIRST_REACH, FURTHER, FARTHEST = 1.5, 2.0, 2.0
-# Rough ways are too long by less than this part; a longer one is worth no look if enough is found.
+# Rough ways are too long by less than this part. One that is still longer than the paths that are
+# wanted is not looked at.
 SLACK = 0.1
-# Ways that are looked at in a region, at most.
+# The number of ways that are looked at in a region, at most.
 MOST_WAYS = 16
 
 
 def geodesic_alternatives(
     atlas: Atlas, start: Location, end: Location, count: int = 3
 ) -> tuple[AtlasPath, ...]:
-    """The shortest different ways between two points: round the front or the back, and so on.
+    """Return the shortest different ways between two points: round the front or the back, say.
 
     Parameters
     ----------
@@ -47,7 +49,7 @@ def geodesic_alternatives(
     start, end : str, AtlasPoint or position of shape (3,)
         As for `geodesic_between`.
     count : int
-        How many are wanted, at least 1.
+        The number of paths that are wanted, at least 1.
 
     Returns
     -------
@@ -87,7 +89,7 @@ def geodesic_alternatives(
     neighbors = topology(atlas).neighbors
     first, last = checked_points(atlas, (start, end), ("the start", "the end"))
     shortest = shortest_leg(atlas, neighbors, first, last)
-    # Of what has a length, each is shorter than all close to it.
+    # Paths with a length are shorter than all close to them.
     found = [shortest] if shortest.converged else []
     if not found or (count > 1 and shortest.length > 0.0):
         _search(atlas, neighbors, (first, last), count, found)
@@ -103,7 +105,7 @@ def _search(
     count: int,
     found: list[AtlasPath],
 ) -> None:
-    """Add the other paths to those that are known, until there are enough."""
+    """Add other paths to those that are found, until there are enough."""
     for ways in _ways(atlas, points):
         for length, vias in ways:
             lengths = sorted(path.length for path in found)
@@ -124,7 +126,7 @@ def _search(
 def _ways(
     atlas: Atlas, ends: tuple[AtlasPoint, AtlasPoint]
 ) -> Iterator[list[tuple[float, tuple[AtlasPoint, AtlasPoint]]]]:
-    """Rough ways: their lengths and what they lead through, in wider and wider regions."""
+    """The lengths of rough ways and the points they lead through, in wider and wider regions."""
     graph = patch_graph(atlas)
     to_start, to_end = (graph.distances(atlas, place) for place in ends)
     through = to_start + to_end
@@ -148,7 +150,7 @@ def _path(
     vias: tuple[AtlasPoint, AtlasPoint],
     known: list[AtlasPath],
 ) -> AtlasPath | None:
-    """The shortest path near a way; None if there is none, or it is known without a look."""
+    """The shortest path near a way; None if there is none, or if it is plainly a known one."""
     start, end = points
     way = pulled_way(atlas, (start, *vias, end))
     if way is None or not way.places:

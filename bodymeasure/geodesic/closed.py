@@ -1,4 +1,4 @@
-"""Closed geodesics: what a loop round a body contracts to."""
+"""Closed geodesics, to which loops round a body contract."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,6 +15,7 @@ from bodymeasure.geodesic.across.search.ends import checked_points, topology
 from bodymeasure.geodesic.across.search.search import shortest_along
 from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure
 
+# The points that a loop has at least.
 FEWEST = 3
 
 

@@ -85,11 +85,7 @@ def test_routes_along_seams_are_put_on_either_side() -> None:
         for corner, goal in zip(corners, goals, strict=True)
         for step in neighbors.ways(corner, goal)[0]
     ]
-    route = Route(
-        (AtlasPoint(0, 1.0, 0.3), AtlasPoint(2, 1.0, 0.6)),
-        tuple(step.crossing for step in steps),
-        tuple(step.along for step in steps),
-    )
+    route = Route.of((AtlasPoint(0, 1.0, 0.3), AtlasPoint(2, 1.0, 0.6)), steps)
     refined = refine(atlas, route, 8, 3.0)
     runs = seam_runs(neighbors, refined)
     assert sum(run.last - run.first for run in runs) >= 2

@@ -186,11 +186,7 @@ def around_the_corner(way: tuple[int, ...]) -> tuple[Neighbors, Route, Atlas]:
         for steps in neighbors.ways(corner, goal)
         if tuple(step.place.patch for step in steps) == way
     )
-    route = Route(
-        (AtlasPoint(0, 0.5, 0.8), AtlasPoint(3, 0.1, 0.7)),
-        tuple(step.crossing for step in steps),
-        tuple(step.along for step in steps),
-    )
+    route = Route.of((AtlasPoint(0, 0.5, 0.8), AtlasPoint(3, 0.1, 0.7)), steps)
     return neighbors, route, atlas
 
 

@@ -1,1 +1,1 @@
-"""Paths across patches that run along the border of the atlas for a part."""
+"""Paths across patches that edges of the atlas, or seams, hold for a part."""

@@ -1,4 +1,4 @@
-"""Arcs of a path along an edge of the atlas, or along a seam that holds it from both sides."""
+"""Arcs along an edge of the atlas, or along a seam that holds a path from both sides."""
 
 import numpy as np
 
@@ -8,14 +8,13 @@ from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.bezier import scaled
 from bodymeasure.geodesic.across.contact.pattern import side_of
-from bodymeasure.geodesic.across.pieces.part import PathPart, PathPiece
 from bodymeasure.geodesic.contact.edge_arc import EdgeArc, edge_arc
 from bodymeasure.geodesic.contact.legs import Contact
 from bodymeasure.geodesic.surfaces.rational import surfaces_of
 
 
 def on_edge(neighbors: Neighbors, place: AtlasPoint, patch: int, contact: Contact) -> AtlasPoint:
-    """The place that is the same point, on the edge of a patch."""
+    """Return the same point of the atlas as a place on an edge of a given patch."""
     return next(
         same
         for same in neighbors.same(place)
@@ -30,7 +29,10 @@ def pressed_arc(
     ends: tuple[AtlasPoint, AtlasPoint],
     size: float,
 ) -> EdgeArc | None:
-    """An arc along an edge, in parts of the size; None if it would rather leave it, to any side."""
+    """Return an arc along an edge, with lengths in parts of the size.
+
+    None if a path would be shorter inside of the patch or of one that it meets along that edge.
+    """
     patch = ends[0].patch
     sides = [(patch, contact, ends)]
     for crossing in neighbors.over.get((patch, side_of(contact)), ()):
@@ -43,19 +45,3 @@ def pressed_arc(
         surface = surfaces_of(scaled(atlas.control_points[[number]], 1.0 / size))
         arcs.append(edge_arc(surface, on, np.array(begin[1:]), np.array(end[1:])))
     return arcs[0] if all(arc.is_pressed for arc in arcs) else None
-
-
-def arc_between(
-    atlas: Atlas,
-    neighbors: Neighbors,
-    contact: Contact,
-    ends: tuple[AtlasPoint, AtlasPoint],
-    size: float,
-) -> PathPart | None:
-    """An arc as a part of a path; None if the edge does not hold it."""
-    arc = pressed_arc(atlas, neighbors, contact, ends, size)
-    if arc is None:
-        return None
-    space, values, known = arc.solved
-    length = known.mapped(lambda array: array[0]).scaled(size)
-    return PathPart((PathPiece(ends[0].patch, space, values, float(length.raw)),), (), length)

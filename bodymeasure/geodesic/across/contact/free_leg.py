@@ -1,4 +1,4 @@
-"""The free legs of a path that edges hold for a part, each on the first space that serves."""
+"""The free legs of a path that edges hold for a part, each in the smallest space that serves."""
 
 from dataclasses import replace
 
@@ -24,8 +24,8 @@ def free_leg(
 ) -> PathPart | None:
     """Return the geodesic that a free part of a polygon stands for.
 
-    Its error includes what its joints with edges cost. None if Newton's method failed, or it is not
-    good enough, or leaves its patches.
+    Its error includes that of its joints with edges. None if Newton's method failed, or if the leg
+    is not accurate enough or leaves its patches.
     """
     size, route = polygon.problem.size, free_route(polygon, part)
     for degree in DEGREES:
@@ -46,7 +46,7 @@ def free_leg(
 
 
 def _guess(polygon: RefinedPath, part: FreePart, problem: RouteProblem) -> Array:
-    """The unknowns of a leg, read off the polygon."""
+    """The unknowns of a leg whose nodes lie on the polygon."""
     inner = []
     for piece in range(part.first[0], part.last[0] + 1):
         nodes = nodes_of(polygon, part, piece)
@@ -59,7 +59,7 @@ def _guess(polygon: RefinedPath, part: FreePart, problem: RouteProblem) -> Array
 
 
 def _joint_error(leg: RefinedPath, part: FreePart) -> float:
-    """What it costs that a leg joins edges not quite where it should, in parts of the size."""
+    """The error of a leg's length that its joints with edges make, in parts of the size."""
     error = 0.0
     for number, side in enumerate(part.slides):
         if side is not None:

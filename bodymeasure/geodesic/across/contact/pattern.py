@@ -1,20 +1,18 @@
-"""Where a path over several patches is free, and where an edge holds it.
+"""The parts of a path over several patches that are free, and those that an edge holds.
 
-Read off a polygon at rest, patch by patch as by `read_legs`; free parts go on over the seams that
-they cross.
+They are read off a polygon at rest, patch by patch as in `read_legs`; free parts go on over the
+seams that they cross.
 """
 
 from dataclasses import dataclass
 
-import numpy as np
-
+from bodymeasure._typing import Array
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES
+from bodymeasure.geodesic.across.pieces.problem import Slides
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.contact.legs import Contact, read_legs
-
-Slides = tuple[int | None, int | None]
 
 
 @dataclass(frozen=True)
@@ -24,9 +22,9 @@ class FreePart:
     Parameters
     ----------
     first, last : tuple of int
-        The piece of the polygon and the node in it, where it starts and ends.
+        The piece of the polygon, and the node in it, where the part starts and ends.
     slides : pair of int or None
-        The side of its patch on which it starts, and ends, if it may slide along that.
+        The side of its patch on which the part starts, and ends, if it may slide along that side.
     """
 
     first: tuple[int, int]
@@ -41,7 +39,7 @@ class HeldPart:
     Parameters
     ----------
     piece : int
-        Of the polygon.
+        The piece of the polygon.
     contact : Contact
         The edge.
     first, last : int
@@ -58,13 +56,13 @@ Part = FreePart | HeldPart
 
 
 def read_pattern(polygon: RefinedPath) -> list[Part]:
-    """The free and the held parts of a polygon, in order."""
+    """Return the free and the held parts of a polygon, in order."""
     parts: list[Part] = []
     route, lengths = polygon.route, polygon.lengths
     pieces = [number for number in range(len(lengths)) if lengths[number] > 0.0]
     for before, piece in zip([-1, *pieces[:-1]], pieces, strict=True):
         here = _of_piece(polygon, piece)
-        # Over one seam and inside it; through a corner the path is fixed there.
+        # Only a path that crosses one seam, and not in its ends, may move along it.
         crosses = piece == before + 1 > 0 and 0.0 < route.along[before] < 1.0
         if parts and crosses:
             parts[-1:], here = _joined(route, before, parts[-1], here)
@@ -86,7 +84,7 @@ def _of_piece(polygon: RefinedPath, piece: int) -> list[Part]:
 def _joined(
     route: Route, before: int, last: Part, here: list[Part]
 ) -> tuple[list[Part], list[Part]]:
-    """The last part before a seam and the parts after it, with what goes on over it as one."""
+    """The last part before a seam, and the parts after it; what crosses it freely is one part."""
     crossing, first = route.crossings[before], here[0]
     if isinstance(last, FreePart) and isinstance(first, FreePart):
         return [FreePart(last.first, first.last, (last.slides[0], first.slides[1]))], here[1:]
@@ -99,7 +97,7 @@ def _joined(
 
 
 def side_of(contact: Contact) -> int:
-    """The number of an edge of a patch, in the order of `EDGES`."""
+    """Return the number of an edge of a patch, in the order of `EDGES`."""
     return next(
         number
         for number, edge in enumerate(EDGES)
@@ -108,13 +106,13 @@ def side_of(contact: Contact) -> int:
 
 
 def place_at(polygon: RefinedPath, piece: int, node: int) -> AtlasPoint:
-    """Where a node of a polygon is."""
+    """Return the point of a node of a polygon."""
     u, v = polygon.values[piece, :, node].tolist()
     return AtlasPoint(polygon.route.patches[piece], u, v)
 
 
 def free_route(polygon: RefinedPath, part: FreePart) -> Route:
-    """The route of a free part."""
+    """Return the route of a free part."""
     (first, start), (last, end) = part.first, part.last
     route = polygon.route
     return Route(
@@ -124,8 +122,8 @@ def free_route(polygon: RefinedPath, part: FreePart) -> Route:
     )
 
 
-def nodes_of(polygon: RefinedPath, part: FreePart, piece: int) -> np.ndarray:
-    """The polygon's values on one piece of a free part, shape (2, nodes)."""
+def nodes_of(polygon: RefinedPath, part: FreePart, piece: int) -> Array:
+    """Return the polygon's values on one piece of a free part, shape (2, nodes)."""
     first = part.first[1] if piece == part.first[0] else 0
     last = part.last[1] if piece == part.last[0] else polygon.values.shape[2] - 1
     return polygon.values[piece, :, first : last + 1]

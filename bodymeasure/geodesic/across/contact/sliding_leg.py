@@ -1,7 +1,8 @@
 """A geodesic over several patches whose ends may move along edges, which it joins tangentially.
 
-Its length is stationary in all that is free. Where it joins an edge that holds it from there on,
-that says nothing of the place (see `free_piece`); the tangency there is the equation.
+The length of such a leg is stationary in all its unknowns. That does not determine the place where
+it joins an edge that holds the path from there on (see `geodesic.contact.free_leg`), so that the
+tangency at the edge takes the place of that equation.
 """
 
 from dataclasses import dataclass
@@ -18,7 +19,7 @@ from bodymeasure.geodesic.numerics.damped_newton import damped_newton
 
 
 def solve_leg(problem: RouteProblem, guess: Array) -> RefinedPath | None:
-    """The geodesic along a route that is tangential to edges where its ends slide along them.
+    """Return the geodesic along a route that is tangential to the edges along which its ends slide.
 
     Parameters
     ----------
@@ -28,7 +29,7 @@ def solve_leg(problem: RouteProblem, guess: Array) -> RefinedPath | None:
     Returns
     -------
     RefinedPath or None
-        Its ends then in place. It may leave its patches. None if Newton's method failed.
+        The path with its ends fixed, which may leave its patches. None if Newton's method failed.
     """
     system = _System(problem)
     solved = damped_newton(system.at, system.direction, guess)
@@ -41,7 +42,7 @@ class _System:
 
     @cached_property
     def _tangencies(self) -> list[tuple[int, Array, float]]:
-        """The row of each end that slides, its equation's factors, and what is added."""
+        """The row of each end that slides, with the factors and the constant of its equation."""
         problem, result = self.problem, []
         slopes = problem.space.matrices([0.0, 1.0])[1]
         nodes = len(problem.space.nodes)
@@ -56,13 +57,13 @@ class _System:
                 unknowns,
                 by_value.ravel()[problem.local[end]] * problem.sign[end],
             )
-            # What no unknown moves: told by the values where all of them are zero.
+            # The constant comes from the values that no unknown moves.
             fixed = problem.values(np.zeros(problem.count))[end]
             result.append((unknowns[end], factors, float((by_value * fixed).sum())))
         return result
 
     def at(self, unknowns: Array) -> tuple[Array, Array]:
-        """The equations' left sides and their derivatives."""
+        """The residuals of the equations and their derivatives."""
         here = self.problem.expand(unknowns)
         count = self.problem.count
         matrix = np.zeros((count, count))
@@ -85,7 +86,7 @@ class _System:
 
 
 def _in_place(problem: RouteProblem, unknowns: Array, iterations: int) -> RefinedPath:
-    """The path with its ends fixed where they have come to."""
+    """The path with its ends fixed where they are."""
     fixed = RouteProblem(problem.atlas, problem.at(unknowns), problem.space, problem.size)
     here = fixed.expand(unknowns)
     held = np.zeros(fixed.count, bool)

@@ -1,8 +1,8 @@
 """Paths over several patches that edges hold for a part: free legs and arcs along the edges.
 
-As on one patch (`contact`): where a free leg joins an edge is told by its tangency there, and an
-arc runs between the ends of its neighbors. An edge of the atlas holds what would leave it; a seam
-holds what would leave it to either side.
+This works as on one patch (`geodesic.contact`): where a free leg joins an edge follows from its
+tangency there, and an arc runs between the ends of the legs beside it. An edge of the atlas holds a
+path that would leave the atlas; a seam holds one that would be longer on either side of it.
 """
 
 import numpy as np
@@ -11,26 +11,25 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import Neighbors, on_side
-from bodymeasure.geodesic.across.contact.arc import arc_between, on_edge, pressed_arc
+from bodymeasure.geodesic.across.contact.arc import on_edge, pressed_arc
 from bodymeasure.geodesic.across.contact.free_leg import free_leg
 from bodymeasure.geodesic.across.contact.pattern import (
     FreePart,
     HeldPart,
     place_at,
     read_pattern,
-    side_of,
 )
-from bodymeasure.geodesic.across.pieces.part import PathPart
+from bodymeasure.geodesic.across.pieces.part import PathPart, PathPiece
 from bodymeasure.geodesic.across.pieces.problem import RouteProblem
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, measured, resampled
 from bodymeasure.geodesic.contact.legs import Contact
 from bodymeasure.geodesic.numerics.box_newton import minimize_in_box
 from bodymeasure.geodesic.spaces.polygons import polygon_space
 
-# Edges on each patch of the polygon whose pattern is read.
+# The number of edges, on each patch, of the polygon whose pattern is read.
 EDGE_COUNT = 32
-# From a path nearly at rest a polygon takes some three steps to it. Where it may slide along
-# itself it never comes to rest, but what holds it is as clear.
+# A polygon that starts from a path nearly at rest takes some three steps to come to rest. Where it
+# may slide along itself it never does, but which edges hold it is clear all the same.
 MOST_STEPS = 8
 # No path is shorter than the shortest polygon, but for rounding.
 ROUNDING = 1e-12
@@ -39,16 +38,16 @@ ROUNDING = 1e-12
 def held_path(
     atlas: Atlas, neighbors: Neighbors, refined: RefinedPath, tolerance: float
 ) -> PathPart | None:
-    """The path along a route that edges hold for a part.
+    """Return the path along a route that edges hold for a part.
 
     Parameters
     ----------
     atlas : Atlas
     neighbors : Neighbors
     refined : RefinedPath
-        The path as far as polynomials on whole patches go.
+        The best path of polynomials on whole patches.
     tolerance : float
-        Relative error of the length that is asked for.
+        The relative error that is wanted for the length of each leg.
 
     Returns
     -------
@@ -89,24 +88,21 @@ def _polygon(refined: RefinedPath) -> RefinedPath:
 
 
 def _held_from_all_sides(atlas: Atlas, neighbors: Neighbors, refined: RefinedPath) -> bool:
-    """Whether the edges that hold a path hold it on all patches beside them, as far as it seems."""
+    """Whether the edges that hold a path seem to hold it on all patches beside them."""
     held, route = refined.held_nodes, refined.problem.route
     inner = refined.values[:, :, 1:-1]
     for piece, patch in enumerate(route.patches):
-        for edge in EDGES:
+        for side, edge in enumerate(EDGES):
             axis, value = edge.fixed_axis, edge.fixed_value
             on = np.flatnonzero(held[piece, axis] & (inner[piece, axis] == value))
             for run in np.split(on, np.flatnonzero(np.diff(on) > 1) + 1):
                 if len(run) < 2:
                     continue
-                contact = Contact(axis, value)
                 begin, end = (
-                    AtlasPoint(
-                        patch, *on_side(side_of(contact), float(inner[piece, 1 - axis, node]))
-                    )
+                    AtlasPoint(patch, *on_side(side, float(inner[piece, 1 - axis, node])))
                     for node in run[[0, -1]]
                 )
-                size = refined.problem.size
+                contact, size = Contact(axis, value), refined.problem.size
                 if begin != end and not pressed_arc(atlas, neighbors, contact, (begin, end), size):
                     return False
     return bool(held.any())
@@ -129,9 +125,15 @@ def _arc(
             after.pieces[0].end(0) if after else place_at(polygon, part.piece, part.last),
         )
     )
-    # From the nodes beside the arc, since an arc of a single one has no direction itself.
+    # The direction is that of the nodes beside the arc, since an arc of a single node has none.
     last = polygon.values.shape[2] - 1
     nodes = polygon.values[part.piece, axis, [max(part.first - 1, 0), min(part.last + 1, last)]]
     if (end[1 + axis] - begin[1 + axis]) * (nodes[1] - nodes[0]) < 0.0:
         return None
-    return arc_between(atlas, neighbors, part.contact, (begin, end), polygon.problem.size)
+    size = polygon.problem.size
+    arc = pressed_arc(atlas, neighbors, part.contact, (begin, end), size)
+    if arc is None:
+        return None
+    space, values, known = arc.solved
+    length = known.mapped(lambda array: array[0]).scaled(size)
+    return PathPart((PathPiece(patch, space, values, float(length.raw)),), (), length)

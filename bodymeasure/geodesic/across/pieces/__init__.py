@@ -1,1 +1,1 @@
-"""A path across patches piece by piece: unknowns, refinement, error and result."""
+"""Paths across patches, piece by piece: unknowns, refinement, error and result."""

@@ -1,21 +1,20 @@
-r"""How long the shortest path along a route is, how sure that is, and what loops lie close to it.
+r"""The length of the shortest path along a route, its error, and the kind of a loop.
 
-On each piece, what `lengths.measure` says holds with the piece's ends in place: the path's excess
-is subtracted, and the rest is estimated. Where a seam is crossed, the true path would cross
-elsewhere. There the unit tangents of both pieces have equal components along the seam; with
-:math:`r` what is left of their difference, times the speed of the seam's parameter, moving the
-crossings by :math:`\delta` changes the length by
-:math:`r^T \delta + \tfrac12 \delta^T S \delta`, in which :math:`S` is the Hessian of the length by
-the crossings alone, the pieces between them being the shortest. Its minimum
-:math:`-\tfrac12 r^T S^{-1} r`, tripled twice since the end tangents have errors as large, is added
-to the estimate. A crossing that a corner holds stays where it is and counts for nothing.
+For each piece, with its ends fixed, `lengths.measure` gives the excess of its length, which is
+subtracted, and an estimate of the rest. The true path crosses each seam elsewhere, where the unit
+tangents of both pieces have equal components along the seam. Let :math:`r` be the difference of
+these components, times the speed of the seam's parameter. Moving the crossings by :math:`\delta`
+changes the length by :math:`r^T \delta + \tfrac12 \delta^T S \delta`, in which :math:`S` is the
+Hessian of the length by the crossings alone, the pieces between them being the shortest. Its
+minimum :math:`-\tfrac12 r^T S^{-1} r`, tripled twice since the end tangents have errors as large,
+is added to the estimate. A crossing that a corner holds stays where it is and counts for nothing.
 
 A piece that a seam holds, because the neighbor is no better, is the shortest only of those on its
-patch: what would be subtracted is added to its error instead.
+patch: its excess is added to its error rather than subtracted from its length.
 
-The excess of a piece of hardly any length is at most what it is longer than its chord.
+The excess of a piece of hardly any length is at most the difference between it and its chord.
 
-This covers paths along this route; whether another route is shorter, it does not tell.
+The error covers paths along this route; it says nothing of other routes.
 
 For a loop, S measured across the loop, in parts of the lengths between crossings, has the
 eigenvalues of the periodic Jacobi operator :math:`-\psi'' - K \psi`, from below and as finely as
@@ -38,15 +37,15 @@ from bodymeasure.geodesic.numerics.banded import solve_free
 
 # See the text above.
 JOINT_SAFETY = 9.0
-# A piece below this part of the path's length is as good as straight.
+# A piece below this part of the path's length counts as straight.
 STRAIGHT = 1e-5
-# The Hessian may be singular by rounding: what is added to its diagonal then, as a part of it.
+# The parts of itself that are added to the Hessian's diagonal where rounding makes it singular.
 DAMPINGS = (0.0, 1e-12, 1e-10, 1e-8)
 # Lengths are sums of differences of coordinates of the patches' size.
 ROUNDING = 4e-16
-# Of the square of 2 pi over a loop's length: eigenvalues that small are zero, but for rounding.
+# Eigenvalues below this part of the square of 2 pi over a loop's length are zero, but for rounding.
 FLAT = 1e-8
-# Sine of the angle at which a loop crosses a seam, below which the crossing says nothing.
+# A loop's crossing is left out if the sine of its angle with the seam is below this.
 ALONG = 1e-6
 
 

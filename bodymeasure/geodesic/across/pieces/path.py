@@ -1,4 +1,4 @@
-"""A geodesic over an atlas: what is known of it, and where it runs."""
+"""A geodesic over an atlas: its course, its length and what is known of that."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -23,7 +23,7 @@ class SeamCrossing:
     Parameters
     ----------
     before, after : AtlasPoint
-        The one point, on the patch that is left and on the patch that is entered.
+        The point on the patch that is left, and the same point on the patch that is entered.
     t : float
         The path's parameter there.
 

@@ -25,7 +25,8 @@ from bodymeasure.geodesic.numerics.box_newton import SecondOrder
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.rational import surfaces_of
 
-# Pieces may be of no length, where the root has no derivative. In units of the whole path's length.
+# Where a piece has no length, the root would have no derivative without this. It is in units of the
+# whole path's length.
 EPSILON = 1e-14
 ALL_NODES = slice(None)
 

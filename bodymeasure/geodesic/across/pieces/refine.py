@@ -14,7 +14,7 @@ from bodymeasure.geodesic.numerics.box_newton import BoxMinimum, minimize_in_box
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 
-# Pieces this near to a corner, in (u, v), are tried in the corner itself.
+# A piece this near to a corner, in (u, v), is tried in the corner itself.
 IN_CORNER = 1e-3
 
 
@@ -91,7 +91,7 @@ def refine(
 
 
 def _pole_side(atlas: Atlas, end: AtlasPoint | None) -> int | None:
-    """The collapsed side on which a path ends: it leaves the point there in any direction."""
+    """The collapsed side on which a path ends, if any: it may leave the point in any direction."""
     if end is None:
         return None
     sides = sides_of(atlas.index[[end.patch]])[0]

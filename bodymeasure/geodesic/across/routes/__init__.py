@@ -1,1 +1,1 @@
-"""Which patches and seams a path crosses, and where it starts from."""
+"""Routes: the patches and seams that a path crosses, read off a path over a triangle mesh."""

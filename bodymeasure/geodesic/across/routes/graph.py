@@ -1,4 +1,4 @@
-"""A graph over an atlas whose ways tell roughly how far points are apart."""
+"""A graph over an atlas whose shortest ways are roughly the distances between its points."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -13,7 +13,7 @@ from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.across.routes.mesh import whole_mesh
 from bodymeasure.geodesic.numerics.grid_steps import SHORTEST, grid_steps
 
-# Steps along each patch edge: the first that make for so many points, or else the last.
+# Steps along each patch edge: the first number that makes this many points, or else the last.
 SEGMENTS, ENOUGH = (4, 6, 8, 12, 16), 2000
 # A point is joined to the grid points this many steps away, in u and v.
 REACH = 1.5
@@ -26,12 +26,12 @@ class PatchGraph:
     Parameters
     ----------
     number : ndarray of int, shape (patches, k + 1, k + 1)
-        Of the vertex at each grid point; -1 where none is.
+        The number of the vertex at each grid point; -1 where there is none.
     vertices : ndarray, shape (n, 3)
     places : tuple of AtlasPoint
-        A place of each vertex.
+        A point of the atlas at each vertex.
     steps : sparse array, shape (n, n)
-        The steps' lengths, both ways.
+        The lengths of the steps, in both directions.
     """
 
     number: Ints
@@ -40,7 +40,7 @@ class PatchGraph:
     steps: scipy.sparse.csr_array
 
     def distances(self, atlas: Atlas, place: AtlasPoint) -> Array:
-        """How far all vertices are from a place, roughly; infinite on other parts."""
+        """Return the rough distances of all vertices from a point; infinite on other parts."""
         segments = self.number.shape[1] - 1
         grid = np.arange(segments + 1)
         near = np.abs(grid - segments * place.u) <= REACH
@@ -49,7 +49,7 @@ class PatchGraph:
         joined = joined[joined >= 0]
         position = evaluate(atlas.control_points[place.patch], np.array(place[1:]))
         first = np.linalg.norm(self.vertices[joined] - position, axis=1)
-        # The place is one more node, with steps to those beside it.
+        # The point is one more node, with steps to those beside it.
         count = len(self.vertices)
         graph = scipy.sparse.csr_array(
             (
@@ -64,7 +64,7 @@ class PatchGraph:
 
 @lru_cache(maxsize=4)
 def patch_graph(atlas: Atlas) -> PatchGraph:
-    """The graph of an atlas; kept for the next path."""
+    """Return the graph of an atlas, which is kept for the next path."""
     enough = (k for k in SEGMENTS if len(atlas) * k * k >= ENOUGH)
     segments = next(enough, SEGMENTS[-1])
     mesh = whole_mesh(atlas, segments)
@@ -73,7 +73,7 @@ def patch_graph(atlas: Atlas) -> PatchGraph:
     number[mesh.face_patch[:, None], row, column] = mesh.faces
     first, last = _steps(number)
     count = len(mesh.vertices)
-    # Steps along a seam are found on both its patches; a set of rows would add them up.
+    # Steps along a seam are found on both its patches; a sparse matrix would add them up.
     _, once = np.unique(
         np.minimum(first, last) * count + np.maximum(first, last), return_index=True
     )
@@ -87,7 +87,7 @@ def patch_graph(atlas: Atlas) -> PatchGraph:
 
 
 def _steps(number: Ints) -> tuple[Ints, Ints]:
-    """The first and last vertices of all steps within patches, each in one direction."""
+    """The first and the last vertex of every step within a patch, in one direction."""
     lines = number.shape[1]
     first, last = [], []
     for i, j in grid_steps():

@@ -4,25 +4,25 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, edge_table
 from bodymeasure.atlas.tessellation import Tessellation, tessellate
 from bodymeasure.bezier import evaluate
 
-# A new vertex keeps this part of a triangle away from its sides, since the exact algorithm does
-# not bear slivers. It only moves the start of the search, not the point that is measured.
+# A new vertex keeps away from the sides of its triangle by this part of it, since the exact
+# algorithm fails on slivers. That moves the path from which the search starts, but not the point
+# that is measured.
 CLEARANCE = 1e-3
-# Barycentric coordinates below this are rounding: the point is on the side.
+# A point whose barycentric coordinate is below this is on the side, but for rounding.
 ON_SIDE = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
 class RouteMesh:
-    """A triangle mesh whose faces know where on their patches they lie.
+    """A triangle mesh with the places of its faces on the patches.
 
     Parameters
     ----------
@@ -32,18 +32,18 @@ class RouteMesh:
     face_parameters : ndarray, shape (f, 3, 2)
         (u, v) of each face's corners on its patch.
     face_free : ndarray of bool, shape (f, 3, 2)
-        Whether u, or v, of a corner means nothing, since it lies on a collapsed side.
+        Whether u, or v, of a corner is arbitrary, since the corner lies on a collapsed side.
     """
 
     vertices: Array
-    faces: NDArray[np.int64]
-    face_patch: NDArray[np.int64]
+    faces: Ints
+    face_patch: Ints
     face_parameters: Array
-    face_free: NDArray[np.bool_]
+    face_free: Bools
 
     @classmethod
     def of(cls, atlas: Atlas, mesh: Tessellation) -> "RouteMesh":
-        """A whole tessellation."""
+        """Return the mesh of a whole tessellation."""
         control = edge_table(atlas.index).control_index
         collapsed = (control == control[:, :, :1]).all(axis=2)[mesh.face_patch]
         free = np.zeros(mesh.face_parameters.shape, bool)
@@ -52,8 +52,8 @@ class RouteMesh:
             free[..., 1 - edge.fixed_axis] |= on & collapsed[:, [side]]
         return cls(mesh.vertices, mesh.faces, mesh.face_patch, mesh.face_parameters, free)
 
-    def part(self, keep: NDArray[np.int64]) -> "tuple[RouteMesh, NDArray[np.int64]]":
-        """Some of the faces, and the old numbers of their vertices."""
+    def part(self, keep: Ints) -> "tuple[RouteMesh, Ints]":
+        """Return the mesh of some of the faces, and the old numbers of its vertices."""
         used, faces = np.unique(self.faces[keep], return_inverse=True)
         part = RouteMesh(
             self.vertices[used],
@@ -67,14 +67,14 @@ class RouteMesh:
 
 @lru_cache(maxsize=4)
 def whole_mesh(atlas: Atlas, segments: int) -> RouteMesh:
-    """An atlas's tessellation; kept for the next path."""
+    """Return the mesh of an atlas's tessellation, which is kept for the next path."""
     return RouteMesh.of(atlas, tessellate(atlas, segments))
 
 
 def inserted(mesh: RouteMesh, atlas: Atlas, place: AtlasPoint) -> tuple[RouteMesh, int]:
-    """The mesh with a point as a vertex, and the number of that vertex.
+    """Return the mesh with a point as a vertex, and the number of that vertex.
 
-    The face that holds the point is split, and the one beyond if the point is on a side of it.
+    The face that holds the point is split, together with the face beyond if the point is on a side.
     """
     on_patch = np.flatnonzero(mesh.face_patch == place.patch)
     tip = _collapsed_corner(mesh, on_patch, place)
@@ -93,7 +93,7 @@ def inserted(mesh: RouteMesh, atlas: Atlas, place: AtlasPoint) -> tuple[RouteMes
     vertices = np.vstack([mesh.vertices, evaluate(atlas.control_points[place.patch], parameters)])
     split = [face]
     if len(corners) == 2:
-        # All faces along the side: one, two, or more where the atlas is not a manifold.
+        # One face is along the side, or two, or more where the atlas is not a manifold.
         ends = mesh.faces[face, corners]
         split = np.flatnonzero(np.isin(mesh.faces, ends).sum(axis=1) == 2).tolist()
     else:
@@ -102,8 +102,8 @@ def inserted(mesh: RouteMesh, atlas: Atlas, place: AtlasPoint) -> tuple[RouteMes
     return _split(mesh, vertices, split, share), len(mesh.vertices)
 
 
-def _collapsed_corner(mesh: RouteMesh, faces: NDArray[np.int64], place: AtlasPoint) -> int | None:
-    """The vertex of the collapsed side that a place lies on, if any."""
+def _collapsed_corner(mesh: RouteMesh, faces: Ints, place: AtlasPoint) -> int | None:
+    """The vertex of the collapsed side on which a place lies; None if it lies on none."""
     free, parameters = mesh.face_free[faces], mesh.face_parameters[faces]
     for axis in (0, 1):
         on = free[..., axis] & (parameters[..., 1 - axis] == place[2 - axis])
@@ -115,7 +115,10 @@ def _collapsed_corner(mesh: RouteMesh, faces: NDArray[np.int64], place: AtlasPoi
 def _split(
     mesh: RouteMesh, vertices: Array, split: list[int], share: dict[int, float]
 ) -> RouteMesh:
-    """Faces replaced by those to a new vertex, the last one, at a mean of some of their corners."""
+    """The mesh with some faces split at the last vertex, which no face has yet.
+
+    That vertex is a mean of corners of these faces, with weights `share` by vertex.
+    """
     faces, patches, parameters, free = [], [], [], []
     for face in split:
         weight = np.array([share.get(int(corner), 0.0) for corner in mesh.faces[face]])
@@ -139,7 +142,10 @@ def _split(
 
 
 def at_weights(mesh: RouteMesh, face: int, weights: Array) -> Array:
-    """(u, v) of a point of a face; of a corner on a collapsed side only what it means counts."""
+    """Return (u, v) of a point of a face, shape (2,).
+
+    A corner on a collapsed side counts with u or v alone, as its other parameter is arbitrary.
+    """
     count = np.where(mesh.face_free[face], 0.0, weights[:, None])
     total = count.sum(axis=0)
     count = np.where(total > 0.0, count, weights[:, None])
@@ -147,7 +153,9 @@ def at_weights(mesh: RouteMesh, face: int, weights: Array) -> Array:
 
 
 def barycentric(corners: Array, point: Array) -> Array:
-    """Barycentric coordinates of a point, or of its foot, in triangles; shape (triangles, 3).
+    """Return the barycentric coordinates of a point in triangles, shape (triangles, 3).
+
+    A point outside the plane of a triangle has those of its orthogonal projection.
 
     Parameters
     ----------

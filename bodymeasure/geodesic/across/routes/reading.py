@@ -5,9 +5,8 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors, Step
@@ -15,11 +14,11 @@ from bodymeasure.geodesic.across.routes.mesh import RouteMesh, at_weights, baryc
 from bodymeasure.geodesic.across.routes.polyhedral import default_segments, polyhedral_path
 from bodymeasure.geodesic.across.routes.route import Route, snapped
 
-# Barycentric coordinates below this are on the side of a face: paths are given by positions, whose
-# rounding counts more in small faces.
+# A point with a barycentric coordinate below this is on the side of its face. Paths are given by
+# positions, whose rounding counts more in small faces.
 ON_SIDE = 1e-7
-# A point of a path is on none of the faces where it should be if it is further from them than this
-# part of the step to it. The exact algorithm's paths have points slightly off, near vertices.
+# A point of a path is on none of the faces where it should be if it is farther from them than this
+# part of the step to it. Near vertices, the exact algorithm's paths have points slightly off.
 OFF = 1e-3
 # Steps along each patch edge of the meshes that are tried where a path cannot be read.
 COARSER = (5, 4)
@@ -31,8 +30,8 @@ class Segments(NamedTuple):
     Parameters
     ----------
     places : list of pair of AtlasPoint
-        Both ends of each segment, on the patch of a face that holds it. None for a path that stays
-        where it is.
+        Both ends of each segment, on the patch of a face that holds it; empty for a path that
+        stays where it is.
     points : ndarray, shape (segments + 1, 3)
         Positions on the mesh.
     """
@@ -47,9 +46,9 @@ def first_route(
     ends: tuple[AtlasPoint, AtlasPoint],
     segments: int | None = None,
 ) -> Route | None:
-    """The route of the shortest path over a tessellation; None if none is found.
+    """Return the route of the shortest path over a tessellation; None if none is found.
 
-    Where one cannot be read, coarser meshes are tried.
+    Where the path cannot be read, coarser meshes are tried.
     """
     segments = default_segments(len(atlas)) if segments is None else segments
     for steps in (segments, *(coarser for coarser in COARSER if coarser < segments)):
@@ -65,7 +64,7 @@ def first_route(
 def mesh_segments(
     atlas: Atlas, start: AtlasPoint, end: AtlasPoint, segments: int | None = None
 ) -> Segments | None:
-    """The shortest path over a tessellation; None if no path joins the two."""
+    """Return the shortest path over a tessellation; None if no path joins the two points."""
     found = polyhedral_path(atlas, start, end, segments)
     if found is None:
         return None
@@ -80,16 +79,16 @@ def route_along(
     ends: tuple[AtlasPoint, AtlasPoint],
     segments: list[tuple[AtlasPoint, AtlasPoint]],
 ) -> Route | None:
-    """The route of a path over a mesh, given by its segments; None if they hang not together."""
+    """Return the route of a path over a mesh, given by its segments; None if they are apart."""
     start, end = ends
     if not segments:
         ways = neighbors.ways(start, end) if start.patch != end.patch else [()]
-        return Route(ends).replaced(0, 0, [step[:2] for step in ways[0]]) if ways else None
+        return Route.of(ends, ways[0]) if ways else None
     start = _nearest(neighbors.same(start), segments[0][0])
     end = _nearest(neighbors.same(end), segments[-1][1])
     steps: list[Step] = []
     for (_, leave), (enter, _) in pairwise(segments):
-        # If not the same place, then beside one that is slightly off.
+        # On one patch they are the same place, or beside one that is slightly off.
         if leave.patch == enter.patch:
             continue
         ways = neighbors.ways(leave, enter)
@@ -98,27 +97,26 @@ def route_along(
         steps += ways[0]
     if (start.patch, end.patch) != (segments[0][0].patch, segments[-1][1].patch):
         return None
-    return Route((start, end)).replaced(0, 0, [step[:2] for step in steps])
-
-
-def _apart(first: AtlasPoint, second: AtlasPoint) -> float:
-    return max(abs(first.u - second.u), abs(first.v - second.v))
+    return Route.of((start, end), steps)
 
 
 def _nearest(places: list[AtlasPoint], to: AtlasPoint) -> AtlasPoint:
     """The place on the same patch that is nearest, or the first if none is on it."""
-    return min(places, key=lambda place: (place.patch != to.patch, _apart(place, to)))
+    return min(
+        places,
+        key=lambda place: (place.patch != to.patch, max(abs(place.u - to.u), abs(place.v - to.v))),
+    )
 
 
 def _legs(mesh: RouteMesh, points: Array, first: int) -> Iterator[tuple[AtlasPoint, AtlasPoint]]:
-    """For each segment of the path, its two ends on the patch of a face that holds it.
+    """Yield both ends of each segment of the path on the patch of a face that holds it.
 
-    The face is sought among those about the place that the path has come to.
+    The face is sought among those about the place to which the path has come.
     """
     order = np.argsort(mesh.faces.ravel(), kind="stable")
     begins = np.searchsorted(mesh.faces.ravel()[order], np.arange(len(mesh.vertices) + 1))
 
-    def faces_about(corners: NDArray[np.int64]) -> NDArray[np.int64]:
+    def faces_about(corners: Ints) -> Ints:
         about = order[begins[corners[0]] : begins[corners[0] + 1]] // 3
         hold = np.isin(mesh.faces[about], corners).sum(axis=1) == len(corners)
         return np.asarray(about[hold])
@@ -128,11 +126,11 @@ def _legs(mesh: RouteMesh, points: Array, first: int) -> Iterator[tuple[AtlasPoi
         faces = faces_about(corners)
         weights, apart = _feet(mesh, faces, there)
         if apart.min(initial=np.inf) > OFF * np.linalg.norm(there - here):
-            # The last point was slightly off, near a vertex: look on all faces about.
+            # The last point was slightly off, near a vertex: look on all faces about it.
             ring = [faces_about(corners[[number]]) for number in range(len(corners))]
             faces = np.unique(np.concatenate(ring))
             weights, apart = _feet(mesh, faces, there)
-        # Along an edge both faces hold the segment: stay on the patch, if one is on it.
+        # Along an edge both faces hold the segment: stay on the patch if one of them is on it.
         near = apart <= apart.min() + ON_SIDE * np.linalg.norm(there - here)
         stays = near & (mesh.face_patch[faces] == patch)
         row = int(np.flatnonzero(stays if stays.any() else near)[0])
@@ -143,8 +141,8 @@ def _legs(mesh: RouteMesh, points: Array, first: int) -> Iterator[tuple[AtlasPoi
         corners = mesh.faces[face][weights[row] > ON_SIDE]
 
 
-def _feet(mesh: RouteMesh, faces: NDArray[np.int64], point: Array) -> tuple[Array, Array]:
-    """Barycentric coordinates of the points of faces next to a point, and how far from it."""
+def _feet(mesh: RouteMesh, faces: Ints, point: Array) -> tuple[Array, Array]:
+    """The points of faces that are next to a point, in barycentric coordinates, and how far."""
     corners = mesh.vertices[mesh.faces[faces]]
     weights = np.clip(barycentric(corners, point), 0.0, None)
     weights /= weights.sum(axis=1, keepdims=True)

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.topology.neighbors import Crossing, on_side
+from bodymeasure.atlas.topology.neighbors import Crossing, Step, on_side
 
 # Parameters this near to 0 or 1 are on the patch's edge, but for rounding.
 ON_EDGE = 1e-9
@@ -16,7 +16,7 @@ RouteKey = tuple[int | None, tuple[Crossing, ...]]
 
 @dataclass(frozen=True)
 class Route:
-    """The seams that a path crosses, and about where.
+    """The seams that a path crosses, and about where it crosses them.
 
     The patches between the crossings are the route's pieces. A path has one piece more than
     crossings. A loop has as many: crossing i enters its piece i, and the first crossing leaves its
@@ -35,6 +35,12 @@ class Route:
     ends: tuple[AtlasPoint, AtlasPoint] | None
     crossings: tuple[Crossing, ...] = ()
     along: tuple[float, ...] = ()
+
+    @classmethod
+    def of(cls, ends: tuple[AtlasPoint, AtlasPoint] | None, steps: Sequence[Step]) -> "Route":
+        """Return the route of steps over seams."""
+        crossings = tuple(step.crossing for step in steps)
+        return cls(ends, crossings, tuple(step.along for step in steps))
 
     @property
     def closed(self) -> bool:
@@ -102,7 +108,7 @@ class Route:
 
 
 def snapped(patch: int, u: float, v: float) -> AtlasPoint:
-    """A place, on the edge of its patch if it is beside that by no more than rounding."""
+    """Return a point, put on the edge of its patch if it is beside it by rounding only."""
     u, v = (
         float(round(value)) if abs(value - round(value)) < ON_EDGE else float(value)
         for value in (u, v)

@@ -1,4 +1,4 @@
-"""Ways through given points, pulled straight on the mesh without a change of sides."""
+"""Ways through given points, pulled straight on the mesh without jumping over an obstacle."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -10,26 +10,28 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.geodesic.across.routes.reading import Segments, mesh_segments
 
-# Where a way is held while the rest of it is pulled straight, in turn, as parts of its length. No
-# part between is longer than a third, so that it stays the shortest between its own ends.
+# Where a way is held while the rest of it is pulled straight, as parts of its length, in turn. No
+# part between two holds is longer than a third of the way, so that it stays the shortest between
+# its own ends.
 HOLDS = ((1 / 6, 1 / 2, 5 / 6), (1 / 3, 2 / 3))
-# Pulls at most, and the part of its length by which a way that is not yet straight gets shorter.
+# The number of pulls at most, and the part of its length by which a way that is not yet straight
+# gets shorter.
 MOST_PULLS, STRAIGHT = 8, 2e-3
 
 
 def pulled_way(atlas: Atlas, places: Sequence[AtlasPoint]) -> Segments | None:
-    """A way over the mesh that is nearly straight.
+    """Return a way over the mesh that is nearly straight.
 
     Parameters
     ----------
     atlas : Atlas
     places : sequence of AtlasPoint
-        What it leads through at first: start, points on the way, end.
+        The points through which it leads at first: start, points on the way, end.
 
     Returns
     -------
     Segments or None
-        None if two of the places are not joined.
+        None if no path joins two of the points.
     """
     way = _through(atlas, places)
     for number in range(MOST_PULLS):
@@ -45,14 +47,14 @@ def pulled_way(atlas: Atlas, places: Sequence[AtlasPoint]) -> Segments | None:
 
 
 def along_way(points: Array, parts: Array) -> Array:
-    """Points of a polygon at parts of its length, shape (len(parts), 3)."""
+    """Return the points of a polygon at parts of its length, shape (len(parts), 3)."""
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
     bounds = np.concatenate([[0.0], np.cumsum(steps)])
     return np.stack([np.interp(parts * bounds[-1], bounds, axis) for axis in points.T], axis=-1)
 
 
 def _through(atlas: Atlas, places: Sequence[AtlasPoint]) -> Segments | None:
-    """The shortest ways from each place to the next, put together."""
+    """The shortest ways from each point to the next, put together."""
     parts = [mesh_segments(atlas, *ends) for ends in pairwise(places)]
     found = [part for part in parts if part is not None]
     if len(found) < len(parts):
@@ -62,12 +64,12 @@ def _through(atlas: Atlas, places: Sequence[AtlasPoint]) -> Segments | None:
 
 
 def _bounds(way: Segments) -> Array:
-    """The length up to each point."""
+    """The length of the way up to each of its points."""
     steps = np.linalg.norm(np.diff(way.points, axis=0), axis=1)
     return np.concatenate([[0.0], np.cumsum(steps)])
 
 
 def _at(way: Segments, part: float) -> AtlasPoint:
-    """The end of a segment near to a part of the length."""
+    """The end of a segment that is nearest to a part of the length."""
     bounds = _bounds(way)
     return way.places[int(np.argmin(np.abs(bounds[1:] - part * bounds[-1])))][1]

@@ -10,7 +10,7 @@ from bodymeasure.geodesic.across.routes.route import Route, snapped
 
 
 def route_through(neighbors: Neighbors, places: Sequence[AtlasPoint]) -> Route:
-    """The route of a loop through places, straight from each to the next, the last to the first.
+    """Return the route of a loop that leads from each place to the next, the last to the first.
 
     Raises
     ------
@@ -30,7 +30,7 @@ def route_through(neighbors: Neighbors, places: Sequence[AtlasPoint]) -> Route:
                 "each seam that the loop crosses"
             )
         steps += way
-    return Route(None).replaced(0, 0, [step[:2] for step in steps])
+    return Route.of(None, steps)
 
 
 def _way(neighbors: Neighbors, here: AtlasPoint, there: AtlasPoint) -> tuple[Step, ...] | None:

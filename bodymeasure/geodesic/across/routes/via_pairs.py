@@ -1,7 +1,7 @@
-"""Pairs of points that different ways between two ends lead through.
+"""Pairs of points through which different ways between two ends lead.
 
-A shortest path, and many a path that is only shorter than those close to it, has thirds each of
-which is the shortest path between its own ends. So with points m and n spread over the surface,
+Each third of a shortest path is the shortest path between its own ends. The same holds for many a
+path that is only shorter than those close to it. So with points m and n spread over the surface,
 the ways start - m - n - end whose three parts are about equally long hold one near each such path,
 and as the path is a local minimum, it is shorter than the ways through the neighbors of m and n.
 """
@@ -14,15 +14,15 @@ import scipy
 from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.across.routes.graph import PatchGraph
 
-# Points that are spread over what paths can reach.
+# The number of points that are spread over the region that paths can reach.
 POINTS = 150
-# Parts are equally long if they differ by this many times the points' spacing, and points are
-# neighbors if they are this many times it apart.
+# Two parts are equally long if they differ by at most this many times the spacing of the points,
+# and two points are neighbors if they are at most this many times the spacing apart.
 UNEQUAL, BESIDE = 1.5, 2.0
 
 
 class ViaPair(NamedTuple):
-    """Two vertices of a graph, and how long the way through both is, roughly."""
+    """Two vertices of a graph, and the rough length of the way through both."""
 
     length: float
     first: int
@@ -30,15 +30,17 @@ class ViaPair(NamedTuple):
 
 
 def via_pairs(graph: PatchGraph, to_start: Array, to_end: Array, reach: float) -> list[ViaPair]:
-    """Pairs of vertices of which no neighboring pair makes a shorter way, the shortest first.
+    """Return the pairs of vertices of which no neighboring pair makes a shorter way.
+
+    The shortest way comes first.
 
     Parameters
     ----------
     graph : PatchGraph
     to_start, to_end : ndarray, shape (n,)
-        How far its vertices are from the two ends.
+        The distances of its vertices from the two ends.
     reach : float
-        How long ways may be.
+        The longest way that is wanted.
     """
     region = np.flatnonzero(to_start + to_end <= reach)
     if len(region) == 0:
@@ -59,15 +61,15 @@ def via_pairs(graph: PatchGraph, to_start: Array, to_end: Array, reach: float) -
 
 
 def _spread(steps: scipy.sparse.csr_array) -> tuple[Ints, Array, float]:
-    """Vertices far from one another, how far apart they are, and their spacing.
+    """Vertices far from one another, their distances, and their spacing.
 
-    Each is the one that is farthest from those before it: T. F. Gonzalez, "Clustering to minimize
-    the maximum intercluster distance", Theoretical Computer Science 38 (1985).
+    Each vertex is the farthest from those before it: T. F. Gonzalez, "Clustering to minimize the
+    maximum intercluster distance", Theoretical Computer Science 38 (1985).
     """
     picks, rows = [0], [scipy.sparse.csgraph.dijkstra(steps, indices=0)]
     nearest = rows[0]
     while len(picks) < POINTS:
-        # What no way leads to within the region is on the far side of something; a pick of its own.
+        # A vertex to which no way leads within the region is infinitely far, and becomes a pick.
         farthest = int(np.argmax(nearest))
         if nearest[farthest] == 0.0:
             break
@@ -75,6 +77,6 @@ def _spread(steps: scipy.sparse.csr_array) -> tuple[Ints, Array, float]:
         rows.append(scipy.sparse.csgraph.dijkstra(steps, indices=farthest))
         nearest = np.minimum(nearest, rows[-1])
     apart = np.array(rows)[:, picks]
-    # Where all vertices are picked, the spacing is their own.
+    # Where all vertices are picked, the spacing is that of the vertices themselves.
     others = np.where(np.eye(len(picks), dtype=bool), np.inf, apart).min(axis=1)
     return np.array(picks), apart, float(nearest.max() or np.median(others))

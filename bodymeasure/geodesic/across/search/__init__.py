@@ -1,1 +1,1 @@
-"""The search for the shortest path across patches."""
+"""The search for the shortest path or loop across patches."""

@@ -17,7 +17,7 @@ from bodymeasure.errors import InputError
 
 
 class Topology(NamedTuple):
-    """Steps over seams, and the number of the part that each patch belongs to."""
+    """The steps over the seams of an atlas, and the number of the part of each patch."""
 
     neighbors: Neighbors
     part: Ints
@@ -25,7 +25,7 @@ class Topology(NamedTuple):
 
 @lru_cache(maxsize=4)
 def topology(atlas: Atlas) -> Topology:
-    """What an atlas's seams join; kept for the next path."""
+    """Return the topology of an atlas, which is kept for the next path."""
     neighbors = Neighbors(atlas)
     links = [
         (patch, crossing.to_patch)
@@ -61,6 +61,6 @@ def checked_points(
                 f"{name} is on {atlas.patch_names[point.patch]!r} and {other} on "
                 f"{atlas.patch_names[there.patch]!r}, which no seams join: the atlas has "
                 f"{len(np.unique(part))} separate parts; choose points on one of them, or join "
-                "the parts' control points (`bodymeasure check` tells where they nearly meet)"
+                "the parts' control points (`bodymeasure check` says where they nearly meet)"
             )
     return points

@@ -15,9 +15,9 @@ from bodymeasure.geodesic.lengths.length import UNKNOWN, Length
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.status import Status
 
-# Points a piece that tell a path's length roughly, for scaling.
+# The number of points on each piece from which the rough length of a path is calculated.
 SAMPLES = 5
-# What stands for a path that stays where it is.
+# The trial space of a path that stays where it is.
 STANDSTILL = polynomial_space(1)
 
 
@@ -37,7 +37,7 @@ def shortest_leg(
 def leg_along(
     atlas: Atlas, neighbors: Neighbors, points: tuple[AtlasPoint, AtlasPoint], route: Route
 ) -> AtlasPath:
-    """Return the shortest path along a route, or along those that it asks for."""
+    """Return the shortest path along a route, or along others that it leads to."""
     # The length of the path that is straight in (u, v) on each patch.
     t = np.linspace(0.0, 1.0, SAMPLES)[:, None]
     start, stop = np.array(route.pieces)[:, :, None, 1:].swapaxes(0, 1)

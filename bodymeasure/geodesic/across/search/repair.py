@@ -1,7 +1,8 @@
-"""Other routes that a refined path or loop asks for: what holds it says where it would rather go.
+"""Other routes that may be shorter than that of a refined path or loop.
 
-A change of a route is given by its first crossing that is replaced, the one before which they end,
-and the crossings that are put in their place (`Route.replaced`).
+Where an edge or a corner holds the path, it would be shorter on the other side. A change of a route
+is given by the first crossing that is replaced, the one before which the replaced ones end, and the
+crossings that are put in their place (`Route.replaced`).
 """
 
 from collections.abc import Collection, Iterator, Sequence
@@ -17,27 +18,31 @@ from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.sides import one_sided, seam_runs
 from bodymeasure.geodesic.lengths.measure import measure_length
 
-# A piece that is this part of the path may be one too many.
+# A piece below this part of the path's length may be one too many.
 SHORT = 1e-3
-# A crossing this near to a corner, in the parameter of its seam, may have to go round it.
+# A path that crosses a seam this near to a corner, in the parameter of the seam, may have to pass
+# the corner on the other side.
 NEAR_CORNER = 1e-2
-# A piece that could be shorter by no more than this part of the path needs no neighbor, as one that
-# runs along a seam from which the surface falls alike to both sides.
+# A piece that could be shorter by no more than this part of the path needs no neighbor: so it is
+# where a piece runs along a seam from which the surface falls alike to both sides.
 WORTHWHILE = 1e-10
-# Further than this outside the patch, between the nodes, the path lacks a neighbor.
+# A path that is farther outside its patch than this, between its nodes, lacks a neighbor.
 OUTSIDE = 1e-9
 
 Change = tuple[int, int, Sequence[tuple[Crossing, float]]]
 
 
 def other_routes(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
-    """Yield routes over the same seams or fewer that may be shorter, the likeliest first."""
+    """Yield routes over the same seams or fewer that may be shorter, the likeliest first.
+
+    Those over further patches are `detours`.
+    """
     route = refined.route
     yield from _without_empty_ends(neighbors, refined)
     yield from _without_returns(refined)
     runs = seam_runs(neighbors, refined)
     yield from one_sided(neighbors, route, runs)
-    # Past the corners between seams that it runs along.
+    # The path passes the corners between the seams along which it runs.
     passed = {number for run in runs for number in range(run.first, run.last)}
     yield from (route.replaced(*change) for change in _round_corners(neighbors, route, passed))
 
@@ -45,8 +50,8 @@ def other_routes(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
 def other_loops(neighbors: Neighbors, loop: RefinedPath) -> Iterator[Route]:
     """Yield routes that may be shorter than a loop's, the likeliest first.
 
-    A loop that slides over the body is held by many corners at once, and by none once it is past
-    them: so all are passed together, then one by one.
+    A loop that slides over the body is held by many corners at once, and by none once it has passed
+    them. So all corners are passed together at first, then one by one.
     """
     first = _outside_corners(loop.route)
     route = loop.route.begun_at(first)
@@ -61,7 +66,7 @@ def other_loops(neighbors: Neighbors, loop: RefinedPath) -> Iterator[Route]:
 
 
 def _without_empty_ends(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
-    """Without a first or last piece that has no length, since its end lies on the seam."""
+    """Routes without a first or last piece that has no length, since its end lies on the seam."""
     route, total = refined.route, refined.lengths.sum()
     if route.ends is None or not route.crossings:
         return
@@ -82,7 +87,7 @@ def _back(crossing: Crossing, patch: int) -> Crossing:
 
 
 def _without_returns(refined: RefinedPath) -> Iterator[Route]:
-    """Without a piece that only goes over a seam and comes back."""
+    """Routes without a piece that only goes over a seam and comes back."""
     route = refined.route
     patches, count = route.patches, len(route.crossings)
     for piece in range(0 if route.closed else 1, count):
@@ -91,7 +96,7 @@ def _without_returns(refined: RefinedPath) -> Iterator[Route]:
         same_edge = route.crossings[enter].edge == route.crossings[leave].edge
         returns = same_edge and patches[piece - 1] == patches[(piece + 1) % len(patches)]
         if count > 1 and returns and refined.lengths[piece] < SHORT * refined.lengths.sum():
-            # Over the end of a loop's crossings, those are begun anew.
+            # The two crossings of a loop may be its last and its first: it is begun at them.
             begun = route.begun_at(enter) if route.closed else route
             first = 0 if route.closed else enter
             yield begun.replaced(first, first + 2)
@@ -100,7 +105,7 @@ def _without_returns(refined: RefinedPath) -> Iterator[Route]:
 def _round_corners(
     neighbors: Neighbors, route: Route, passed: Collection[int] = ()
 ) -> Iterator[Change]:
-    """Round the other side of corners that a path runs into or nearly so; not of those passed."""
+    """Ways round the other side of corners that a path nearly runs into, but for those passed."""
     corners = _corners(route)
     first, count = 0, len(corners)
     while first < count:
@@ -120,7 +125,7 @@ def _round_corners(
 
 
 def _outside_corners(route: Route) -> int:
-    """A crossing before which a loop does not stay in a corner."""
+    """The number of a crossing before which a loop does not stay in a corner."""
     corners = _corners(route)
     for number, (leave, _) in enumerate(corners):
         _, enter = corners[number - 1]
@@ -152,7 +157,7 @@ def detours(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Change]:
     order = np.argsort(times, kind="stable")
     samples = values @ space.between_nodes.T
     held = refined.held_nodes
-    # How much shorter each piece could be if nothing held it.
+    # The gain is how much shorter each piece could be if nothing held it.
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         gain = np.abs(measure_length(refined.problem.surface, space, values).correction)
     for piece in np.flatnonzero(~(gain < WORTHWHILE * refined.lengths.sum())).tolist():
@@ -175,9 +180,10 @@ def detours(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Change]:
 
 
 def _runs(mask: Bools) -> list[tuple[int, int]]:
-    """First and last of all true values, then of each run of them if there are several.
+    """The first and the last of all true values, then of each run of them if there are several.
 
-    Held at its nodes, a polynomial winds about the edge: its runs are mostly one.
+    A polynomial that is held at its nodes oscillates about the edge, so that its runs mostly belong
+    together.
     """
     changes = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(np.int8)))
     runs = [(int(first), int(last) - 1) for first, last in changes.reshape(-1, 2)]
@@ -185,7 +191,7 @@ def _runs(mask: Bools) -> list[tuple[int, int]]:
 
 
 def _all_at_once(route: Route, changes: list[Change]) -> Iterator[Route]:
-    """The route with the first change of each stretch, if there are several."""
+    """The route with the first change of each group that overlaps, if there are several groups."""
     chosen: list[Change] = []
     for change in changes:
         first, *_ = change

@@ -1,4 +1,4 @@
-"""From a first route to the shortest path or loop: refine, look for a shorter route, refine."""
+"""The search for the shortest path or loop: refine one, look for a shorter route, and refine it."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -21,26 +21,27 @@ from bodymeasure.geodesic.status import Status
 DEGREES = (8, 12, 16, 24, 32, 48, 72)
 # The degree while a loop slides: its polynomials only have to tell which way.
 SLIDING = 3
-# Beyond this, only for paths that have no length yet, such as through the crotch of a body, where
-# patches bend sharply.
+# Degrees beyond this are only for paths that have no good length yet, such as through the crotch of
+# a body, where patches bend sharply.
 ORDINARY = 32
-# Relative error of the length that is asked for, and what is good enough if the last degree has not
-# met it, as where patches bend sharply near a corner.
+# The relative error that is wanted for a length, and the one that is good enough if the last degree
+# has not met it, as where patches bend sharply near a corner.
 TOLERANCE, GOOD_ENOUGH = 1e-9, 1e-6
-# What holds a path is read at degrees up to this: where it cannot be, it hardly can at higher ones.
+# Which edges hold a path is read off at degrees up to this: where it cannot be, it hardly can at
+# higher ones.
 HIGHEST_READ = 12
-# Routes that are refined for a path, at most, and for a loop at each degree: from the hip to the
-# waist it takes some twenty.
+# The number of routes that are refined at most, for a path in all and for a loop at each degree:
+# from the hip to the waist it takes some twenty.
 MOST_ROUTES, MOST_LOOPS = 60, 400
-# A route must be shorter by this part to be better: less is the trial space's. One with fewer
-# crossings is better if it is not longer by more than rounding.
+# A route is better if its path is shorter by this part of it: smaller differences are errors of the
+# trial space. One with fewer crossings is better if it is not longer by more than rounding.
 SHORTER, ROUNDING = 1e-9, 1e-12
-# Where a path runs along an edge, it is no geodesic, and its error is read off the last three
-# degrees: the polynomials do not bend as sharply as it does, and this many times their largest
-# difference is left.
+# Where a path runs along an edge it is no geodesic, and polynomials do not bend as sharply as it
+# does. Its error is then estimated as this many times the largest difference of its lengths at the
+# last three degrees.
 CONTACT_SAFETY = 4.0
 CONTACT_TOLERANCE = 1e-4
-# Of the first loop's length: one so short has contracted to a point.
+# A loop below this part of the length of the first one has contracted to a point.
 COLLAPSED = 1e-3
 NO_LOOP = (
     "the loop contracts to a point: it goes round no part of the body; choose one round the trunk "
@@ -56,7 +57,7 @@ class SearchResult:
     ----------
     refined : RefinedPath
     part : PathPart
-        The path, which is made of legs and arcs where edges hold it from all sides.
+        The path itself; where edges hold it from all sides it consists of legs and arcs.
     kind : LoopKind or None
         None for a path with ends.
     status : Status
@@ -69,7 +70,7 @@ class SearchResult:
 
 
 def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float) -> SearchResult:
-    """Return the shortest path or loop along a route, or along those that it asks for.
+    """Return the shortest path or loop along a route, or along others that it leads to.
 
     Parameters
     ----------
@@ -93,8 +94,8 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
     for degree in degrees:
         if degree > degrees[0]:
             best = refine(atlas, best.route, degree, size, best)
-        # Polynomials of a low degree may make a loop shorter over a neighbor only because they are
-        # two there: what was tried at another degree is tried again.
+        # At a low degree, a loop may be shorter over a neighbor only because it consists of two
+        # polynomials there. So routes of loops are tried again at the next degree.
         tried = {best.problem.route.key} if route.closed else tried | {route.key}
         best, missed, held = _repaired(atlas, neighbors, best, tried)
         if route.closed and best.length < COLLAPSED * size:
@@ -106,7 +107,7 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
         length, kind = route_length(best)
         length = replace(length, error=length.error + missed)
         if contact:
-            # The formulas hold for geodesics, which a path along an edge is not.
+            # The formulas of the error hold for geodesics, which a path along an edge is not.
             changes = [abs(best.length - before) for before in history[-2:]]
             error = CONTACT_SAFETY * max(changes, default=np.inf)
             length = replace(length, correction=np.zeros(()), error=np.asarray(error))
@@ -114,7 +115,7 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
         else:
             good = bool(length.is_known_to(GOOD_ENOUGH))
         history.append(best.length)
-        # Newton's method comes to rest on a saddle, too, but cannot tell that it has.
+        # Newton's method comes to rest on a saddle, too, but does not notice it.
         good = good and (best.minimum.converged or kind is LoopKind.SADDLE)
         exact = not contact and length.error <= TOLERANCE * length.raw
         if good and degree > SLIDING and (exact or degree >= ORDINARY):
@@ -134,11 +135,25 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
 def _repaired(
     atlas: Atlas, neighbors: Neighbors, best: RefinedPath, tried: set[RouteKey]
 ) -> tuple[RefinedPath, float, PathPart | None]:
-    """The best along any route that a path asks for, and those ask for, as long as it gets shorter.
+    """Try other routes as long as the path gets shorter.
 
-    Also by how much a route was shorter that was not better by enough; and the path of legs and
-    arcs, if edges hold it from all sides, so that it asks for no neighbor. Keys of routes that are
-    tried are added to `tried`.
+    Parameters
+    ----------
+    atlas : Atlas
+    neighbors : Neighbors
+    best : RefinedPath
+        The best path so far.
+    tried : set of RouteKey
+        Routes that are not tried again; those that are tried are added.
+
+    Returns
+    -------
+    best : RefinedPath
+        The best path now.
+    missed : float
+        By how much another one was shorter that was not better by enough.
+    held : PathPart or None
+        The path of legs and arcs, if edges hold it from all sides, so that it needs no neighbor.
     """
     degree, missed, improved = best.problem.space.size, 0.0, True
     while improved:
@@ -163,7 +178,7 @@ def _repaired(
 
 
 def _wanted(atlas: Atlas, neighbors: Neighbors, best: RefinedPath) -> Iterator[Route | PathPart]:
-    """Routes that may be shorter, and between them the path itself where edges hold it."""
+    """Routes that may be shorter, and among them the path itself where edges hold it."""
     if best.problem.route.closed:
         yield from other_loops(neighbors, best)
         return

@@ -1,8 +1,8 @@
 """Routes along seams, all on one side of them.
 
 The first route of a path that runs along several seams, as down the middle of a back, may change
-sides anywhere. Where the seams hold the path that makes no difference; where it leaves them by a
-little, it is the shortest on either side, but not where it has to change between them.
+sides anywhere. Where the seams hold the path, that makes no difference. Where it leaves them by a
+little, it is the shortest if it stays on either side, but not if it has to change between them.
 """
 
 from collections.abc import Iterator, Sequence
@@ -17,12 +17,12 @@ from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors, Step, on_s
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.across.routes.route import Route
 
-# A piece that is nowhere further from a seam, in u or v of its patch, runs along it.
+# A piece runs along a seam if it is nowhere farther from it, in u or v of its patch.
 ALONG_SEAM = 1e-2
 
 
 class _Side(NamedTuple):
-    """A seam as seen from one of its patches, and where a path comes to it and leaves it."""
+    """A seam as seen from one of its patches, and where a path joins it and leaves it."""
 
     edge: int
     patch: int
@@ -31,17 +31,8 @@ class _Side(NamedTuple):
     leave: float
 
 
-def one_sided(neighbors: Neighbors, route: Route, runs: "Sequence[SeamRun]") -> Iterator[Route]:
-    """Yield routes whose pieces along seams are all on one side of them, or all on the other."""
-    for run in runs:
-        for start in (run.sides[0], _beyond(neighbors, run.sides[0])):
-            found = _along(neighbors, route, run, start)
-            if found is not None:
-                yield found
-
-
 class SeamRun(NamedTuple):
-    """Pieces in a row that run along seams: the first, the last, and the seams."""
+    """A row of pieces that run along seams: the first piece, the last one, and the seams."""
 
     first: int
     last: int
@@ -49,7 +40,7 @@ class SeamRun(NamedTuple):
 
 
 def seam_runs(neighbors: Neighbors, refined: RefinedPath) -> list[SeamRun]:
-    """Return all runs of several pieces; pieces of no length, in corners, do not part them."""
+    """Return all runs of several pieces; pieces of no length, in corners, do not end a run."""
     runs: list[SeamRun] = []
     goes_on = False
     for piece in np.flatnonzero(refined.lengths > 0.0).tolist():
@@ -61,8 +52,17 @@ def seam_runs(neighbors: Neighbors, refined: RefinedPath) -> list[SeamRun]:
     return [run for run in runs if len(run.sides) > 1]
 
 
+def one_sided(neighbors: Neighbors, route: Route, runs: Sequence[SeamRun]) -> Iterator[Route]:
+    """Yield routes whose pieces along seams are all on one side of them, or all on the other."""
+    for run in runs:
+        for start in (run.sides[0], _beyond(neighbors, run.sides[0])):
+            found = _along(neighbors, route, run, start)
+            if found is not None:
+                yield found
+
+
 def _seam(neighbors: Neighbors, refined: RefinedPath, piece: int) -> _Side | None:
-    """The seam that a piece runs along, if any."""
+    """The seam along which a piece runs; None if it runs along none."""
     patch, values = refined.problem.route.patches[piece], refined.values[piece]
     for number, edge in enumerate(EDGES):
         apart = np.abs(values[edge.fixed_axis] - edge.fixed_value).max()
@@ -85,7 +85,7 @@ def _beyond(neighbors: Neighbors, side: _Side) -> _Side:
 
 
 def _along(neighbors: Neighbors, route: Route, run: SeamRun, start: _Side) -> Route | None:
-    """The route with a run on the side that is given for its first piece; None if there is none."""
+    """The route with a run on the side that is given for its first piece; None if none exists."""
     first, last, sides = run
     chosen, crossings, along = start, list(route.crossings[:first]), list(route.along[:first])
     assert route.ends is not None
@@ -120,14 +120,14 @@ def _along(neighbors: Neighbors, route: Route, run: SeamRun, start: _Side) -> Ro
 
 
 def _on_seam(neighbors: Neighbors, place: AtlasPoint, side: _Side) -> AtlasPoint | None:
-    """The same point on the patch of a side, if it lies there."""
+    """The same point on the patch of a side; None if it does not lie there."""
     return next((same for same in neighbors.same(place) if same.patch == side.patch), None)
 
 
 def _next(
     neighbors: Neighbors, before: _Side, there: _Side
 ) -> tuple[tuple[Step, ...], _Side] | None:
-    """The way round the corner to the next seam that crosses neither, and the side it comes to."""
+    """The way round a corner to the next seam that crosses neither, and the side it reaches."""
     corner = AtlasPoint(before.patch, *on_side(before.side, float(round(before.leave))))
     for side in (there, _beyond(neighbors, there)):
         goal = AtlasPoint(side.patch, *on_side(side.side, float(round(side.enter))))
