@@ -1,10 +1,10 @@
-"""Random patches: mild ones against another solver, wicked ones against what must always hold."""
+"""Mild random patches against another solver; adversarial ones against what must always hold."""
 
 import numpy as np
 import pytest
 from helpers.oracles.reference import chebyshev_times, reference_lengths
 from helpers.oracles.straight_line import from_straight_line
-from helpers.surfaces.adversarial_patches import FLAT, SPOILS, Spoil, wicked
+from helpers.surfaces.adversarial_patches import FLAT, SPOILS, Spoil, adversarial_patch
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -89,10 +89,10 @@ def assert_length_fits(net: Array, points: Ends, solution: GeodesicSolution) -> 
     points=ends(),
 )
 @settings(max_examples=100)
-def test_no_patch_is_wicked_enough(
+def test_no_patch_breaks_the_default_settings(
     seed: int, spoils: list[Spoil], size: float, points: Ends
 ) -> None:
-    net = wicked(seed, spoils, size)
+    net = adversarial_patch(seed, spoils, size)
     solution = solved(net, points)
     if solution is None:
         return
@@ -121,10 +121,10 @@ def test_no_patch_is_wicked_enough(
     points=ends(),
 )
 @settings(max_examples=300)
-def test_lengths_on_wicked_patches_are_those_of_another_solver(
+def test_lengths_on_adversarial_patches_are_those_of_another_solver(
     seed: int, spoils: list[Spoil], size: float, points: Ends
 ) -> None:
-    net = wicked(seed, spoils, size)
+    net = adversarial_patch(seed, spoils, size)
     solution = solved(net, points)
     if solution is not None and solution.converged:
         path = solution.path(chebyshev_times(25))
@@ -151,10 +151,10 @@ def straight_length(net: Array, points: Ends, pieces: int) -> float:
     points=ends(),
 )
 @settings(max_examples=100)
-def test_no_patch_is_wicked_enough_for_the_search(
+def test_no_patch_breaks_the_search(
     seed: int, spoils: list[Spoil], size: float, points: Ends
 ) -> None:
-    net = wicked(seed, spoils, size)
+    net = adversarial_patch(seed, spoils, size)
     alone = solved(net, points)
     if alone is None:
         return

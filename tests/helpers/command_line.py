@@ -1,4 +1,4 @@
-"""Running the command line, in this process or in one of its own."""
+"""Helpers that run the command line, in this process or in one of its own."""
 
 import os
 import subprocess
@@ -27,12 +27,12 @@ Run = Callable[..., Ran]
 Bar = tuple[str, int, list[int]]
 Edited = Callable[[Callable[[dict[str, Any]], object]], Any]
 
-# As from a terminal: where tests run in the background, children inherit that interrupts are
-# ignored.
+# Interrupts are heard as from a terminal: where tests run in the background, children would
+# inherit that interrupts are ignored.
 HEAR_INTERRUPTS = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"
 CALL_MAIN = "\nimport sys\nfrom bodymeasure.cli import main\nmain(sys.argv[1:])\n"
 
-# As if packages were not installed: no finder finds them.
+# This hides packages from every finder, as if they were not installed.
 HIDE = """
 import sys
 class Hiding:
@@ -61,7 +61,7 @@ def hide_here(monkeypatch: pytest.MonkeyPatch, package: str) -> None:
 
 
 def recorded_bars(monkeypatch: pytest.MonkeyPatch, command: str) -> list[Bar]:
-    """Progress bars of a command: the label of each, its total, and what it was told is done."""
+    """The progress bars of a command: their labels, totals, and the counts that were reported."""
     bars: list[Bar] = []
 
     @contextmanager

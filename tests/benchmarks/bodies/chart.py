@@ -1,4 +1,4 @@
-"""Whole charts of the sample bodies: their time and memory, and what takes it.
+"""The time and memory that whole charts of the sample bodies take.
 
 python tests/benchmarks/bodies/chart.py [BODY ...] [--values]
 """

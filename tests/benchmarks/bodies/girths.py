@@ -2,7 +2,7 @@
 
 Run it by hand: ``python tests/benchmarks/bodies/girths.py``.
 
-Prints girths at landmarks, the largest and smallest over stretches, what each takes of one core,
+It prints girths at landmarks, the largest and smallest over stretches, the processor time of each,
 and how far sections by random planes are from those of tessellations, which take two minutes for
 160 planes of a body.
 """
@@ -31,7 +31,7 @@ from helpers.oracles.mesh_sections import richardson_length
 
 
 def girths(atlas: Atlas) -> dict[str, Callable[[], Girth]]:
-    """What to measure, by name."""
+    """The girths to measure, by name."""
     knee = atlas.position(atlas.landmarks["patella point left"])
     below_knee, shin = knee * (1.0, 1.0, 0.85), knee * (1.0, 1.0, 0.5)
     return {
@@ -69,7 +69,7 @@ def report_girths(name: str) -> None:
 
 
 def report_planes(name: str, count: int) -> None:
-    """Random planes, half of them level, against tessellations."""
+    """Compare sections by random planes, half of them level, with tessellations."""
     atlas = load_sample(name)
     rng = np.random.default_rng(5)
     errors, seconds, hulls, loops, refused = [], [], [], 0, 0

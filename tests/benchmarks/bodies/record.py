@@ -1,6 +1,6 @@
-"""What the lengths are: written to files, and two such folders held against each other.
+"""Write a record of the package's lengths to a folder, and compare two records.
 
-For a change that must not touch any number, or touch it in the last digits only::
+This is for a change that must not alter any number, or only in the last digits::
 
     python tests/benchmarks/bodies/record.py write before
     python tests/benchmarks/bodies/record.py write after      # once the change is made
@@ -22,14 +22,15 @@ from pathlib import Path
 from typing import Any
 
 BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
-# What differs from run to run, or with the release.
+# Members that differ from run to run, or from release to release.
 PASSING = {"created", "seconds", "versions", "processes"}
-# Numbers as small as rounding itself, whose relative differences say nothing.
+# Words in the names of numbers that are of the size of rounding errors, so that their relative
+# differences say nothing.
 SMALL = ("error", "residual", "gap", "difference")
 
 
 def _run(*arguments: str) -> str:
-    """What the command prints; a chart with something to look at ends with 1."""
+    """Return what the command prints. Exit code 1 means that a result needs to be looked at."""
     command = [sys.executable, "-m", "bodymeasure", *arguments]
     environment = os.environ | {"OMP_NUM_THREADS": "1"}
     run = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
@@ -39,7 +40,7 @@ def _run(*arguments: str) -> str:
 
 
 def _lasting(value: Any) -> Any:
-    """A document without what differs from run to run, columns of times included."""
+    """Return a document without what differs from run to run, such as columns of times."""
     if isinstance(value, dict):
         kept = {name: _lasting(item) for name, item in value.items() if name not in PASSING}
         if {"columns", "rows"} <= kept.keys():
@@ -61,7 +62,8 @@ def _write(folder: Path, bodies: list[str]) -> None:
     with tempfile.TemporaryDirectory() as scratch:
         _run("paper", "--quick", "--seed", "2007", "-o", scratch)
         tables = json.loads((Path(scratch) / "tables.json").read_text("utf-8"))
-    # The names of the tables of speed say so; their accuracies are in the other ones.
+    # Tables of speed are left out: they have the word in their names, and the accuracies of the
+    # same runs are in the other tables.
     tables["tables"] = {
         name: table for name, table in tables["tables"].items() if "speed" not in name
     }
@@ -72,6 +74,7 @@ def _write(folder: Path, bodies: list[str]) -> None:
 
 
 def _differences(before: Any, after: Any, place: str) -> Iterator[tuple[str, Any, Any]]:
+    """Yield the places at which two documents differ, with both values."""
     if isinstance(before, dict) and isinstance(after, dict):
         for name in sorted(before.keys() | after.keys()):
             yield from _differences(before.get(name), after.get(name), f"{place}/{name}")
@@ -95,10 +98,7 @@ def _compare(before: Path, after: Path, shown: int) -> int:
         relative, others = [], []
         for place, old, new in _differences(json.loads(texts[0]), json.loads(texts[1]), ""):
             numbers = all(isinstance(value, float) and math.isfinite(value) for value in (old, new))
-            # Error estimates, residuals and the like are of the size of rounding themselves.
-            if numbers and any(
-                word in place for word in ("error", "residual", "gap", "difference")
-            ):
+            if numbers and any(word in place for word in SMALL):
                 others.append((place, old, new))
             elif numbers:
                 relative.append((abs(new - old) / max(abs(old), abs(new)), place, old, new))

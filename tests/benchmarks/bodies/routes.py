@@ -1,10 +1,11 @@
 """How often, how well and how fast the geodesic between two points of an atlas is found.
 
-Bodies: random pairs, uniform over the patches. Each is measured both ways round and on the body
-turned and moved. The best known is the shortest of both and of starts from finer meshes, at degree
-16. Of pairs whose parameters are quarters, libigl's exact distance on local submeshes too,
-extrapolated, with its own uncertainty. Surfaces: random pairs on whole patches and on the same cut
-into 2, 4, 64, and into nine along curves that meet at kinks.
+On bodies, the pairs are random and uniform over the patches. Each is measured in both directions
+and on the body turned and moved. The best known path is the shortest of both and of starts from
+finer meshes, at degree 16. For pairs whose parameters are quarters, libigl's exact distance on
+local submeshes is extrapolated, too, with its own uncertainty. On known surfaces, random pairs are
+measured on whole patches and on the same patches cut into 2, 4 and 64 parts, and into nine along
+curves that meet at kinks.
 
 Run it by hand: ``python tests/benchmarks/bodies/routes.py [BODY ...] [--pairs N] [--free M] [--cuts
 K]``; 300 pairs by libigl and 100 others take some ten minutes a body.
@@ -38,9 +39,10 @@ from helpers.oracles.body_oracle import LEVELS, mesh_distance, quarter_point
 from helpers.surfaces.cut_atlases import cut, on_cut, on_part, random_point, slant_cut
 from helpers.surfaces.surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID, PH_CYLINDER, PLANE
 
-# The finest degree, and the meshes of the starts.
+# The finest degree of paths, and the segments of the meshes from which they start.
 DEGREE, SEGMENTS = 16, (4, 6, 8)
-# Where libigl does not agree, it has another look on these. What it can tell at all, relative.
+# Where libigl does not agree, it is asked again on these finer meshes; and the relative difference
+# that it can resolve at all.
 FINER = (8, 16, 24)
 RESOLUTION = 1e-6
 SHAPES = {
@@ -55,7 +57,7 @@ EIGHTHS = tuple(np.arange(1, 8) / 8)
 
 @dataclass
 class Tally:
-    """What was found on one body."""
+    """The results on one body."""
 
     statuses: Counter[str] = field(default_factory=Counter)
     seconds: list[float] = field(default_factory=list)
@@ -70,7 +72,7 @@ class Tally:
     shorter: list[float] = field(default_factory=list)
 
     def print(self, name: str) -> None:
-        """The bars' figures."""
+        """Print the results."""
         good, count = np.array(self.excess), len(self.excess)
         swap, motion = np.array(self.swap), np.array(self.motion)
         print(f"{name}: {dict(self.statuses)}")
@@ -98,7 +100,7 @@ class Tally:
 def best_known(
     atlas: bm.Atlas, path: bm.AtlasPath, ends: tuple[AtlasPoint, AtlasPoint]
 ) -> tuple[float, float]:
-    """The shortest from several starts at a high degree, and the time of one refinement."""
+    """The shortest length from several starts at a high degree, and the time of one refinement."""
     lengths, times = [], []
     neighbors = topology(atlas).neighbors
     for segments in SEGMENTS:
@@ -114,7 +116,7 @@ def best_known(
 
 
 def survey(name: str, pairs: int, free: int) -> None:
-    """Print what is found on one body."""
+    """Measure random pairs on one body, and print the results."""
     atlas, rng, tally = bm.load_sample(name), np.random.default_rng(5), Tally()
     turn = Rotation.from_rotvec(rng.normal(size=3)).as_matrix()
     moved = replace(atlas, points=atlas.points @ turn.T + rng.normal(size=3))
@@ -135,7 +137,7 @@ def survey(name: str, pairs: int, free: int) -> None:
 
 
 def compare(tally: Tally, atlas: bm.Atlas, moved: bm.Atlas, path: bm.AtlasPath) -> None:
-    """Hold a path against its invariances and the best known."""
+    """Compare a path with itself reversed and moved, and with the best known."""
     start, end = path.points
     back = bm.geodesic_between(atlas, end, start, on_failure="status")
     there = bm.geodesic_between(moved, start, end, on_failure="status")
@@ -151,7 +153,7 @@ def compare(tally: Tally, atlas: bm.Atlas, moved: bm.Atlas, path: bm.AtlasPath) 
 
 
 def by_libigl(tally: Tally, atlas: bm.Atlas, path: bm.AtlasPath) -> None:
-    """Hold a path against the extrapolated exact distances over meshes."""
+    """Compare a path with the extrapolated exact distances over meshes."""
     start, end = path.points
     tally.measured += 1
     for levels in (LEVELS, FINER):

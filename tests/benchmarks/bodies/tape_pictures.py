@@ -1,4 +1,4 @@
-"""How long the pictures of a body's chart take, by renderer.
+"""How long each renderer takes to draw the pictures of a body's chart.
 
 python tests/benchmarks/bodies/tape_pictures.py [BODY]
 """

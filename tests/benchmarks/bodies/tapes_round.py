@@ -1,7 +1,7 @@
 """Natural waists, armpits, girths cut there, and drops, on the five bodies, with their times.
 
-Run by hand: ``OMP_NUM_THREADS=1 python tests/benchmarks/bodies/tapes_round.py``. Lengths in
-centimeters, seconds of one thread.
+Run it by hand: ``python tests/benchmarks/bodies/tapes_round.py``. Lengths are in centimeters, times
+in seconds of one thread.
 """
 
 import os

@@ -2,11 +2,11 @@
 
 Run it by hand: ``python tests/benchmarks/bodies/taut.py [BODY ...]``.
 
-On each body: all pairs of the first 13 landmarks and random pairs, whether chord <= taut <= contact
-holds, what a start that is pushed outward by 2 cm changes, whether the error estimate covers the
-change to a string of four times as many points, and time; how far mirror images are apart; and, on
-the centre lines, how far tapes are from the hull of the exact profile. Where a tape slides off the
-median plane, it is shorter than that hull.
+On each body, for all pairs of the first 13 landmarks and for random pairs, it prints whether chord
+<= taut <= contact holds, how much the length changes from a start that is pushed outward by 2 cm,
+whether the error estimate covers the change to a string of four times as many points, and the time.
+It also prints how far mirror images are apart and, on the center lines, how far tapes are from the
+hull of the exact profile. Where a tape slides off the median plane, it is shorter than that hull.
 """
 
 import os
@@ -56,7 +56,7 @@ def pushed(skin: Skin, path: bm.AtlasPath, far: float) -> TautLeg:
 
 
 def survey(name: str, pairs: list[tuple[bm.AtlasPoint, bm.AtlasPoint]], atlas: bm.Atlas) -> None:
-    """Print how tapes between pairs of points come out."""
+    """Draw tapes between pairs of points, and print how well they satisfy what must hold."""
     skin = skin_of(atlas, "determined")
     far = convert_length(PUSH, bm.Unit.M, atlas.unit)
     statuses: Counter[str] = Counter()

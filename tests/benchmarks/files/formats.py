@@ -1,10 +1,10 @@
 """How long it takes to read and write atlases of 10,000 patches, and to make one of 13,378 quads.
 
-Run by hand: python tests/benchmarks/files/formats.py [--side 100]
+Run it by hand: ``python tests/benchmarks/files/formats.py [--side 100]``.
 
-Prints for each format the size of the file and the processor time to write and to read it; for OBJ
-also where patches share no vertices; then for the mesh, that of the patches alone and that of
-reading it from an OBJ file. One thread; of three runs the shortest.
+For each format it prints the size of the file and the processor time to write and to read it, for
+OBJ also where patches share no vertices. For the mesh it prints the time to make the patches alone
+and to read it from an OBJ file. Times are those of one thread, the shortest of three runs.
 """
 
 import argparse
@@ -28,7 +28,7 @@ from bodymeasure.formats import FORMATS
 from bodymeasure.subdivision import PolygonMesh, loop_schaefer
 
 RUNS = 3
-# As many quads as the mesh of a whole body that the samples come from.
+# The mesh has as many quads as that of the whole body from which the samples are made.
 ROWS, COLUMNS = 2, 6689
 
 

@@ -1,12 +1,12 @@
 """Damage valid files in thousands of ways, and see that each is read or refused at once.
 
-Run by hand: python tests/benchmarks/files/fuzz_formats.py [--mutations 10000] [--seed 0] [--only
-NAME]
+Run it by hand: ``python tests/benchmarks/files/fuzz_formats.py [--mutations 10000] [--seed 0]
+[--only NAME]``.
 
-Prints for each kind of file how many mutations were refused and how many read, the most processor
-time that one took, and by how much the process grew. Ends with code 1 if one crashed with another
-error than `InputError`, took more than a second, left what is no number in the atlas, or had the
-process grow beyond bounds.
+For each kind of file it prints how many mutations were refused and how many were read, the most
+processor time that one took, and by how much the process grew. It ends with code 1 if one raised an
+error other than `InputError`, took more than a second, left a number in the atlas that is not
+finite, or made the process grow beyond bounds.
 """
 
 import argparse
@@ -25,12 +25,12 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 from helpers.files.mutations import mutated, read_or_refused, valid_files
 
 SECONDS = 1.0
-# Of memory, by which one kind of file may make the process grow: MiB.
+# The memory, in MiB, by which one kind of file may make the process grow.
 GROWTH = 200.0
 
 
 def run(name: str, form: str, content: bytes, mutations: int, seed: int) -> bool:
-    """Whether all mutations of a file ended well; prints what happened."""
+    """Read mutations of a file, print what happened, and return whether all ended well."""
     refused, slowest, failures = 0, 0.0, 0
     before = peak()
     for number in range(mutations):

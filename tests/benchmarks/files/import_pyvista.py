@@ -1,11 +1,11 @@
-"""How long `import pyvista` takes with bodymeasure installed, beside without.
+"""How long `import pyvista` takes with bodymeasure installed, and without.
 
-Run by hand: python tests/benchmarks/files/import_pyvista.py [--rounds 20]
+Run it by hand: ``python tests/benchmarks/files/import_pyvista.py [--rounds 20]``.
 
 Two folders hold the same packages, those of this environment; only one of them has bodymeasure,
 with its entry points. Each round imports pyvista in fresh processes: with, without, and without
-once more, in an order drawn anew. Prints the processor times, the median over the rounds of with
-over without, and that of without over without, which is what chance makes of it.
+once more, in an order drawn anew. The script prints the processor times, the median over the rounds
+of the ratio of with to without, and that of without to without, which shows the part of chance.
 """
 
 import argparse

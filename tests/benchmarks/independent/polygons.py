@@ -1,10 +1,10 @@
-"""Shortest polygons in patches: paths held by edges, by a method of the benchmarks' own.
+"""Shortest polygons in patches, which find paths along edges without the library's solver.
 
-Polygons have equally many vertices (u, v) as parameters are cut in equal parts, and chords in
-space. Their energy is minimized in the box [0, 1]^2 by Newton steps with the exact Hessian, each to
-the minimum of the quadratic model in the box.
-Chords are shorter than the way, by the square of the number of edges: Richardson's extrapolation of
-several numbers gives the length, and tells how sure it is. Of bodymeasure's solver nothing is used.
+A polygon has vertices (u, v) at equally spaced times, and chords in space. Its energy is minimized
+in the box [0, 1]^2 by Newton steps with the exact Hessian, each of which goes to the minimum of the
+quadratic model in the box. The chords are shorter than the path by a part that falls with the
+square of their number, so that Richardson's extrapolation over several numbers gives the length and
+its uncertainty.
 """
 
 from typing import NamedTuple
@@ -18,20 +18,22 @@ from bodymeasure.bezier import derivatives, evaluate
 
 EDGES = ("u = 0", "u = 1", "v = 0", "v = 1")
 LEVELS = (128, 256, 512, 1024, 2048, 4096)
-# So far inside do the vertices begin: which edges hold them is to be found out, not to be told.
+# The vertices begin this far inside the patch, so that the edges that hold them must be found.
 INSET = 1e-3
 MOST_STEPS = 300
-# Sets of held coordinates that are tried in each.
+# The most sets of held coordinates that are tried in each step.
 MOST_SETS = 40
-# At rest where a step foretells to lower the energy by less than this part.
+# A polygon is at rest when a step would lower its energy by less than this part.
 REST = 1e-14
-# Damping of the Hessian, in parts of the metric: first value, factors, least and greatest.
+# Damping of the Hessian, in parts of the metric: its first value, the factors after a good and a
+# bad step, and its least and greatest value.
 DAMPING, LESS, MORE, LEAST, MOST = 1e-2, 0.1, 10.0, 1e-9, 1e10
-# By how much errors of third order fall a level; and for what one move tells by chance.
+# The factor by which errors of third order fall from level to level; and a factor of safety, since
+# a single change may be small by chance.
 FALL, SAFETY = 8.0, 2.0
 # Rounding errors of a sum of thousands of chords, relative.
 ROUNDING = 1e-13
-# And of energies: a step that raises one by less is as good as one that does not.
+# A step that raises the energy by less than this part is as good as one that does not raise it.
 LEVEL = 1e-15
 
 
@@ -62,10 +64,10 @@ class Polygons(NamedTuple):
 
     @property
     def uncertainty(self) -> float:
-        """What each move of the extrapolation allows for, a level finer than the move by an eighth.
+        """The largest error that any change between extrapolations leaves, an eighth a level.
 
-        Where a path joins an edge lies anyhow between two vertices, which leaves an irregular error
-        of third order: the last two extrapolations may be close together by chance.
+        The point at which a path joins an edge lies somewhere between two vertices, which leaves an
+        irregular error of third order: the last two extrapolations may be close by chance.
         """
         moves = np.abs(np.diff(self.extrapolated))
         finer = np.arange(len(moves))[::-1]
@@ -73,14 +75,14 @@ class Polygons(NamedTuple):
 
 
 def shortest_polygons(net: Array, points: Array) -> Polygons:
-    """Polygons on the levels, each begun from the one before.
+    """The shortest polygons on all levels, each found from the one before.
 
     Parameters
     ----------
     net : ndarray, shape (m + 1, n + 1, 3)
         Control points.
     points : ndarray, shape (LEVELS[0] + 1, 2)
-        Where the coarsest begins; the ends stay.
+        The vertices from which the coarsest polygon begins; the ends stay.
     """
     points = points.copy()
     points[1:-1] = np.clip(points[1:-1], INSET, 1.0 - INSET)
@@ -97,7 +99,10 @@ def shortest_polygons(net: Array, points: Array) -> Polygons:
 
 
 class _Energy(NamedTuple):
-    """Of a polygon, by its inner vertices: gradient (k, 2), Hessian in bands, metric's diagonal."""
+    """The energy of a polygon, its gradient (k, 2) and Hessian in bands, and the metric's diagonal.
+
+    Derivatives are in the inner vertices.
+    """
 
     energy: float
     gradient: Array
@@ -163,8 +168,8 @@ def _step(
 ) -> tuple[Array, NDArray[np.bool_], float] | None:
     """The minimum of the quadratic model in the box: the step, what is held, the decrease doubled.
 
-    By a primal-dual active set (M. Hintermueller, K. Ito, K. Kunisch, SIAM J. Optim. 13 (2002)
-    865-888). None where the Hessian is not positive definite in what is free.
+    It is found by a primal-dual active set (M. Hintermueller, K. Ito, K. Kunisch, SIAM J. Optim. 13
+    (2002) 865-888). Return None where the Hessian is not positive definite in the free coordinates.
     """
     bands, gradient = here.bands.copy(), here.gradient.ravel()
     bands[0] += damping * here.metric
@@ -193,7 +198,7 @@ def _step(
 
 
 def _product(bands: Array, vector: Array) -> Array:
-    """Of a symmetric matrix, given by its lower bands, with a vector."""
+    """The product of a symmetric matrix, given by its lower bands, with a vector."""
     result = bands[0] * vector
     for row in range(1, 4):
         result[row:] += bands[row, :-row] * vector[:-row]

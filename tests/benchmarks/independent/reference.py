@@ -1,4 +1,4 @@
-"""What the scripts share: the package's independent reference, and where it is asked for.
+"""The independent reference of the package, and the problems on which the scripts use it.
 
 The reference itself is `bodymeasure.bench.problems.reference`, which `bodymeasure bench` uses too.
 """

@@ -1,7 +1,7 @@
-"""Shortest spline paths in patches, by minimizing their energy: nothing here is the library's own.
+"""Shortest spline paths in patches, found by minimizing their energy without the library's solver.
 
-A path is a quadratic spline in (u, v). With its coefficients in [0, 1] it lies in the patch, so
-each is a way that can be gone, and its length is never less than that of the shortest. Newton's
+A path is a quadratic spline in (u, v). With its coefficients in [0, 1] it lies in the patch, and
+so its length is never less than that of the shortest path. Newton's
 method with damping minimizes the energy, some coefficients held by their bounds (two-metric
 projection: D. Bertsekas, SIAM J. Control Optim. 20 (1982) 221-246), on dense matrices.
 """
@@ -16,13 +16,13 @@ from bodymeasure._typing import Array
 from bodymeasure.bezier import derivatives
 
 DEGREE = 2
-# Gauss points a span: for the energy, and for lengths, which are given out.
+# Gauss points in each span for the energy, and for the lengths that are reported.
 ENERGY_POINTS, LENGTH_POINTS = 3, 8
 STEPS = 80
-# Part of the path's own speed that is added to the metric, which vanishes on a collapsed edge.
+# This part of the path's own speed is added to the metric, which vanishes on a collapsed edge.
 SMALL = 1e-9
-# Damping, as a part of the metric: at first, factors after a good and a bad step, and when a path
-# is given up.
+# Damping, as a part of the metric: its first value, the factors after a good and a bad step, and
+# the value at which a path is given up.
 FIRST_DAMPING, LESS, MORE, MOST = 1e-2, 0.1, 6.0, 1e9
 
 
@@ -52,31 +52,31 @@ def _knots(spans: int) -> Array:
 
 
 def greville(spans: int) -> Array:
-    """Where a smooth path's values are about the coefficients of a spline."""
+    """The Greville abscissas, where a smooth path's values are close to a spline's coefficients."""
     knots = _knots(spans)
     return np.asarray((knots[1:-2] + knots[2:-1]) / 2.0)
 
 
 def places(coefficients: Array, times: Array) -> Array:
-    """(u, v) on splines with coefficients (paths, n, 2), shape (paths, k, 2)."""
+    """The (u, v) at some times on splines with coefficients (paths, n, 2), shape (paths, k, 2)."""
     spans = coefficients.shape[1] - DEGREE
     return np.asarray(BSpline(_knots(spans), np.eye(spans + DEGREE), DEGREE)(times) @ coefficients)
 
 
 def refined(coefficients: Array, spans: int) -> Array:
-    """About the same paths with more spans."""
+    """Nearly the same paths with more spans."""
     return np.clip(places(coefficients, greville(spans)), 0.0, 1.0)
 
 
 def lengths(nets: Array, coefficients: Array) -> Array:
-    """Of spline paths, shape (paths,)."""
+    """The lengths of spline paths, shape (paths,)."""
     space = spline_space(coefficients.shape[1] - DEGREE, LENGTH_POINTS)
     velocity = _motion(nets, coefficients, space, 1)[2]
     return np.asarray(np.linalg.norm(velocity, axis=-1) @ space.weights)
 
 
 def descend(nets: Array, coefficients: Array, rest: float) -> Array:
-    """Slide down to paths of least energy within the patches.
+    """Descend to paths of least energy within the patches.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ def descend(nets: Array, coefficients: Array, rest: float) -> Array:
 def _motion(
     nets: Array, coefficients: Array, space: SplineSpace, order: int
 ) -> tuple[Array, Array, Array]:
-    """Derivatives of the patches along paths, (u', v') and x'."""
+    """The derivatives of the patches along paths, (u', v') and x'."""
     jet = derivatives(nets, space.values @ coefficients, order)
     slope = space.slopes @ coefficients
     return jet, slope, jet[..., 1, 0, :] * slope[..., :1] + jet[..., 0, 1, :] * slope[..., 1:]
@@ -130,7 +130,7 @@ def _energy(nets: Array, coefficients: Array, space: SplineSpace) -> Array:
 def _expansion(
     nets: Array, coefficients: Array, space: SplineSpace
 ) -> tuple[Array, Array, Array, Array]:
-    """Half the energy, its gradient and Hessian by all inner u, then all inner v, and a metric."""
+    """Half the energy, its gradient and Hessian in all inner u, then all inner v, and a metric."""
     d, slope, x = _motion(nets, coefficients, space, 3)
     du, dv = slope[..., :1], slope[..., 1:]
     first = (d[..., 1, 0, :], d[..., 0, 1, :])

@@ -2,12 +2,12 @@
 
 Each problem is a patch that is folded, collapsed, stretched, thrown about or crumpled, of a random
 size from 1e-3 to 1e6, and two of its points: corners, on edges, inside, 1e-12 apart, the same. It
-is solved alone and timed. Every length is then held against an independent one, which starts from
+is solved alone and timed. Every length is then compared with an independent one, which starts from
 its path: Chebyshev collocation (`reference.py`) or, where that finds nothing, a spline inside the
 patch (`spline_paths.py`), both on the part of the patch around the points, cut out in exact
-arithmetic (`enlarged.py`). And against what must hold of any length: it is finite where the status
-says that there is one, no less than the chord and no more than the straight line's in (u, v) on
-the patch, and its path lies in the patch. Whatever breaks that is listed, by kind.
+arithmetic (`enlarged.py`). It must also have the properties of any length: it is finite where the
+status says that there is one, no less than the chord and no more than the straight line's in
+(u, v) on the patch, and its path lies in the patch. Every violation is listed, by kind.
 
 Run it by hand: ``python tests/benchmarks/patches/adversarial.py [--problems N] [--first K]``;
 10,000 take half an hour. Problem k is the same however many are run.
@@ -34,28 +34,28 @@ from benchmarks.independent import reference
 from benchmarks.independent.enlarged import Enlarged, enlarged
 from benchmarks.independent.reference import Problems
 from benchmarks.independent.spline_paths import descend, greville, lengths, refined
-from helpers.surfaces.adversarial_patches import SPOILS, random_ends, wicked
+from helpers.surfaces.adversarial_patches import SPOILS, adversarial_patch, random_ends
 
 from bodymeasure._typing import Array
 
 SEED = 20240301
 SLOW = 1.0
-# What the library's tests of paths allow, in u and v.
+# The error in u and v that the library's tests of paths allow.
 OUTSIDE = 1e-9
 # A path this close to the reference's is meant to be the same geodesic.
 SAME_PATH = 0.05
-# Rounding of what a length is compared with, relative.
+# The relative rounding error of the lengths that are compared.
 ROUNDING, PLACE = 1e-14, 1e-15
-# Spans of the splines, in turn, until one changes the length by less than this part.
+# The numbers of spans that are tried in turn, until one changes the length by less than this part.
 SPANS, ENOUGH = (16, 32, 64, 128), 1e-9
 # A spline is never shorter than the shortest path, but for the error of its quadrature. It may be
 # longer by some times the last change, which falls to a tenth each time where nothing is singular,
 # and by what its descent leaves on patches much longer than wide.
 DOUBT, DOUBT_BELOW, LEFT = 2.0, 10.0, 1e-9
 BATCH = 200
-# Edges of the polygons that measure a path.
+# The numbers of edges of the polygons that measure a path.
 FINE = 8192
-# A summary is printed after so many problems.
+# A summary is printed each time that so many problems are done.
 REPORT = 1000
 LISTED = 12
 
@@ -75,9 +75,9 @@ class Case(NamedTuple):
 
     @property
     def rounding(self) -> float:
-        """Of the lengths that this one is compared with: relative, and of the places on the part.
+        """The relative rounding error of the lengths that this one is compared with.
 
-        The latter counts where a length is small beside the part.
+        It includes that of the points on the part, which counts where a length is short beside it.
         """
         return ROUNDING * float(self.solution.raw_length) + PLACE * self.size
 
@@ -90,15 +90,17 @@ def problem(number: int) -> tuple[Array, Array]:
     """Control points and ends."""
     rng = np.random.default_rng([SEED, number])
     spoils = [SPOILS[k] for k in rng.integers(0, len(SPOILS), rng.integers(0, 4))]
-    net = wicked(int(rng.integers(2**32)), spoils, float(rng.choice([0.0, 0.05, 0.2, 0.5])))
+    net = adversarial_patch(
+        int(rng.integers(2**32)), spoils, float(rng.choice([0.0, 0.05, 0.2, 0.5]))
+    )
     return net * 10.0 ** rng.uniform(-3.0, 6.0), random_ends(rng)
 
 
 def solve(number: int, complaints: dict[str, list[int]]) -> Case | None:
-    """None if there is nothing to compare; what is wrong at once is entered in the complaints."""
+    """Solve a problem; None if there is no length. Faults are added to the complaints."""
     net, ends = problem(number)
     seconds, solution = np.inf, None
-    # Twice if it takes long: the first to use a trial space has to make it.
+    # It is solved again if it takes long, since the first use of a trial space has to make it.
     for _ in range(2):
         begin = time.process_time()
         try:
@@ -136,7 +138,7 @@ def solve(number: int, complaints: dict[str, list[int]]) -> Case | None:
 
 
 def check(cases: list[Case], complaints: dict[str, list[int]]) -> Counter[str]:
-    """Hold lengths against others; how many were confirmed, and by what."""
+    """Compare lengths with independent ones; return how many were confirmed, and by what."""
     cases = [case for case in cases if case.solution.converged and case.solution.length > 0.0]
     with np.errstate(all="ignore"):
         known = _by_collocation(cases)
@@ -155,8 +157,8 @@ def check(cases: list[Case], complaints: dict[str, list[int]]) -> Counter[str]:
             if not np.isfinite(length + change):
                 witness = "nothing"
             elif np.isnan(exact) and case.solution.length < length - below and _is_true(case):
-                # A path in the patch, of the length told but for its correction, is shorter: the
-                # spline has come to rest elsewhere, or not at all.
+                # The solution's own path, which lies in the patch, is shorter: the spline has come
+                # to rest elsewhere, or not at all.
                 witness = "its own path, measured"
             elif not abs(case.solution.length - length) <= allowed:
                 kind = "longer" if is_longer else "shorter"
@@ -173,21 +175,21 @@ def check(cases: list[Case], complaints: dict[str, list[int]]) -> Counter[str]:
 
 
 def _is_true(case: Case) -> bool:
-    """Whether the path is as long as is told, by inscribed polygons."""
+    """Whether inscribed polygons confirm the length of the path."""
     places = evaluate(case.part.net, case.path(np.linspace(0.0, 1.0, FINE + 1)))
     coarse, fine = (
         np.linalg.norm(np.diff(places[::step], axis=0), axis=1).sum() for step in (2, 1)
     )
-    # Two terms of their errors, in even powers of the edges, are taken off and told.
+    # Two terms of their errors, in even powers of the edges, are eliminated.
     own, doubt = fine + (fine - coarse) / 3.0, abs(fine - coarse) / 3.0
     return bool(abs(own - case.solution.raw_length) <= doubt + case.rounding)
 
 
 def _by_collocation(cases: list[Case]) -> Array:
-    """Lengths of the same geodesics, NaN where none was found."""
+    """The lengths of the same geodesics by collocation, NaN where none was found."""
     if not cases:
         return np.empty(0)
-    # In a unit of its own each, so that residuals are relative.
+    # Each part is measured in a unit of its own, so that residuals are relative.
     sizes = np.array([case.size for case in cases])
     nets = np.stack([case.part.net for case in cases]) / sizes[:, None, None, None]
     ends = np.stack([case.part.ends for case in cases])
@@ -201,7 +203,7 @@ def _by_collocation(cases: list[Case]) -> Array:
 
 
 def _by_splines(case: Case) -> tuple[float, float]:
-    """Length of a spline in the patch that starts from the solution's path, and its last change."""
+    """The length of a spline that descends from the solution's path, and its last change."""
     net = case.part.net[None] / case.size
     path = np.clip(case.path(greville(SPANS[0])), 0.0, 1.0)[None]
     path[:, 0], path[:, -1] = case.part.ends
@@ -219,7 +221,7 @@ def _by_splines(case: Case) -> tuple[float, float]:
 
 
 def _check_bounds(case: Case, complaints: dict[str, list[int]]) -> None:
-    """A length lies between the chord and the straight line in (u, v)."""
+    """Whether a length lies between the chord and that of the straight line in (u, v)."""
     net, ends, solution = case.part.net, case.part.ends, case.solution
     line = [ends[0] + (ends[1] - ends[0]) * greville(n)[:, None] for n in SPANS[-2:]]
     coarse, fine = (float(lengths(net[None], each[None])[0]) for each in line)

@@ -1,14 +1,14 @@
-"""Shortest paths along edges, held against extrapolated shortest polygons; and what they take.
+"""Shortest paths along edges, compared with extrapolated shortest polygons, and their times.
 
-On random patches as wild as the paper's, and on all diagonals of the five bodies: every path whose
-status is ON_BOUNDARY, against `polygons.py`, which knows nothing of free legs and arcs. It begins
-at the path itself, but moved off the edges, so that it finds out by itself where they hold it. That
-no shorter path runs elsewhere is for ``shortest.py``. Run it by hand: ``python
-tests/benchmarks/patches/contact.py [--patches N]``; 500 patches of each kind and the bodies take
-two minutes.
+On random patches as rough as the paper's, and on all diagonals of the five bodies, every path whose
+status is ON_BOUNDARY is compared with `polygons.py`, which knows nothing of free legs and arcs. The
+polygons begin at the path itself, moved off the edges, so that they must find where edges hold
+them. Whether a shorter path runs elsewhere is the subject of ``shortest.py``. Run it by hand:
+``python tests/benchmarks/patches/contact.py [--patches N]``; 500 patches of each kind and the
+bodies take two minutes.
 
-Then each problem is solved alone, as a user would, with the default search: processor time, the
-best of three.
+Then each problem is solved alone, as a user would, with the default search; the processor time is
+the best of three.
 """
 
 import os
@@ -53,7 +53,7 @@ class Case(NamedTuple):
 
     @property
     def doubt(self) -> float:
-        """What both say of their errors, relative."""
+        """The sum of both error estimates, relative to the length."""
         both = self.solution.error_estimate + self.polygons.uncertainty
         return float(both / self.polygons.length)
 
@@ -140,7 +140,7 @@ def quantiles(values: Array) -> str:
 
 
 def described(case: Case) -> None:
-    """Print one case that wants to be looked at."""
+    """Print one case that needs to be looked at."""
     print(
         f"    off: difference {case.difference:.1e}, estimate "
         f"{case.solution.error_estimate / case.solution.length:.1e}, uncertainty "

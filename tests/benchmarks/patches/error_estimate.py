@@ -46,7 +46,7 @@ from bodymeasure._typing import Array
 
 # Relative errors below this are rounding; no estimate is sharp there.
 ROUNDING = 1e-15
-# A path this close to the reference's, in u and v, is meant to be the same geodesic.
+# A path this close to the reference's, in u and v, counts as the same geodesic.
 SAME_PATH = 0.05
 # Lengths further off than this, relative, should be rare, and have a status.
 FAR_OFF = 1e-8
@@ -81,7 +81,7 @@ def problem_sets(quick: bool) -> dict[str, Problems]:
 def compare(
     problems: Problems, solution: GeodesicSolution, known: Reference
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """True lengths beside the converged paths (NaN if unknown), and which are other geodesics.
+    """The true lengths of the converged paths (NaN if unknown), and which are other geodesics.
 
     Where the reference has no length, or its path is another one, one is sought from the path in
     question; if it moves far away from there, it does not count. What was unknown is entered.
@@ -105,7 +105,7 @@ def _is_near(paths: Array, others: Array) -> NDArray[np.bool_]:
 
 
 def row(solution: GeodesicSolution, true: Array, other: NDArray[np.bool_]) -> str:
-    """One line of the table, and one for each of the worst broken promises."""
+    """Print one line of the table, and one for each of the worst lengths that break a promise."""
     compared = np.flatnonzero(solution.converged & np.isfinite(true))
     if len(compared) == 0:
         return "nothing to compare"

@@ -1,7 +1,7 @@
-"""How often the searches miss the shortest path, held against many starts of another method.
+"""How often the searches miss the shortest path, compared with many starts of another method.
 
-Random patches as wild as the paper's, and some that are symmetric about the diagonal, on which the
-straight start is a geodesic and often not the shortest. From 30 starts on each patch (straight,
+The patches are random and as rough as the paper's; some are symmetric about the diagonal, so that
+the straight start is a geodesic and often not the shortest. From 30 starts on each patch (straight,
 bowed to either side, S-shaped, along the edges, and random ones) splines slide down to paths of
 least energy (`spline_paths.py`); the best are refined. Each of them lies in its patch, so the
 shortest path is no longer than it: a length that is longer by 1e-6 is a miss for certain.
@@ -36,7 +36,7 @@ from benchmarks.independent.spline_paths import descend, greville, lengths, plac
 from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic import SEARCHES
 
-# Relative; the second for paths along edges.
+# Relative excess of a length that counts as a miss, and relative error of a path along an edge.
 MISS, OFF = 1e-6, 1e-7
 STARTS = 30
 # Spans of the splines that compete, and of those that are refined in turn. With 16 a length is
@@ -45,12 +45,12 @@ STARTS = 30
 COARSE, FINE, ENOUGH = 16, (32, 64, 128, 256), 1e-8
 # A path is at rest when a step would lower its energy by less than this part.
 COARSE_REST, FINE_REST = 1e-9, 1e-14
-# Of each patch so many paths are refined, if they are longer than the best by this part at most and
-# this far, in (u, v), from those that are taken.
+# The most paths of each patch that are refined, how much longer than the best they may be
+# (relative), and how far in (u, v) they must be from those already taken.
 FINALISTS, WORTH, APART = 4, 3e-3, 0.02
-# Patches at once.
+# The number of patches that are solved at once.
 CHUNK = 25
-# How many problems are listed of those that went wrong.
+# How many of the problems that went wrong are listed.
 LISTED = 8
 TIMES = np.linspace(0.0, 1.0, 33)
 
@@ -91,7 +91,7 @@ def shortest(nets: Array, rng: np.random.Generator) -> tuple[Array, Array]:
 
 
 def _finalists(owners: Ints, paths: Array, length: Array) -> list[int]:
-    """Ints of the paths that are worth being refined."""
+    """The indices of the paths that are worth being refined."""
     points = places(paths, TIMES)
     result = []
     for patch in np.unique(owners):

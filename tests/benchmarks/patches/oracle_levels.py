@@ -63,7 +63,7 @@ def quantiles(error: Array) -> str:
 def measure(
     nets: Array, levels: tuple[int, ...], processes: int
 ) -> tuple[MeshDistances, float, float]:
-    """Distances along both diagonals, seconds on the clock, and seconds of this process."""
+    """The distances along both diagonals, and the seconds on the clock and of this process."""
     start, end = (np.broadcast_to(ends, (len(nets), 2, 2)) for ends in (START, END))
     clock, own = time.perf_counter(), time.process_time()
     measured = mesh_distances(nets, start, end, levels=levels, processes=processes)

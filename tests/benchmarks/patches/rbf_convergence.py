@@ -1,4 +1,4 @@
-"""The study behind the default kernel, numbers of functions and placement of centers.
+"""The study behind the default kernel, the numbers of functions and the placement of centers.
 
 Every setting is tried on the diagonals of one body that stay in their patch and on mild random
 patches, against independent references (`reference.py`), with every length accepted whose
@@ -76,7 +76,7 @@ PLACEMENTS: dict[str, Callable[[Kernel, int], RBFCollocation]] = {
 
 
 def known(problems: Problems) -> tuple[Problems, Array]:
-    """Those problems whose geodesic stays in its patch, and its length."""
+    """The problems whose geodesic stays in its patch, and their true lengths."""
     length = reference.geodesics(problems, pairs=reference.FINEST).length
     rows = np.flatnonzero(np.isfinite(length))
     return problems.take(rows), length[rows]

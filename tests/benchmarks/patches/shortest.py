@@ -1,7 +1,7 @@
-"""How often the searches find the shortest path, held against libigl's exact distance.
+"""How often the searches find the shortest path, compared with libigl's exact distance.
 
-Random patches as wild as the paper's, and some that are symmetric about the diagonal, on which the
-straight start is a geodesic and often not the shortest. A length that is longer than the mesh's
+The patches are random and as rough as the paper's; some are symmetric about the diagonal, so that
+the straight start is a geodesic and often not the shortest. A length that is longer than the mesh's
 distance by more than three times its uncertainty is a miss; one that is shorter by as much would be
 wrong. Then lengths known in closed form. Run it by hand: ``python
 tests/benchmarks/patches/shortest.py [--patches N]``; 100 patches of each kind take some five
@@ -28,7 +28,8 @@ from helpers.surfaces.surfaces import SURFACES
 from bodymeasure._typing import Array
 from bodymeasure.geodesic import SEARCHES
 
-# As in the cross-check: the meshes' uncertainty, and what they can tell at all.
+# As in the cross-check: the multiple of the meshes' uncertainty that is allowed, and the relative
+# difference that they can resolve at all.
 DOUBT, RESOLUTION = 3.0, 1e-6
 
 

@@ -2,8 +2,8 @@
 
 Run it by hand: ``python tests/benchmarks/patches/table5.py [SAMPLE ...]``.
 
-Lengths on the atlas against those on the surface that it was fitted to, of all diagonals and all
-boundary curves; by default those of the average female, in two minutes on two free cores.
+The lengths of all diagonals and all boundary curves on the atlas are compared with those on the
+surface to which it was fitted, by default for the average female, in two minutes on two free cores.
 """
 
 import os

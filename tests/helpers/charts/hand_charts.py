@@ -1,4 +1,4 @@
-"""Charts whose tapes are made by hand: sections, their hulls, paths, straight lines."""
+"""Charts whose tapes are made by hand from sections, their hulls, paths and straight lines."""
 
 import itertools
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""A small chart with made-up numbers: what is tested is how they are shown and written."""
+"""A small chart with made-up numbers, for tests of how numbers are shown and written."""
 
 from dataclasses import replace
 from types import SimpleNamespace

@@ -14,7 +14,7 @@ SMALL = Size(
 )
 
 
-# What it told of its progress.
+# The counts that were reported while it ran.
 PROGRESS: list[int] = []
 
 

@@ -1,4 +1,4 @@
-"""A survey of straight (u, v) diagonals with made-up differences: what is tested is its drawing."""
+"""A survey of straight (u, v) diagonals with made-up differences, for tests of its drawing."""
 
 from types import SimpleNamespace
 from typing import Any
@@ -17,7 +17,7 @@ def straight_survey(
     check: bool = True,
     bulge: float = 0.0,
 ) -> Any:
-    """A survey with `difference` from exact; `bulge` bends the paths, up to outside their patch."""
+    """A survey with this relative difference from the mesh; `bulge` bends the paths in (u, v)."""
     shape = (len(atlas), 2)
     missing = np.zeros(shape, dtype=bool) if no_length is None else no_length
     start = np.broadcast_to([[0.0, 0.0], [1.0, 0.0]], (*shape, 2))

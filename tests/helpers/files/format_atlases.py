@@ -1,4 +1,4 @@
-"""Atlases to write and read, and reading as `read_atlas` does without a file."""
+"""Atlases to write and read, and functions that do so without a file."""
 
 import numpy as np
 from helpers.surfaces.grids import grid_atlas

@@ -1,4 +1,4 @@
-"""Valid files with something wrong in them."""
+"""Valid files, and copies of them that are damaged at random."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -19,7 +19,7 @@ WORDS = (
 
 
 def valid_files() -> dict[str, tuple[str, bytes]]:
-    """Small files by a name, each with its format."""
+    """Small valid files by name, each with its format."""
     atlas = body_like(2, 2)
     weights = np.random.default_rng(1).uniform(0.5, 2.0, len(atlas.points))[atlas.index]
     rational = replace(atlas, weights=weights)
@@ -51,7 +51,7 @@ def _mesh() -> bytes:
 
 
 def mutated(content: bytes, rng: Random) -> bytes:
-    """The content with one thing changed, or a few."""
+    """The content with one change, or a few."""
     for _ in range(rng.geometric(0.7)):
         content = _CHANGES[rng.integers(len(_CHANGES))](content, rng)
     return content
@@ -89,7 +89,7 @@ def _insert(content: bytes, rng: Random) -> bytes:
 
 
 def _number(content: bytes, rng: Random) -> bytes:
-    """Another digit, sign or point in place of one."""
+    """Replace a digit, sign or point by another one, or by an exponent."""
     places = [k for k, sign in enumerate(content) if sign in b"0123456789.-"]
     if not places:
         return content
@@ -100,7 +100,7 @@ def _number(content: bytes, rng: Random) -> bytes:
 
 
 def _line(content: bytes, rng: Random) -> bytes:
-    """A line left out, doubled or swapped with another."""
+    """Leave out a line, double it, or swap it with another."""
     lines = content.split(b"\n")
     first, second = rng.integers(len(lines), size=2)
     what = rng.integers(3)
@@ -131,7 +131,8 @@ def read_or_refused(content: bytes, form: str) -> Atlas | None:
     Raises
     ------
     AssertionError
-        If it holds what is no number or more than the file can, or the error does not say where.
+        If the atlas holds a number that is not finite, or more patches than the file can hold, or
+        if the error does not name the file.
     """
     try:
         atlas = read(content, form)
@@ -141,6 +142,6 @@ def read_or_refused(content: bytes, form: str) -> Atlas | None:
             raise AssertionError(f"which file? {message}") from error
         return None
     assert np.isfinite(atlas.control_points).all()
-    # The fewest bytes for a patch: the corners of a triangle, by number.
+    # Every patch takes several bytes; the shortest form is a triangle given by its corners.
     assert len(atlas) <= len(content)
     return atlas

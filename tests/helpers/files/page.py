@@ -1,4 +1,4 @@
-"""A page, parsed strictly."""
+"""A strict parser of the pages that the package writes."""
 
 import re
 from html.parser import HTMLParser
@@ -7,7 +7,7 @@ VOID = {"meta", "img", "br", "link", "input", "hr"}
 
 
 class Page(HTMLParser):
-    """Parses strictly: every element that needs an end tag must have it, in order."""
+    """Parse a page strictly: every element that needs an end tag must have it, in order."""
 
     def __init__(self, content: bytes) -> None:
         super().__init__(convert_charrefs=True)
@@ -45,7 +45,7 @@ class Page(HTMLParser):
         return [attributes for name, attributes in self.elements if name == tag]
 
     def check_links(self) -> None:
-        """Identifiers are unique, and every reference leads to one."""
+        """Check that identifiers are unique, and that every reference leads to one."""
         identifiers = [a["id"] for _, a in self.elements if "id" in a]
         assert len(identifiers) == len(set(identifiers))
         targets = [(a["href"] or "").removeprefix("#") for a in self.all("a")]
@@ -57,7 +57,7 @@ class Page(HTMLParser):
         assert scopes <= {"col", "row", "colgroup", "rowgroup"}
 
     def check_self_contained(self) -> None:
-        """Nothing is loaded from elsewhere."""
+        """Check that nothing is loaded from elsewhere."""
         for tag, attributes in self.elements:
             assert tag not in {"link", "script", "iframe", "object", "base"}
             for name in ("src", "href", "srcset", "data", "action", "poster"):

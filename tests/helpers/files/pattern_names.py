@@ -1,7 +1,7 @@
-"""Names that pattern programs know, as lists of their own.
+"""Names of measurements that pattern programs know, kept apart from those of the package.
 
-Of Seamly2D and Valentina, those measurements that a body without head, hands and feet may have:
-the names of their known measurements, groups A, B, G to O. Of FreeSewing, all.
+`SEAMLY` holds the known measurements of Seamly2D and Valentina that a body without head, hands and
+feet may have (groups A, B, G to O). `FREESEWING` holds all measurements of FreeSewing.
 """
 
 SEAMLY = frozenset(

@@ -6,14 +6,16 @@ from bodymeasure.atlas import Atlas, AtlasPoint, tessellate
 from bodymeasure.oracle.extrapolate import richardson
 from bodymeasure.oracle.libigl import exact_distance
 
-# Steps a patch edge: points with parameters that are quarters are vertices of all.
+# The segments of a patch edge in each tessellation. Points whose parameters are quarters are
+# vertices of all three.
 LEVELS = (4, 8, 12)
-# Libigl is given what a path can reach that is longer by this part than the one to be checked.
+# Libigl is given the part of the mesh that a path can reach which is this many times as long as the
+# one to be checked.
 ROOM = 1.02
 
 
 def quarter_point(rng: np.random.Generator, atlas: Atlas) -> AtlasPoint:
-    """A random point that is a vertex of all the tessellations."""
+    """A random point that is a vertex of every tessellation."""
     u, v = (rng.integers(1, 4, 2) / 4.0).tolist()
     return AtlasPoint(int(rng.integers(len(atlas))), u, v)
 
@@ -25,7 +27,7 @@ def mesh_distance(
     longest: float,
     levels: tuple[int, ...] = LEVELS,
 ) -> tuple[float, float]:
-    """The distance and its uncertainty, of paths not much longer than `longest`."""
+    """The exact distance and its uncertainty, among paths not much longer than `longest`."""
     by_level = []
     ends = np.array([atlas.position(start), atlas.position(end)])
     for segments in levels:

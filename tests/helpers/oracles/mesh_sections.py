@@ -1,6 +1,6 @@
-"""Sections of triangle meshes: what sections of smooth patches are checked against.
+"""Sections of triangle meshes, against which sections of smooth patches are checked.
 
-Nothing of `bodymeasure.section` is used but the plane.
+Only the plane is taken from `bodymeasure.section`.
 """
 
 import numpy as np
@@ -14,14 +14,14 @@ LEVELS = (64, 128, 256)
 
 
 def richardson_length(atlas: Atlas, plane: Plane) -> tuple[float, float]:
-    """Total length of a section extrapolated over tessellations, and its last move."""
+    """The total length of a section, extrapolated over tessellations, and its last change."""
     length = np.array([mesh_length(atlas, plane, segments) for segments in LEVELS])
     extrapolated = (4.0 * length[1:] - length[:-1]) / 3.0
     return float(extrapolated[-1]), float(abs(extrapolated[-1] - extrapolated[-2]))
 
 
 def mesh_length(atlas: Atlas, plane: Plane, segments: int) -> float:
-    """Total length in which a plane cuts a tessellation, triangle by triangle."""
+    """The total length in which a plane cuts a tessellation, triangle by triangle."""
     distance = (atlas.control_points - plane.point) @ plane.normal
     cut = (distance.min(axis=(1, 2)) < 0.0) & (distance.max(axis=(1, 2)) > 0.0)
     side = np.arange(segments + 1) / segments

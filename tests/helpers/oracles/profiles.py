@@ -6,13 +6,13 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.section import Plane, SectionLoop, plane_section
 
-# Samples of the profile: what they leave of the arcs is measured exactly, and takeoffs are known to
-# a step, whose cube counts.
+# Samples of each arc. The arcs between bridges are measured exactly, and the ends of bridges are
+# known to a step, of which only the cube enters the length.
 SAMPLES = 1200
 
 
 def profile_hull(atlas: Atlas, start: AtlasPoint, end: AtlasPoint) -> float:
-    """Length of a tape drawn taut over the median profile, on the shorter way round."""
+    """The length of a tape drawn taut over the median profile, the shorter way around."""
     first, last = atlas.position(start), atlas.position(end)
     loop = plane_section(atlas, Plane(first, np.array([1.0, 0.0, 0.0]))).nearest(first)
     begin, finish = sorted(_place(loop, position) for position in (first, last))
@@ -24,7 +24,7 @@ def profile_hull(atlas: Atlas, start: AtlasPoint, end: AtlasPoint) -> float:
 
 
 def _place(loop: SectionLoop, position: Array) -> float:
-    """Where a loop passes closest to a position."""
+    """The place on a loop that is closest to a position."""
     count = float(len(loop.pieces))
     place, width = 0.5 * count, 0.5 * count
     for steps in (2000, *(40,) * 10):
@@ -36,7 +36,7 @@ def _place(loop: SectionLoop, position: Array) -> float:
 
 
 def _arc(begin: float, finish: float) -> Array:
-    """Places from one to another, onwards."""
+    """Places on a loop from one place onwards to another."""
     # The kinks between pieces are corners of the hull, or of hollows.
     kinks = np.arange(np.floor(begin) + 1.0, np.ceil(finish))
     return np.unique(np.concatenate([np.linspace(begin, finish, SAMPLES + 1), kinks]))
@@ -51,7 +51,7 @@ def _travelled(loop: SectionLoop, places: Array) -> Array:
 
 
 def _taut(loop: SectionLoop, places: Array) -> float:
-    """The chain that turns towards the body only: arcs of the profile, and bridges."""
+    """The length of the chain that turns only towards the body: arcs of the profile and bridges."""
     whole = loop.positions[:, 1:]
     area = (whole[:, 0] * np.roll(whole[:, 1], -1) - whole[:, 1] * np.roll(whole[:, 0], -1)).sum()
     count = float(len(loop.pieces))

@@ -1,7 +1,8 @@
-"""Geodesics by another way than the library's, to hold its lengths against.
+"""Geodesics by another method than the library's, against which its lengths are checked.
 
-The energy of a polynomial path is made stationary: no geodesic equation, no collocation, no radial
-function and no correction of the length. Of the library only `bezier.derivatives` is used.
+The energy of a polynomial path is made stationary. There is no geodesic equation, no collocation,
+no radial function and no correction of the length; the only function of the library that is used
+is `bezier.derivatives`.
 """
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import ArrayLike
 from bodymeasure._typing import Array
 from bodymeasure.bezier import derivatives
 
-# Two degrees of path: a length is given only if both agree on it to this.
+# The degrees of two paths, and the relative agreement of their lengths below which none is given.
 DEGREES = (28, 40)
 AGREEMENT = 1e-11
 STEPS = 30
@@ -35,9 +36,10 @@ def reference_lengths(
     control_points : array_like, shape (problems, m + 1, n + 1, 3)
     start, end : array_like, shape (2,) or (problems, 2)
     guess : ndarray, shape (problems, k, 2), optional
-        A path at `chebyshev_times(k)` to start from; by default the straight line in (u, v).
+        The start of the iteration, a path at `chebyshev_times(k)`; by default the straight line
+        in (u, v).
     degrees : tuple of int
-        Of the path, on whose lengths both must agree.
+        The degrees of the two paths whose lengths must agree.
     """
     nets = np.asarray(control_points, dtype=np.float64)
     problems = len(nets)
@@ -62,7 +64,10 @@ def chebyshev_times(count: int) -> Array:
 
 
 def _interpolation(count: int, t: Array) -> Array:
-    """From values at `chebyshev_times(count)` to values and slopes at t; (2, times, count)."""
+    """Matrices from values at `chebyshev_times(count)` to values and slopes at t.
+
+    Their shape is (2, times, count).
+    """
     inverse = np.linalg.inv(chebyshev.chebvander(2.0 * chebyshev_times(count) - 1.0, count - 1))
     coefficients = np.eye(count)
     slopes = chebyshev.chebder(coefficients, axis=0) if count > 1 else 0.0 * coefficients
@@ -97,7 +102,7 @@ def _energy(net: Array, values: Array, rows: Array, weights: Array) -> float:
 
 
 def _stationary(net: Array, values: Array) -> Array:
-    """Newton's method on the energy, by the inner nodal values; NaN where it does not end."""
+    """Newton's method on the energy, in the inner nodal values; NaN where it does not converge."""
     t, weights = _gauss(2 * len(values))
     rows = _interpolation(len(values), t)
     inner = rows[:, :, 1:-1]
@@ -130,7 +135,7 @@ def _stationary(net: Array, values: Array) -> Array:
 def _derivatives_of_energy(
     net: Array, values: Array, rows: Array, inner: Array, weights: Array
 ) -> tuple[Array, Array]:
-    """Half the energy's gradient and Hessian by all inner u, then all inner v."""
+    """Half the energy's gradient and Hessian in all inner u, then all inner v."""
     d, slope, x = _motion(net, values, rows, 3)
     du, dv = slope[:, :1], slope[:, 1:]
     first = (d[:, 1, 0], d[:, 0, 1])

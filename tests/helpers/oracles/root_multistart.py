@@ -18,8 +18,8 @@ from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 STEPS = 30
 LAST_STEP = 1e-10
 SAME = 1e-6
-# Newton's method in fractions: steps, the distance over which derivatives are taken, to how many
-# parts of 1 points are rounded, and the step that is small enough.
+# For Newton's method in fractions: the most steps, the distance over which derivatives are taken,
+# the number of parts of 1 to which points are rounded, and the step that is small enough.
 REFINEMENTS = 20
 TINY = Fraction(1, 2**100)
 BITS = 2**200
@@ -64,7 +64,7 @@ def multistart_roots(net: Array, motion: Array, guesses: Array) -> Array:
             velocity = slope[0] * points.T + slope[1]
             second = bend[0] * points.T + bend[1]
             here = linearization(jet, velocity, second)
-            # At the node itself, values, velocities and seconds all move with the unknown.
+            # At the node itself, the values and both derivatives all move with the unknown.
             by = [
                 [
                     here.by_value[i][j]
@@ -95,7 +95,7 @@ def distinct(points: Array) -> Array:
 
 
 def missed(found: Array, expected: Array) -> list[Array]:
-    """Those expected that are not found."""
+    """The expected roots that were not found."""
     return [
         root
         for root in expected
@@ -107,8 +107,8 @@ def missed(found: Array, expected: Array) -> list[Array]:
 def sharpened(net: Array, motion: Array, points: Array) -> Array:
     """Roots by Newton's method in fractions, NaN where it does not converge.
 
-    Far from the patch the two equations say nearly the same, and in double precision many a point
-    there passes for a root.
+    Far from the patch the two equations say nearly the same, and in double precision many points
+    there pass for roots.
     """
     exact = np.vectorize(Fraction, otypes=[object])
     points_of, motion_of = exact(net), exact(motion)

@@ -1,4 +1,4 @@
-"""What a method finds from the straight line in (u, v), with no search for a shorter path."""
+"""Solutions from the straight line in (u, v), without a search for a shorter path."""
 
 from typing import Any
 
@@ -6,5 +6,5 @@ from bodymeasure.geodesic import GeodesicSolution, solve_geodesic
 
 
 def from_straight_line(surface: Any, start: Any, end: Any, **settings: Any) -> GeodesicSolution:
-    """`solve_geodesic` without a search: a failure stays one."""
+    """Call `solve_geodesic` without a search, so that a failure stays a failure."""
     return solve_geodesic(surface, start, end, search="straight", **settings)

@@ -74,7 +74,7 @@ SPOILS: list[Spoil] = [
 ]
 
 
-def wicked(seed: int, spoils: list[Spoil], size: float) -> Array:
+def adversarial_patch(seed: int, spoils: list[Spoil], size: float) -> Array:
     rng = np.random.default_rng(seed)
     net = FLAT + size * rng.normal(size=FLAT.shape)
     for spoil in spoils:
@@ -83,7 +83,7 @@ def wicked(seed: int, spoils: list[Spoil], size: float) -> Array:
 
 
 def random_ends(rng: np.random.Generator) -> Array:
-    """Start and end, shape (2, 2): corners, points of edges, inner points, close by, the same."""
+    """Start and end, shape (2, 2): corners, edge points and inner points, some very close."""
     start, end = (_random_point(rng) for _ in range(2))
     match rng.integers(8):
         case 0:
@@ -97,7 +97,7 @@ def random_ends(rng: np.random.Generator) -> Array:
 
 def _random_point(rng: np.random.Generator) -> Array:
     point = rng.random(2)
-    # Each coordinate is on an edge half of the time: a quarter are corners, a quarter inner points.
+    # Each coordinate is on an edge half of the time, so that a quarter of the points are corners.
     on_edge = rng.random(2) < 0.5
     point[on_edge] = rng.integers(0, 2, 2)[on_edge]
     return point

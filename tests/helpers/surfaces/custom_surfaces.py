@@ -1,4 +1,4 @@
-"""Surfaces as a user may give them, by their derivatives."""
+"""Surfaces that are given by their derivatives, as a user may give them."""
 
 import math
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ ORDERS = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2)
 
 
 def wave(amplitude: float, frequency: float, phase: float, x: Array) -> list[Array]:
-    """``amplitude cos(frequency x + phase)`` and three derivatives."""
+    """The function ``amplitude cos(frequency x + phase)`` and its first three derivatives."""
     return [
         amplitude * frequency**k * np.cos(frequency * x + phase + k * math.pi / 2) for k in range(4)
     ]
@@ -26,7 +26,7 @@ def product(a: list[Array], b: list[Array]) -> Array:
 
 @dataclass(frozen=True)
 class Torus:
-    """Tube of radius r around a circle of radius R; with R = 0, a sphere."""
+    """The tube of radius r around a circle of radius R; with R = 0 it is a sphere."""
 
     R: float
     r: float
@@ -51,7 +51,7 @@ class Torus:
 
 @dataclass(frozen=True)
 class Patch:
-    """A Bezier patch by way of the protocol for the user's own surfaces."""
+    """A Bezier patch that follows the protocol for the user's own surfaces."""
 
     net: Any
 

@@ -1,4 +1,4 @@
-"""Surfaces on which lengths are known, cut into atlases of several patches."""
+"""Surfaces with known lengths that are cut into atlases of several patches."""
 
 from collections.abc import Sequence
 
@@ -12,9 +12,9 @@ from bodymeasure.bezier import bernstein, evaluate, restrict
 
 
 def cut(net: Array, us: Sequence[float], vs: Sequence[float], *, turn: bool = True) -> Atlas:
-    """One patch cut along parameter lines; every other part is turned round.
+    """One patch that is cut along parameter lines; every other part is turned around.
 
-    Patches are numbered row by row, u along the rows.
+    Patches are numbered row by row; u runs along the rows.
     """
     u, v = np.array([0.0, *us, 1.0]), np.array([0.0, *vs, 1.0])
     rows, columns = len(u) - 1, len(v) - 1
@@ -31,7 +31,7 @@ def cut(net: Array, us: Sequence[float], vs: Sequence[float], *, turn: bool = Tr
 
 
 def on_cut(cuts: Sequence[Sequence[float]], uv: Sequence[float]) -> AtlasPoint:
-    """A point of the whole patch on an atlas that is cut and not turned."""
+    """A point of the whole patch, on an atlas that is cut without turns."""
     place, number = [], []
     for value, lines in zip(uv, cuts, strict=True):
         bounds = np.array([0.0, *lines, 1.0])
@@ -44,8 +44,8 @@ def on_cut(cuts: Sequence[Sequence[float]], uv: Sequence[float]) -> AtlasPoint:
 def slant_cut(net: Array, rng: np.random.Generator) -> tuple[Atlas, Array]:
     """One patch of total degree 3 in u and v cut into nine along lines that are slanted in (u, v).
 
-    The seams are curves that meet at kinks. Such a surface over a quadrilateral, bilinearly
-    parametrized, is bicubic. Also (u, v) of each part's corners, shape (9, 2, 2, 2).
+    The seams are curves that meet at kinks. Such a surface over a bilinearly parametrized
+    quadrilateral is bicubic. Return also (u, v) of each part's corners, shape (9, 2, 2, 2).
     """
     thirds = np.arange(4) / 3
     grid = np.stack(np.meshgrid(thirds, thirds, indexing="ij"), axis=-1)
@@ -65,13 +65,13 @@ def slant_cut(net: Array, rng: np.random.Generator) -> tuple[Atlas, Array]:
 
 
 def on_part(corners: Array, u: Array | float, v: Array | float) -> Array:
-    """(u, v) on the whole patch of points of a part with these corners, shape (2, 2, 2)."""
+    """The (u, v) on the whole patch of points of a part, given its corners, shape (2, 2, 2)."""
     us, vs = (np.stack([1.0 - np.asarray(w), np.asarray(w)]) for w in (u, v))
     return np.asarray(np.einsum("i...,j...,ijc->...c", us, vs, corners))
 
 
 def corner_of(atlas: Atlas, position: Sequence[float]) -> AtlasPoint:
-    """A patch corner at a position."""
+    """The patch corner at a position."""
     corners = atlas.control_points[:, ::3, ::3]
     apart = np.linalg.norm(corners - np.array(position), axis=-1)
     patch, i, j = np.unravel_index(np.argmin(apart), apart.shape)
@@ -88,7 +88,7 @@ def wavy_plane(rng: np.random.Generator, side: int = 3) -> Atlas:
 
 
 def wavy_cylinder(rng: np.random.Generator) -> tuple[Atlas, float]:
-    """`PH_CYLINDER` as nine patches, the seams of which run up and down; and its height."""
+    """`PH_CYLINDER` as nine patches whose seams run up and down, and its height."""
     cylinder = cut(PH_CYLINDER, (0.3, 0.65), (1 / 3, 2 / 3), turn=False)
     points = cylinder.points.reshape(10, 10, 3).copy()
     points[1:-1, 1:-1, 2] += rng.uniform(-0.12, 0.12, (8, 8))
@@ -96,5 +96,5 @@ def wavy_cylinder(rng: np.random.Generator) -> tuple[Atlas, float]:
 
 
 def random_point(rng: np.random.Generator, atlas: Atlas) -> AtlasPoint:
-    """A point that may be anywhere on an atlas."""
+    """A random point anywhere on an atlas."""
     return AtlasPoint(int(rng.integers(len(atlas))), *rng.random(2).tolist())

@@ -1,7 +1,7 @@
-"""Profiles drawn out along y: surfaces over which the taut tape is known in closed form.
+"""Profiles extruded along y, over which the taut tape is known in closed form.
 
-The skin drawn taut over such a surface is developable, too: lines and arcs of the profile, drawn
-out. A tape is as long as the hypotenuse of its profile's length and its way along y.
+The taut skin over such a surface is developable, too: it consists of extruded lines and arcs of
+the profile. A tape is as long as the hypotenuse of its profile's length and its extent along y.
 """
 
 import math
@@ -16,9 +16,9 @@ from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 _Y = {(0, 1): 3}
 # z = -x^2 over x from -1 to 1.
 RIDGE = bicubic({(0, 0): -1, (1, 0): 2}, _Y, {(0, 0): -1, (1, 0): 4, (2, 0): -4})
-# z = -x^3: a hollow where x < 0, a ridge where x > 0.
+# z = -x^3 has a hollow where x < 0 and a ridge where x > 0.
 CUBIC = bicubic({(0, 0): -1, (1, 0): 2}, _Y, {(0, 0): 1, (1, 0): -6, (2, 0): 12, (3, 0): -8})
-# z = 2 - x^2 within 1 of the middle, (|x| - 2)^2 out to 3.
+# z = 2 - x^2 within 1 of the middle, and (|x| - 2)^2 from there out to 3.
 _HOLLOW = {(0, 0): 1, (1, 0): -4, (2, 0): 4}
 HILL = (
     bicubic({(0, 0): -3, (1, 0): 2}, _Y, _HOLLOW),
@@ -33,13 +33,13 @@ ROOF = (
 
 
 def row_of(*nets: NDArray[np.float64]) -> Atlas:
-    """Patches joined along u."""
+    """An atlas of patches that are joined along u."""
     lattice = np.concatenate([nets[0], *(net[1:] for net in nets[1:])])
     return Atlas(lattice.reshape(-1, 3), grid_index(len(nets), 1), Unit.CM)
 
 
 def at(atlas: Atlas, x: float, y: float) -> AtlasPoint:
-    """The point over (x, y); all these profiles run along x evenly."""
+    """The point over (x, y), given that all these profiles run evenly along x."""
     ends = atlas.control_points[:, [0, -1], 0, 0]
     patch = int(np.clip(np.searchsorted(ends[:, 1], x), 0, len(atlas) - 1))
     left, right = ends[patch].tolist()
@@ -47,5 +47,5 @@ def at(atlas: Atlas, x: float, y: float) -> AtlasPoint:
 
 
 def parabola_arc(x: float) -> float:
-    """Length of z = x^2 from 0 to x."""
+    """The length of z = x^2 from 0 to x."""
     return 0.5 * x * math.hypot(1.0, 2.0 * x) + 0.25 * math.asinh(2.0 * x)

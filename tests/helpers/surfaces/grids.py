@@ -9,7 +9,7 @@ from bodymeasure.atlas import Atlas, Unit
 
 
 def grid_index(rows: int, columns: int) -> NDArray[np.int64]:
-    """Index of rows x columns patches on a lattice of control points; u runs along the rows."""
+    """The index of rows x columns patches on a lattice of control points; u runs along the rows."""
     lattice = np.arange((3 * rows + 1) * (3 * columns + 1)).reshape(3 * rows + 1, -1)
     return np.array(
         [lattice[3 * i : 3 * i + 4, 3 * j : 3 * j + 4] for i in range(rows) for j in range(columns)]

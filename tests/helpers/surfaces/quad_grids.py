@@ -18,15 +18,15 @@ def grid_mesh(points: Array) -> QuadMesh:
 
 
 def spline_matrix(count: int, places: Array, order: int = 0) -> Array:
-    """Values of the cubic B-splines of `count` control points, with i at the place i."""
+    """Values of the cubic B-splines of `count` control points, the i-th centered at i."""
     splines = BSpline(np.arange(count + 4) - 2.0, np.eye(count), 3)
     return np.asarray(splines(places, nu=order))
 
 
 def spline_atlas(points: Array, margin: int) -> Atlas:
-    """The B-spline surface of a grid as Bezier patches, without so many rows and columns round it.
+    """The B-spline surface of a grid as Bezier patches, without `margin` rows and columns around.
 
-    One patch for each quad that is left; u runs with the rows.
+    There is one patch for each quad that is left; u runs with the rows.
     """
     to_bezier = [_to_bezier(size, margin) for size in points.shape[:2]]
     net = np.einsum("ai,bj,ijc->abc", *to_bezier, points)
@@ -35,7 +35,7 @@ def spline_atlas(points: Array, margin: int) -> Atlas:
 
 
 def _to_bezier(count: int, margin: int) -> Array:
-    """The Bezier points of the spline's pieces, those that neighbors share once."""
+    """The matrix that gives the Bezier points of the spline's pieces, shared ones once."""
     joints = np.arange(margin, count - margin, dtype=np.float64)
     values = spline_matrix(count, joints)
     thirds = spline_matrix(count, joints, order=1) / 3.0
@@ -44,7 +44,7 @@ def _to_bezier(count: int, margin: int) -> Array:
 
 
 def cylinder_net(rows: int, columns: int) -> Array:
-    """Control points of a cylinder on a spline curve in the xz plane: developable."""
+    """Control points of a cylinder on a spline curve in the xz plane, which is developable."""
     angle = np.linspace(0.2, 2.4, rows)
     curve = np.stack([-3.0 * np.cos(angle), 0.0 * angle, 2.0 * np.sin(angle)], axis=-1)
     along = 0.3 * np.arange(columns)[:, None] * np.array([0.0, 1.0, 0.0])

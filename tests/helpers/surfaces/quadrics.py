@@ -1,4 +1,4 @@
-"""Quadrics and tori as rational patches, whole ones as atlases."""
+"""Quadrics and tori as rational patches, and whole ones as atlases."""
 
 import numpy as np
 
@@ -20,7 +20,7 @@ def quarter_arc(center: float, radius: float, number: int = 0) -> Array:
 
 
 def revolved(profile: Array, number: int = 0) -> Array:
-    """A quarter of the surface of revolution of a profile (k, 3); u runs round, v along it."""
+    """A quarter of the surface of revolution of a profile (k, 3); u runs around, v along it."""
     round_, profile = quarter_arc(0.0, 1.0, number), np.asarray(profile, dtype=np.float64)
     x, y, weight = (round_[:, axis, None] for axis in range(3))
     r, z, w = profile.T
@@ -33,7 +33,7 @@ def line(start: tuple[float, float], end: tuple[float, float]) -> Array:
 
 
 def octant(radius: float = 1.0) -> Array:
-    """An eighth of a sphere, shape (3, 3, 4): longitude by u, latitude by v up to the pole."""
+    """An eighth of a sphere, shape (3, 3, 4): u is the longitude, v the latitude up to the pole."""
     return revolved(quarter_arc(0.0, radius))
 
 

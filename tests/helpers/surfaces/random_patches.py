@@ -1,4 +1,4 @@
-"""Patches as wild as the paper's, made without the generator that is tested."""
+"""Random patches as rough as the paper's, made without the generator that is tested."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ def wild_patches(
     jitter: float = 0.0,
     symmetric: bool = False,
 ) -> Array:
-    """Control points over a regular grid, moved about, with heights on six levels."""
+    """Control points over a regular grid, displaced at random, with heights on six levels."""
     height = rng.integers(0, 6, (count, 4, 4)) / 5.0
     if symmetric:
         height = np.triu(height) + np.triu(height, 1).swapaxes(1, 2)

@@ -1,4 +1,4 @@
-"""Bicubic patches on which the length of a geodesic is known; tests of methods run over them all.
+"""Bicubic patches with a known length of a geodesic; tests of methods run over all of them.
 
 Each shortest path stays inside its patch. `tests/test_samples.py` checks every length by shooting
 along the geodesic equation.
@@ -29,7 +29,7 @@ class Surface:
 
 
 def bicubic(*coordinates: Polynomial) -> NDArray[np.float64]:
-    """Control points (4, 4, 3) of a polynomial surface, computed in fractions, rounded once."""
+    """Control points (4, 4, 3) of a polynomial surface, computed in fractions and rounded once."""
     net = np.empty((4, 4, 3))
     for axis, polynomial in enumerate(coordinates):
         for i in range(4):
@@ -85,7 +85,7 @@ def plane_length(start: tuple[float, float], end: tuple[float, float]) -> float:
 
 
 def ph_cylinder_length(start: tuple[float, float], end: tuple[float, float]) -> float:
-    """The profile's arc length is 3u + u^3; unrolled, the geodesic is a hypotenuse."""
+    """The hypotenuse of the unrolled cylinder, whose profile has the arc length 3u + u^3."""
     return math.hypot(
         3 * (end[0] - start[0]) + end[0] ** 3 - start[0] ** 3, 3 * (end[1] - start[1])
     )

@@ -1,4 +1,4 @@
-"""Tubes of four patches round, whose horizontal sections are all alike but for their size."""
+"""Tubes of four patches around, whose horizontal sections differ only in their size."""
 
 from collections.abc import Sequence
 
@@ -38,15 +38,15 @@ def cone(height: float) -> Atlas:
 
 
 def ring_length() -> float:
-    """Length of the section of radius 1."""
-    # Smooth, and so exact with 40 Gauss points.
+    """The length of the section of radius 1."""
+    # The integrand is smooth, and so 40 Gauss points are exact to rounding.
     x, weights = np.polynomial.legendre.leggauss(40)
     velocity = bernstein(3, 0.5 * (1.0 + x), order=1)[:, 1] @ QUARTER
     return float(2.0 * weights @ np.linalg.norm(velocity, axis=1))
 
 
 def joined(atlases: Sequence[Atlas], regions: Sequence[str]) -> Atlas:
-    """Atlases side by side in one, each a region."""
+    """One atlas of several that lie side by side, each of which is a region."""
     starts = np.cumsum([0, *(len(atlas.points) for atlas in atlases)])
     index = [atlas.index + start for atlas, start in zip(atlases, starts[:-1], strict=True)]
     names = [

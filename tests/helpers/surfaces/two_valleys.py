@@ -1,4 +1,4 @@
-"""Surfaces with two valleys, upside down two legs, whose saddle between them is known."""
+"""Surfaces with two valleys (upside down, two legs) and a known saddle between them."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -12,7 +12,7 @@ from bodymeasure.atlas import Atlas, Unit
 
 
 class Knot(NamedTuple):
-    """Where a profile has a height, with the slopes before and after it."""
+    """A point of a profile: its abscissa, its height, and the slopes before and after it."""
 
     at: float
     height: float
