@@ -1,4 +1,4 @@
-"""The independent method that tells the true lengths."""
+"""The independent method that gives the true lengths."""
 
 import numpy as np
 import pytest

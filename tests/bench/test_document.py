@@ -1,4 +1,4 @@
-"""The numbers of a small run, and its files."""
+"""The numbers and files of a small benchmark."""
 
 import csv
 import io
@@ -116,7 +116,7 @@ def test_the_picture_shows_who_fails() -> None:
     document = small_benchmark()
 
     def failing(result: Result, failures: int) -> Result:
-        # Neither the default method nor one whose other points would outweigh it.
+        # The method is neither the default one nor one whose other points would outweigh it.
         return msgspec.structs.replace(result, failures=failures)
 
     good = [failing(result, 0) for result in document.results]

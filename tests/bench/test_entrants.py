@@ -1,4 +1,4 @@
-"""Every method that takes part, on lengths in closed form."""
+"""Every method of the benchmark, on lengths in closed form."""
 
 import numpy as np
 import pytest
@@ -19,11 +19,13 @@ MESH = [
     for name in ("libigl exact", "pygeodesic exact", "potpourri3d edge flips")
     if any(entrant.method == name for entrant in ENTRANTS.values())
 ]
-# Of the heat method: its few per cent.
+# The heat method is off by a few per cent.
 HEAT_ERROR = 0.05
-# Of a solver by its tolerance: the error of the length is about the square of the path's.
+# Errors of a boundary value solver by its tolerance: the length's is about the square of the
+# path's.
 BVP_ERRORS = {"tol 1e-3": 1e-5, "tol 1e-6": 1e-8, "tol 1e-8": 1e-10}
-# Of a path over a mesh of some points a side, relative: the chords' h^2.
+# Relative errors of a path over a mesh by its points a side, which fall with the square of the
+# step.
 MESH_ERRORS = {"17 points a side": 3e-3, "33 points a side": 8e-4, "65 points a side": 2e-4}
 
 
@@ -51,7 +53,8 @@ def test_lengths_in_closed_form(entrant: Entrant) -> None:
 
 @pytest.mark.parametrize("method", MESH)
 def test_meshes_converge_with_the_square_of_the_step(method: str) -> None:
-    # On a paraboloid the path is a parabola; Enneper's is straight, and exact on any mesh.
+    # On a paraboloid the path is a parabola; on Enneper's surface it is straight, and exact on any
+    # mesh.
     surface = SURFACES[1]
     one = Problems(surface.control_points[None], np.zeros((1, 2)), np.ones((1, 2)))
     errors = [
@@ -84,7 +87,7 @@ def test_a_library_that_raises_has_no_length(
 
 def test_a_distance_that_is_none_is_a_failure() -> None:
     plane = MeshedPatch.of(PLANE, np.zeros(2), np.ones(2), 3)
-    # Two triangles that do not touch: libigl says 0.
+    # Between two triangles that do not touch libigl returns 0.
     apart = MeshedPatch(
         np.concatenate([plane.vertices[:3], plane.vertices[:3] + 5.0]),
         np.array([[0, 1, 2], [3, 4, 5]]),
@@ -96,7 +99,7 @@ def test_a_distance_that_is_none_is_a_failure() -> None:
 
 
 def test_a_solver_that_gives_up_has_no_length() -> None:
-    # All control points on a line: the metric is singular everywhere.
+    # All control points are on a line, so that the metric is singular everywhere.
     line = np.zeros((4, 4, 3))
     line[..., 0] = np.add.outer(np.arange(4.0), np.arange(4.0))
     problem = BoundaryValueProblem(line, np.zeros(2), np.ones(2), tolerance=1e-6)

@@ -1,4 +1,4 @@
-"""What a batch takes, and where the time of one goes."""
+"""The time and memory of batches, and the stages in which the time is spent."""
 
 import pytest
 
@@ -11,7 +11,7 @@ def test_memory_is_followed_and_nothing_fails() -> None:
     small, large = measure_growth(100), measure_growth(1000)
     assert (small.patches, large.patches) == (100, 1000)
     assert (small.failures, large.failures) == (0, 0)
-    # Lengths, errors and paths of every diagonal have to be somewhere.
+    # The lengths, errors and paths of all diagonals need memory.
     assert large.peak_bytes > small.peak_bytes > 100 * 8 * 10
     assert len(small.seconds) > len(large.seconds) >= 3
 
@@ -20,6 +20,6 @@ def test_memory_is_followed_and_nothing_fails() -> None:
 def test_each_stage_is_seen(make: type) -> None:
     shares = stage_shares(make(40))
     assert list(shares) == [*STAGES, REST]
-    # A function of the table that is called otherwise by now would have none.
+    # If a function of the table had been renamed, its stage would have no share.
     assert all(0.0 < share < 1.0 for share in shares.values()), shares
     assert sum(shares.values()) == pytest.approx(1.0)

@@ -1,4 +1,4 @@
-"""Taking turns, counting failures, holding threads."""
+"""How methods take turns, failures are counted and threads are limited."""
 
 import time
 
@@ -25,7 +25,7 @@ def problem_set() -> ProblemSet:
 
 
 def recorder(name: str, pace: Pace, calls: list[str], answer: float) -> Entrant:
-    """A method that writes down when it is called."""
+    """A method that records when it is called."""
 
     def prepare(problems: Problems) -> object:
         def solve() -> object:
@@ -78,7 +78,7 @@ def test_full_and_small_differ_in_size_alone() -> None:
 def test_libraries_are_held_to_one_thread_and_let_go() -> None:
     with threadpool_limits(limits=2):
         before = [pool["num_threads"] for pool in threadpool_info()]
-        # A thread that has just been made waits awake for a while.
+        # A new thread keeps its processor busy for a while before it sleeps.
         time.sleep(0.5)
         _use_one_thread()
         assert [pool["num_threads"] for pool in threadpool_info()] == before
@@ -93,5 +93,5 @@ def _use_one_thread() -> None:
     assert found.limit == 1
     assert found.pools
     assert found.processor_seconds > 0.0
-    # Were there two, each would take a half.
+    # If there were two threads, each would take half of the time.
     assert found.other_threads < 0.2

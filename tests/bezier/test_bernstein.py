@@ -55,6 +55,6 @@ def test_derivatives_beyond_the_degree_are_zero() -> None:
 
 
 def test_ends_are_exact() -> None:
-    # A seam is shared to the last bit only if the basis is exactly 0 and 1 there.
+    # Patches share a seam to the last bit only if the basis is exactly 0 and 1 there.
     assert bernstein(3, 0.0)[0].tolist() == [1.0, 0.0, 0.0, 0.0]
     assert bernstein(3, 1.0)[0].tolist() == [0.0, 0.0, 0.0, 1.0]

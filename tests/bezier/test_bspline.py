@@ -10,7 +10,7 @@ from bodymeasure.errors import InputError
 
 @st.composite
 def splines(draw: st.DrawFn) -> tuple[int, list[float], np.random.Generator]:
-    """A degree and a knot vector, clamped or not, with knots of any multiplicity."""
+    """Draw a degree and a knot vector, clamped or not, with knots of any multiplicity."""
     degree = draw(st.integers(1, 5))
     steps = draw(
         st.lists(st.sampled_from([0.0, 0.0, 0.5, 1.0, 3.0]), min_size=2 * degree + 1, max_size=18)
@@ -31,7 +31,8 @@ def test_pieces_are_the_spline(spline: tuple[int, list[float], np.random.Generat
     for net, (start, end) in zip(*pieces, strict=True):
         assert start < end
         found = bernstein(degree, t)[:, 0] @ net
-        # At the ends of its domain scipy takes what lies beyond; inside, both are one polynomial.
+        # At the ends of its domain scipy evaluates the piece beyond; inside, both are one
+        # polynomial.
         expected = BSpline(knots, points, degree)(start + t * (end - start))
         np.testing.assert_allclose(found, expected, rtol=0, atol=2e-14)
     assert pieces.breaks[0, 0] == knots[degree]

@@ -12,7 +12,7 @@ places = arrays(np.float64, (2,), elements=st.floats(0.0, 1.0))
 
 
 def test_derivatives_of_monomials_are_known() -> None:
-    # S = (u^3 v^2, u v^3, u^2), written by the blossom of each monomial.
+    # The control points of S = (u^3 v^2, u v^3, u^2), from the blossom of each monomial.
     net = np.empty((4, 4, 3))
     cube, square, line = [0, 0, 0, 1], [0, 0, 1 / 3, 1], [0, 1 / 3, 2 / 3, 1]
     net[..., 0] = np.outer(cube, square)
@@ -49,7 +49,7 @@ def test_points_agree_with_scipy(net: np.ndarray, place: np.ndarray) -> None:
 def test_each_derivative_is_the_slope_of_the_one_before(
     order: int, rng: np.random.Generator
 ) -> None:
-    # Central differences of a cubic's derivatives have no error but rounding past order one, and
+    # Central differences of a cubic's derivatives have only rounding errors past order one, and
     # h^2 / 6 times the third derivative at order one: Richardson's step removes it.
     net = rng.normal(size=(4, 4, 3))
     place = np.array([0.4, 0.7])

@@ -1,4 +1,4 @@
-"""Splitting, restricting and elevating leave the surface where it is."""
+"""Splitting, restricting and degree elevation do not move the surface."""
 
 import numpy as np
 import pytest

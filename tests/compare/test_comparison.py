@@ -47,7 +47,7 @@ def reading(
 
 
 def many(name: str, differences: np.ndarray, measurement: str = "bust_girth") -> Readings:
-    """A reading a subject."""
+    """One reading of each subject."""
     return Readings(
         name,
         tuple(
@@ -190,7 +190,7 @@ def test_the_interval_is_students(rng: np.random.Generator) -> None:
 def test_the_interval_has_to_lie_within_what_the_class_allows(
     measurement: str, allowed: float
 ) -> None:
-    # Spread so that the half width of the interval is known.
+    # The values are spread so that the half width of the interval is known.
     spread = np.tile([-1.0, 1.0], MINIMUM_SUBJECTS // 2)
     low, high = confidence_interval(spread.tolist()) or (0.0, 0.0)
     half = (high - low) / 2.0

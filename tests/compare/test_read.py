@@ -64,11 +64,11 @@ def test_subjects_errors_and_gaps_are_read(tmp_path: Path) -> None:
         ("measurement,value,unit\na,nan,cm\n", "'nan' is not a number"),
         ("measurement,value,unit\na,1e999,cm\n", "'1e999' is not a number"),
         ("measurement,value,unit\na,1_0,cm\n", "'1_0' is not a number"),
-        # A fraction of a centimeter is a slip of the unit; and so is this of the pen.
+        # A fraction of a centimeter is a slip in the unit, and this is a slip of the pen.
         ("measurement,value,unit\na,33 1/8,cm\n", "'33 1/8' is not a number"),
         ("measurement,value,unit\na,33 1/0,inch\n", "'33 1/0' is not a number"),
         ("measurement;value;unit\na;1.234,5;cm\n", r"'1\.234,5' is not a number"),
-        # The comma parts columns here.
+        # Here the comma separates columns.
         ("measurement,value,unit\na,91,5,cm\n", "line 2: has 'cm' beyond the last column"),
         (
             "measurement,unit,value\na,cm,91,5\n",

@@ -18,7 +18,7 @@ def test_a_body_with_a_path_is_in_meters_with_y_upwards(tmp_path: Path) -> None:
     bm.write_glb(tmp_path / "body.glb", body, {"bust span": line}, segments=2)
     scene = trimesh.load(tmp_path / "body.glb")
     assert set(scene.geometry) == {body.name, "bust span"}
-    # Left is +x, up +y, the front +z.
+    # In GLB files left is +x, up is +y and the front is +z.
     low, high = scene.geometry[body.name].bounds
     np.testing.assert_allclose([low[1], high[1]], np.array([0.1136, 1.4372]), atol=0.01)
     np.testing.assert_allclose(high[0], -low[0], atol=1e-3)

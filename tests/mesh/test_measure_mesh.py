@@ -1,4 +1,4 @@
-"""Lengths over plain triangle meshes, and how far they may be off."""
+"""Lengths over plain triangle meshes, and their error bounds."""
 
 from collections.abc import Callable
 from typing import Any
@@ -17,7 +17,7 @@ pytest.importorskip("pygeodesic")
 
 
 def grid(side: int) -> TriangleMesh:
-    """The unit square in side x side cells."""
+    """The unit square as a mesh of side x side cells."""
     ticks = np.linspace(0.0, 1.0, side + 1)
     x, y = np.meshgrid(ticks, ticks, indexing="ij")
     number = np.arange((side + 1) ** 2).reshape(side + 1, side + 1)
@@ -27,7 +27,7 @@ def grid(side: int) -> TriangleMesh:
 
 
 def sphere(segments: int) -> TriangleMesh:
-    """The unit sphere by the faces of a cube."""
+    """The unit sphere as a mesh made from the faces of a cube."""
     vertices, faces = grid(segments)
     square = np.tan(np.pi / 2.0 * (vertices[:, :2] - 0.5))
     sides = []
@@ -41,7 +41,7 @@ def sphere(segments: int) -> TriangleMesh:
     normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     inward = (normal * corner[:, 0]).sum(axis=1) < 0.0
     all_faces[inward] = all_faces[inward, ::-1]
-    # Joined where sides of the cube meet.
+    # Vertices are merged where sides of the cube meet.
     _, first, number = np.unique(
         np.round(points + 0.1234e-6, 9), axis=0, return_index=True, return_inverse=True
     )
@@ -100,7 +100,7 @@ def test_the_estimate_covers_what_is_known_of_bodies(
         ratios.append(abs(rough.length - smooth.length) / rough.error_estimate)
     assert len(ratios) >= 38
     assert np.mean(np.array(ratios) <= 1.0) >= 0.95
-    # Nor is it far too cautious.
+    # The estimate is not far too cautious either.
     assert np.median(ratios) > 0.05
 
 

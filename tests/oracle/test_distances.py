@@ -30,7 +30,7 @@ def lengths(
     start: NDArray[np.float64],
     end: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Closed-form lengths of the first patch's pairs."""
+    """The lengths of the first patch's pairs in closed form."""
     return np.array(
         [length((a[0], a[1]), (b[0], b[1])) for a, b in zip(start[0], end[0], strict=True)]
     )
@@ -117,7 +117,7 @@ def test_ends_too_near_to_be_meshed_are_told_as_uncertain() -> None:
 
 
 def test_a_path_stays_in_its_patch() -> None:
-    # The plane's parametrisation bends its edge v = 0 outwards in the middle: the chord between
+    # The plane's parametrization bends its edge v = 0 outwards in the middle: the chord between
     # two corners leaves the patch.
     bent = PLANE * [1, 1, 0]
     bent[1:3, 0, 1] += 0.4

@@ -11,7 +11,7 @@ def test_an_error_of_second_order_vanishes() -> None:
     by_level = np.array([3.0, 7.0])[:, None] - np.array([0.5, -0.2])[:, None] * steps**2
     length, uncertainty = richardson(by_level, LEVELS)
     np.testing.assert_allclose(length, [3.0, 7.0], rtol=1e-15)
-    # Not zero: the levels could agree by chance.
+    # The uncertainty is not zero, since the levels could agree by chance.
     np.testing.assert_allclose(uncertainty, 0.02 * np.array([0.5, 0.2]) / 20**2, rtol=1e-9)
 
 

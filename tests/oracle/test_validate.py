@@ -51,7 +51,7 @@ def test_faces_without_area(face: list[int]) -> None:
 
 
 def test_edges_of_three_faces() -> None:
-    # libigl ends the process on this one.
+    # This mesh makes libigl end the process.
     vertices = np.vstack([PYRAMID, [[0.5, -1, 0]]])
     refuse(vertices, np.vstack([ROOF, [[1, 0, 5], [0, 1, 5]]]), r"edge \(0, 1\) belongs to 3 faces")
 
@@ -69,7 +69,7 @@ def test_two_fans_at_one_vertex() -> None:
 
 
 def test_two_fans_within_one_piece() -> None:
-    # A strip of four triangles, bent round until its ends meet in vertex 0 alone.
+    # A strip of four triangles that is bent until its ends meet in vertex 0 alone.
     angle = np.linspace(0, 2 * np.pi, 8, endpoint=False)
     vertices = np.stack([np.cos(angle), np.sin(angle), np.sin(3 * angle)], axis=-1)
     strip = np.array([[0, 1, 2], [2, 1, 3], [2, 3, 4], [4, 3, 5], [4, 5, 0]])
@@ -77,7 +77,7 @@ def test_two_fans_within_one_piece() -> None:
 
 
 def test_two_pieces() -> None:
-    # libigl gives a silent zero between them.
+    # Between them libigl returns zero without a warning.
     vertices = np.vstack([PYRAMID, PYRAMID + np.array([3, 0, 0])])
     refuse(vertices, np.vstack([ROOF, ROOF + 5]), "2 pieces: no way leads from face 0 to face 4")
 

@@ -35,7 +35,7 @@ def test_workers_run_one_thread_and_leave_the_environment() -> None:
     assert dict(os.environ) == before
 
 
-# Sends itself what Ctrl-C or `kill -9` would after the first result, with work left to do.
+# The process sends itself the signal of Ctrl-C or `kill -9` after the first result, with work left.
 INTERRUPTED = """
     import os, signal, time
     from bodymeasure.oracle.workers import map_in_processes
@@ -76,8 +76,8 @@ def test_no_worker_outlives_its_parent(
         start_new_session=True,
     )
     try:
-        # The workers hold the pipe's other end: it closes when the last of them is gone. Left to
-        # themselves they would sleep for ten seconds more.
+        # The workers hold the pipe's other end, which closes when the last of them has ended. If
+        # nobody ended them, they would sleep for ten seconds more.
         assert process.communicate(timeout=8)[0] == output
     finally:
         if process.poll() is None:

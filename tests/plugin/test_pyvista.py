@@ -1,4 +1,4 @@
-"""bodymeasure inside pyvista."""
+"""The plug-in of pyvista."""
 
 import subprocess
 import sys
@@ -115,12 +115,12 @@ def test_a_mesh_that_was_changed_is_refused(mesh, change: Any, message: str) -> 
 
 
 def test_new_vertices_along_a_cut_are_no_places_of_the_atlas(mesh) -> None:  # type: ignore[no-untyped-def]
-    """Their patches and parameters are means of others'."""
-    # So high that few of all vertices are new.
+    """The patches and parameters of new vertices would be means of those of others."""
+    # The plane is so high that few of all vertices are new.
     cut = mesh.clip((0.3, 0.1, 1.0), origin=(0.0, 0.0, 1.3), invert=True)
     with pytest.raises(bm.InputError, match=r"moved, scaled, deformed or cut since it was read"):
         cut.measure.path(NECK, BUST)
-    # Leaving out faces makes none.
+    # Leaving out faces makes no new vertices.
     less = mesh.remove_cells(range(100))
     assert less.measure.distance(NECK, BUST) == pytest.approx(mesh.measure.distance(NECK, BUST))
 
@@ -192,7 +192,7 @@ def test_paths_are_drawn(mesh) -> None:  # type: ignore[no-untyped-def]
 
 def test_two_picked_points_are_measured(mesh) -> None:  # type: ignore[no-untyped-def]
     class Plotter:
-        """Stands for the window, of which it remembers what is asked for."""
+        """A stand-in for the window that records what is asked of it."""
 
         def __init__(self) -> None:
             self.callback: Any = None
@@ -214,5 +214,5 @@ def test_two_picked_points_are_measured(mesh) -> None:  # type: ignore[no-untype
         plotter.callback(place)
     assert len(paths) == 1
     assert paths[0].field_data["length"][0] == pytest.approx(mesh.measure.distance(10, 300))
-    # The second pair is told off in the window, where a traceback would be of no use.
+    # The second pair is refused by a message in the window, where a traceback would be of no use.
     assert "check its coordinates, its unit" in plotter.texts[-1]

@@ -1,4 +1,4 @@
-"""Sections of the mannequins, against tessellations of them."""
+"""Sections of the mannequins, compared with those of tessellations."""
 
 import numpy as np
 import pytest
@@ -30,7 +30,7 @@ def test_random_planes(name: str, rng: np.random.Generator) -> None:
             continue
         length = sum(loop.length for loop in loops)
         known, move = richardson_length(atlas, plane)
-        # The mesh's own uncertainty, where it cuts almost along the surface.
+        # The mesh is uncertain itself where the plane runs almost along the surface.
         assert abs(length - known) <= 1e-6 * known + move
         errors.append(abs(length - known) / known)
         for loop in loops:

@@ -1,4 +1,4 @@
-"""Sections whose shapes are known, and what must not change them."""
+"""Sections whose shapes are known, and changes that must not affect them."""
 
 import math
 
@@ -24,7 +24,7 @@ def plane_at(point: ArrayLike, normal: ArrayLike) -> Plane:
 
 
 def quadric(rows: int, a: float, b: float) -> Atlas:
-    """The surface z = a x^2 + b y^2 over [-1, 1]^2, in rows x rows patches joined by index."""
+    """The surface z = a x^2 + b y^2 over [-1, 1]^2, as rows x rows patches joined by index."""
     whole = np.zeros((4, 4, 3))
     thirds = np.linspace(-1.0, 1.0, 4)
     # x = 2u - 1; x^2 has the blossom x1 x2, whose mean over pairs of three arguments this is.
@@ -35,7 +35,7 @@ def quadric(rows: int, a: float, b: float) -> Atlas:
 
 
 def cut(net: NDArray[np.float64], rows: int) -> Atlas:
-    """One patch cut into rows x rows, uneven ones, joined by index."""
+    """One patch that is cut into rows x rows uneven patches, joined by index."""
     index = grid_index(rows, rows)
     at = np.linspace(0.0, 1.0, rows + 1) ** 1.2
     points = np.empty((index.max() + 1, 3))
@@ -46,7 +46,7 @@ def cut(net: NDArray[np.float64], rows: int) -> Atlas:
 
 
 def ellipse(a: float, b: float) -> float:
-    """Perimeter of the ellipse with half-axes a >= b."""
+    """The perimeter of the ellipse with half-axes a >= b."""
     return float(4.0 * a * ellipe(1.0 - (b / a) ** 2))
 
 
@@ -58,7 +58,7 @@ def test_circles_on_a_paraboloid(rows: int, height: float) -> None:
     assert loop.closed
     assert loop.unit == Unit.CM
     known = 2.0 * math.pi * math.sqrt(height)
-    # What a move of the plane by 1e-14 of the size does to a small circle.
+    # This is the effect on a small circle of moving the plane by 1e-14 of the size.
     rounding = 1e-15 / height * known
     assert abs(loop.length - known) <= 1e-12 * known + rounding + loop.error_estimate
     hull = convex_hull(loop)
@@ -100,7 +100,7 @@ def test_ellipses(rows: int) -> None:
 
 @pytest.mark.parametrize("rows", [1, 2, 4])
 def test_tilted_plane_through_a_paraboloid(rows: int) -> None:
-    # z = x^2 + y^2 and z = x / 2 + 0.3: a circle in projection, about (1/4, 0).
+    # z = x^2 + y^2 and z = x / 2 + 0.3 meet in a circle about (1/4, 0), seen along z.
     slope, level = 0.5, 0.3
     (loop,) = plane_section(quadric(rows, 1.0, 1.0), plane_at((0, 0, level), (-slope, 0, 1))).loops
     radius = math.sqrt(level + slope**2 / 4.0)
@@ -110,14 +110,15 @@ def test_tilted_plane_through_a_paraboloid(rows: int) -> None:
 
 
 def parabola(x: float) -> float:
-    """Arc length of y = x^2 from 0."""
+    """The arc length of y = x^2 from 0."""
     return x / 2.0 * math.hypot(1.0, 2.0 * x) + math.asinh(2.0 * x) / 4.0
 
 
 @pytest.mark.parametrize("rows", [1, 2, 4])
 @pytest.mark.parametrize("y", [0.0, 0.3])
 def test_open_parabolas(rows: int, y: float) -> None:
-    # At 0, cuts of the patch in halves would lie in the plane; uneven ones have it in patches.
+    # At 0 the plane would lie along cuts of the patch in halves; uneven cuts keep it inside
+    # patches.
     (loop,) = plane_section(quadric(rows, 1.0, 1.0), plane_at((0.0, y, 0.0), (0.0, 1.0, 0.0))).loops
     assert not loop.closed
     assert loop.length == pytest.approx(2.0 * parabola(1.0), abs=1e-13 + loop.error_estimate)
@@ -127,7 +128,8 @@ def test_open_parabolas(rows: int, y: float) -> None:
 
 
 def test_sections_of_a_plane_are_chords() -> None:
-    # z = (x + 2y) / 2 over uneven parameters; the plane x = 1 from side to side.
+    # The surface is z = (x + 2y) / 2 over uneven parameters; the plane x = 1 cuts it from side to
+    # side.
     (loop,) = plane_section(cut(PLANE, 2), plane_at((1.0, 0.0, 0.0), (1.0, 0.0, 0.0))).loops
     chord = np.linalg.norm(loop.positions[-1] - loop.positions[0])
     assert loop.length == pytest.approx(chord, rel=1e-14)
@@ -135,10 +137,11 @@ def test_sections_of_a_plane_are_chords() -> None:
 
 
 def test_profile_of_a_cylinder() -> None:
-    # Perpendicular to the rulings: the profile, whose arc length is 3u + u^3.
+    # A plane perpendicular to the rulings cuts out the profile, whose arc length is 3u + u^3.
     (loop,) = plane_section(cut(PH_CYLINDER, 3), plane_at((0.0, 0.0, 1.234), UP)).loops
     assert loop.length == pytest.approx(4.0, rel=1e-14)
-    # And a ruling: x = 2 is 3u - u^3 at u = 1 only, x = 11/8 at u = 1/2.
+    # The planes x = 2 and x = 11/8 cut out rulings, since x = 3u - u^3 is 2 only at u = 1 and 11/8
+    # at u = 1/2.
     (loop,) = plane_section(cut(PH_CYLINDER, 3), plane_at((11 / 8, 0, 0), (1, 0, 0))).loops
     assert loop.length == pytest.approx(3.0, rel=1e-14)
 
@@ -155,7 +158,7 @@ def test_a_hollow_is_bridged() -> None:
     radius = np.sqrt(2.0 * 0.6 / (1.0 + np.sqrt(1.0 + 40.0 * 0.6 * twist)))
     curve = np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=-1)
     slope = -20.0 * radius**3 * np.sin(4.0 * angle) / (2.0 + 40.0 * radius**2 * twist)
-    # The trapezoidal rule on a periodic function.
+    # The trapezoidal rule is accurate on a periodic function.
     known = 2.0 * np.pi * np.hypot(radius, slope).mean()
     assert loop.length == pytest.approx(known, rel=1e-12)
 
@@ -213,12 +216,12 @@ def test_sections_do_not_depend_on_the_degree(degree: int, rng: np.random.Genera
             known = [loop.length for loop in plane_section(whole, plane).loops]
             lengths = [loop.length for loop in plane_section(raised, plane).loops]
             np.testing.assert_allclose(lengths, known, rtol=1e-12)
-    # A plane that misses.
+    # This plane misses the patch.
     assert not plane_section(raised, plane_at((0.0, 0.0, 9.0), UP)).loops
 
 
 def test_a_plane_through_seams_and_corners() -> None:
-    # Even halves: x = 0 is a seam, x = y passes corners.
+    # In even halves x = 0 is a seam, and x = y passes through corners.
     net = quadric(1, 1.0, 1.0).control_points[0]
     halves = split(net)
     index = grid_index(2, 2)
@@ -237,7 +240,7 @@ def test_a_boundary_that_lies_in_the_plane_is_its_section(end: float) -> None:
     atlas = grid_atlas(2, 3)
     (loop,) = plane_section(atlas, plane_at((2.0 * end, 0.0, 0.0), (1.0, 0.0, 0.0))).loops
     assert loop.length == pytest.approx(3.0, abs=1e-9)
-    # And a corner that only touches it leaves nothing.
+    # A corner that only touches the plane leaves no section.
     assert plane_section(atlas, plane_at((2.0 * end, 3.0 * end, 0.0), (1.0, 1.0, 0.0))).loops == ()
 
 

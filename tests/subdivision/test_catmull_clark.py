@@ -7,10 +7,10 @@ from scipy.interpolate import BSpline
 from bodymeasure.errors import InputError
 from bodymeasure.subdivision import QuadMesh, limit_positions, subdivide
 
-# A box has only vertices of valence 3; without its lid, a boundary.
+# A box has only vertices of valence 3; without its lid it also has a boundary.
 CORNERS = np.array([[x, y, z] for x in (0.0, 2.0) for y in (0.0, 1.0) for z in (0.0, 1.5)])
 BOX = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
-# Five quads round a vertex.
+# Five quads around a vertex.
 STAR = QuadMesh(
     np.array(
         [(0.0, 0.0, 0.3)]
@@ -31,7 +31,7 @@ def refined(mesh: QuadMesh, steps: int) -> QuadMesh:
 def test_on_a_regular_mesh_the_limit_is_the_bicubic_spline(steps: int) -> None:
     net = hilly_net(7, 6)
     mesh = refined(grid_mesh(net), steps)
-    # The control points' first two coordinates are not linear in the spline's parameters: those are
+    # The control points' first two coordinates are not linear in the spline's parameters; these are
     # found from a mesh whose coordinates are.
     i, j = np.meshgrid(np.arange(7.0), np.arange(6.0), indexing="ij")
     flat = refined(grid_mesh(np.stack([i, j, 0.0 * i], axis=-1)), steps)
@@ -44,7 +44,7 @@ def test_on_a_regular_mesh_the_limit_is_the_bicubic_spline(steps: int) -> None:
 
 
 def test_the_boundary_becomes_the_cubic_spline_of_its_polygon() -> None:
-    ring = np.array([1, 5, 7, 3])  # the missing lid's corners
+    ring = np.array([1, 5, 7, 3])  # the corners of the missing lid
     polygon = CORNERS[ring]
     spline = BSpline(np.arange(12) - 2.0, polygon[np.arange(8) % 4], 3)
     mesh = refined(MESHES[1], 2)
@@ -65,7 +65,8 @@ def test_subdivision_keeps_the_limits_and_leads_there(mesh: QuadMesh) -> None:
         mesh = subdivide(mesh)
         here = limit_positions(mesh)[: len(limit)]
         np.testing.assert_allclose(here, limit, rtol=0, atol=1e-14)
-        # By the subdominant eigenvalue at least, which is 0.55 for five quads and less for fewer.
+        # The error falls at least by the subdominant eigenvalue, which is 0.55 for five quads and
+        # less for fewer.
         distance = np.linalg.norm(mesh.vertices[: len(limit)] - limit, axis=-1).max()
         assert distance < 0.56**step * far
 

@@ -43,7 +43,7 @@ def net(patches: PatchNets) -> Array:
 
 
 def regular_quads(mesh: QuadMesh) -> NDArray[np.bool_]:
-    """Quads whose patch must be the limit surface itself."""
+    """The quads whose patch must be the limit surface itself."""
     quads = np.bincount(mesh.quads.ravel())
     edges = np.bincount(mesh.edges.ends.ravel())
     inside = edges == quads
@@ -51,7 +51,7 @@ def regular_quads(mesh: QuadMesh) -> NDArray[np.bool_]:
 
 
 def refined(mesh: QuadMesh, steps: int) -> tuple[QuadMesh, Array]:
-    """The mesh after some steps, and (u, v) of each new quad's corners on the quad it is from."""
+    """The mesh after some steps, and (u, v) of each new quad's corners on its original quad."""
     square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
     places = np.broadcast_to(square, (len(mesh.quads), 4, 2))
     for _ in range(steps):
@@ -64,7 +64,7 @@ def refined(mesh: QuadMesh, steps: int) -> tuple[QuadMesh, Array]:
 
 
 def distance_from_limit(mesh: QuadMesh, patches: PatchNets, steps: int) -> Array:
-    """How far the patches are from the limit surface at points of each, shape (quads,)."""
+    """The largest distance of each patch from the limit surface at some points, shape (quads,)."""
     fine, places = refined(mesh, steps)
     limits = limit_positions(fine)[fine.quads].reshape(len(mesh.quads), -1, 3)
     found = evaluate(net(patches), places.reshape(len(mesh.quads), -1, 2))
@@ -117,7 +117,7 @@ def test_neighbors_share_the_control_points_of_their_edge(body: str) -> None:
     rows = sides.reshape(-1, 4)
     forwards = rows[:, 0] < rows[:, 3]
     canonical = np.where(forwards[:, None], rows, rows[:, ::-1])
-    # As many different rows of numbers as there are edges.
+    # There are as many different rows of numbers as edges.
     assert len(np.unique(canonical, axis=0)) == len(edges.ends)
     for edge in (0, 77, 4000):
         assert len(np.unique(canonical[edges.of_side.ravel() == edge], axis=0)) == 1
@@ -164,10 +164,10 @@ def test_a_cube_with_sharp_edges_is_a_cube() -> None:
 
 
 def test_triangles_become_quads_with_the_same_limit() -> None:
-    # A quad mesh is refined as `subdivide` does it, if one of its faces is something else.
+    # A mesh with one face that is no quad is refined as `subdivide` refines a quad mesh.
     mesh = grid_mesh(hilly_net(8, 8))
     quads = mesh.quads
-    # The first quad, far from those compared, as two triangles.
+    # The first quad, which is far from those compared, is given as two triangles.
     corners = np.concatenate([quads[0, [0, 1, 2, 0, 2, 3]], quads[1:].ravel()])
     sizes = np.concatenate([[3, 3], np.full(len(quads) - 1, 4)])
     finer, face = quads_of(PolygonMesh(mesh.vertices, corners, sizes, NO_CREASES))
@@ -190,7 +190,7 @@ def test_a_mesh_of_quads_is_left_alone() -> None:
 
 
 def test_creases_and_corners_survive_the_step_to_quads() -> None:
-    # A tetrahedron with all edges sharp stays one.
+    # A tetrahedron whose edges are all sharp keeps its shape.
     vertices = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], dtype=np.float64)
     corners = np.array([0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3])
     creases = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]])

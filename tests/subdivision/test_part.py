@@ -47,7 +47,7 @@ def test_quads_that_touch_at_a_vertex_are_joined() -> None:
     filled = fill_pinches(MESH, checkers.ravel()).reshape(8, 8)
     assert filled.sum() == 4
     assert filled[2:4, 2:4].all()
-    # Filling may make new pinches: three quads in a diagonal end as two full blocks.
+    # Filling may make new pinches: three quads in a diagonal become two full blocks.
     checkers[4, 4] = True
     assert fill_pinches(MESH, checkers.ravel()).sum() == 7
     whole = np.ones(64, dtype=bool)
