@@ -40,7 +40,7 @@ def _diagonal(survey: "Survey", patch: int, diagonal: int) -> str:
     solution, check, unit = survey.diagonals, survey.cross_check, survey.atlas.unit
     length = float(solution.length[patch, diagonal])
     if not np.isfinite(length):
-        status = solution.status[patch, diagonal]
+        status = np.asarray(solution.status)[patch, diagonal]
         return f"{DIAGONALS[diagonal]}: no length; {getattr(status, 'value', status)}"
     text = f"{DIAGONALS[diagonal]}: {convert_length(length, unit, Unit.CM):.4f} cm"
     if check is not None and np.isfinite(check.relative_difference[patch, diagonal]):

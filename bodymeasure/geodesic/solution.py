@@ -1,10 +1,10 @@
-"""What is known of the geodesics of a batch of problems."""
+"""The solution: the geodesics of a batch of problems, and how good they are."""
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from types import EllipsisType
-from typing import Any, SupportsIndex
+from typing import Any, SupportsIndex, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,10 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.solving.protocol import PathBatch
-from bodymeasure.geodesic.status import have_length
+from bodymeasure.geodesic.status import Status, have_length
 from bodymeasure.wording import result_line
 
-# What takes some problems out of a batch, as numpy's arrays are indexed.
+_T = TypeVar("_T", bound=np.generic)
+# The indices that take some problems out of a batch, as those of an array.
 _Index = SupportsIndex | slice | EllipsisType | Sequence[int] | Ints | Bools
 
 
@@ -23,117 +24,137 @@ _Index = SupportsIndex | slice | EllipsisType | Sequence[int] | Ints | Bools
 class GeodesicSolution:
     """Geodesics between pairs of points of a batch of surfaces.
 
-    Every array has the shape of the batch; for a single problem the numbers are plain floats,
-    ints, bools and a `Status`.
+    Every array has the shape of the batch. The annotations speak of arrays; for a single problem,
+    the same attributes are plain floats, ints, bools and a `Status`.
 
     Parameters
     ----------
     start, end : ndarray, shape (*batch, 2)
-        End points (u, v).
+        The end points (u, v).
     length : ndarray or float
-        Length of the geodesic, in the unit of the control points: of the computed path, less its
-        excess. NaN unless the status has a length (``CONVERGED`` or ``ON_BOUNDARY``), so that no
-        wrong number can slip through.
+        The length of the geodesic, in the unit of the control points: that of the computed path,
+        less its excess. It is NaN unless the status has a length (``CONVERGED`` or
+        ``ON_BOUNDARY``), so that no wrong number can slip through.
     raw_length : ndarray or float
-        Length of the computed path itself, whatever the status.
+        The length of the computed path itself, whatever the status.
     error_estimate : ndarray or float
-        Estimated error of `length`, in the same unit (see `bodymeasure.geodesic.lengths.measure`).
-        Infinite where nothing is known.
+        The estimated error of `length`, in the same unit (see
+        `bodymeasure.geodesic.lengths.measure`); infinite where nothing is known.
     residual : ndarray or float
-        Largest geodesic curvature between the collocation points, times the length; 0 for an exact
-        geodesic.
+        The largest geodesic curvature between the collocation points, times the length; 0 for an
+        exact geodesic.
     status : ndarray of Status, or Status
     index : ndarray of int, or int
-        The Morse index: in how many independent ways the path can be changed, its ends fixed, so
-        that it gets shorter, which is the number of points on it that are conjugate to its start. 0
-        for a local minimum; -1 where it is not known, because no geodesic was found or because the
-        path ends at a conjugate point, as near as can be told. Of a path along an edge, it is the
-        sum over its free legs, the ends of which stay in place: 0 proves of each that it is a local
-        minimum, and of the whole no more than that.
+        The Morse index: the number of independent ways in which the path can be changed, its ends
+        fixed, so that it gets shorter, which is the number of points on it that are conjugate to
+        its start. It is 0 for a local minimum, and -1 where it is not known: because no geodesic
+        was found, or because the path ends too close to a conjugate point. For a path along an
+        edge, it is the sum over its free legs with their ends in place: 0 proves that each leg is a
+        local minimum, but not that the whole is one.
     functions : ndarray of int, or int
-        How many functions the path was found with.
+        The number of functions that the path was found with.
     iterations : ndarray of int, or int
-        Newton iterations, all trial spaces together.
+        The number of Newton iterations, all trial spaces together.
     batches : tuple of PathBatch
-        The paths, by trial space; problems are numbered through the flattened batch. For `path`.
+        The paths, by trial space, from which `path` takes its points; problems are numbered through
+        the flattened batch.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> net = bm.load_sample("paraboloid").control_points[0]
+    >>> solution = bm.solve_geodesic(net, (0.0, 0.0), [(1.0, 0.5), (1.0, 1.0)])
+    >>> solution
+    <GeodesicSolution of shape (2,): lengths from 1.75543 to 2.56201, 2 CONVERGED>
+    >>> round(solution[1].length, 5)
+    2.56201
+    >>> solution.path(0.5).round(3)
+    array([[0.621, 0.311],
+           [0.642, 0.642]])
     """
 
     start: Array
     end: Array
-    length: Any
-    raw_length: Any
-    error_estimate: Any
-    residual: Any
-    status: Any
-    index: Any
-    functions: Any
-    iterations: Any
+    length: Array
+    raw_length: Array
+    error_estimate: Array
+    residual: Array
+    status: NDArray[np.object_] | Status
+    index: Ints
+    functions: Ints
+    iterations: Ints
     batches: tuple[PathBatch, ...]
 
     def __repr__(self) -> str:
+        statuses = np.asarray(self.status, dtype=object).ravel().tolist()
         if not self.shape:
-            kind, error, status = "GeodesicSolution", self.error_estimate, self.status.name
-            return result_line(kind, None, error, outcome=status, length=self.length)
-        names = Counter(status.name for status in self.status.flat)
-        statuses = ", ".join(f"{count:,} {name}" for name, count in names.most_common())
+            length, error = float(self.length), float(self.error_estimate)
+            name = statuses[0].name
+            return result_line("GeodesicSolution", None, error, outcome=name, length=length)
+        counts = Counter(status.name for status in statuses).most_common()
+        listed = ", ".join(f"{count:,} {name}" for name, count in counts)
         known = self.length[self.converged]
         span = f"lengths from {known.min():.6g} to {known.max():.6g}, " if known.size else ""
-        return f"<GeodesicSolution of shape {self.shape}: {span}{statuses}>"
+        return f"<GeodesicSolution of shape {self.shape}: {span}{listed}>"
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Shape of the batch; () for a single problem."""
+        """The shape of the batch; () for a single problem."""
         return self.start.shape[:-1]
 
     @property
-    def converged(self) -> Any:
-        """Whether the length can be trusted, of the batch's shape."""
-        result = have_length(np.asarray(self.status, dtype=object))
-        return result if self.shape else bool(result)
+    def converged(self) -> Bools:
+        """Whether the length can be trusted."""
+        return self._shaped(have_length(np.asarray(self.status, dtype=object)))
 
     @property
-    def local_minimum(self) -> Any:
+    def local_minimum(self) -> Bools:
         """Whether the path is proven to be shorter than all paths close to it: its index is 0.
 
         That a path elsewhere on the patch is not shorter still is not proven.
         """
-        result = np.asarray(self.index) == 0
-        return result if self.shape else bool(result)
+        return self._shaped(np.asarray(np.asarray(self.index) == 0))
 
     @property
-    def contacts(self) -> Any:
+    def contacts(self) -> NDArray[np.object_]:
         """The edges of its patch that each path runs along: a tuple of `EdgeContact`, mostly empty.
 
-        An array of tuples for a batch.
+        For a batch, this is an array of such tuples.
         """
         result = np.empty(int(np.prod(self.shape)), dtype=object)
         result[:] = [()] * len(result)
         for batch in self.batches:
             for problem in batch.problems:
                 result[problem] = batch.contacts
-        return result.reshape(self.shape) if self.shape else result[0]
+        return self._shaped(result)
 
     @property
-    def condition(self) -> Any:
-        """Condition number of the collocation system of each path's trial space."""
+    def condition(self) -> Array:
+        """The condition number of the collocation system of each path's trial space."""
         result = np.ones(int(np.prod(self.shape)))
         for batch in self.batches:
             result[batch.problems] = batch.space.condition
-        return result.reshape(self.shape) if self.shape else float(result[0])
+        return self._shaped(result)
+
+    def _shaped(self, values: NDArray[_T]) -> NDArray[_T]:
+        """Values in the shape of the batch; for a single problem, its plain value."""
+        result = values.reshape(self.shape) if self.shape else values.reshape(-1).tolist()[0]
+        return cast("NDArray[_T]", result)
 
     def path(self, t: ArrayLike) -> Array:
-        """Points of the paths.
+        """Return points of the paths.
 
         Parameters
         ----------
         t : array_like, shape () or (k,)
-            In [0, 1], from start to end: parts of the length, as far as the path is a geodesic.
+            Parameters in [0, 1] from start to end, which are parts of the length as far as the path
+            is a geodesic.
 
         Returns
         -------
         ndarray, shape (*batch, *t.shape, 2)
-            (u, v). With the status ``LEAVES_PATCH`` they go outside [0, 1]. On a collapsed edge,
-            where all parameters along it are one place, an end may have others than were given.
+            (u, v). With the status ``LEAVES_PATCH`` they go outside [0, 1]. All parameters along a
+            collapsed edge are one place, so that an end on it may have others than were given.
 
         Raises
         ------
@@ -147,7 +168,7 @@ class GeodesicSolution:
         if not ((times >= 0.0) & (times <= 1.0)).all():
             raise InputError(f"path parameters must lie in [0, 1]; got {times}")
         points = np.empty((int(np.prod(self.shape)), times.size, 2))
-        # Problems without a batch have their ends in one place, and a line that stays there.
+        # Problems without a path have their ends in one place, and a line that stays there.
         first, last = (ends.reshape(-1, 1, 2) for ends in (self.start, self.end))
         points[:] = first + (last - first) * times.reshape(1, -1, 1)
         points[:, times.ravel() == 1.0] = last
@@ -156,10 +177,11 @@ class GeodesicSolution:
         return points.reshape(*self.shape, *times.shape, 2)
 
     def __getitem__(self, key: "_Index | tuple[_Index, ...]") -> "GeodesicSolution":
-        """Some of the problems, by indexing the batch as an array."""
-        numbers = np.arange(int(np.prod(self.shape))).reshape(self.shape)[key]
-        place = np.full(int(np.prod(self.shape)), -1)
-        # Indices may repeat a problem; then each batch gives its rows as often.
+        """Return some of the problems, by indexing the batch as an array."""
+        count = int(np.prod(self.shape))
+        numbers = np.arange(count).reshape(self.shape)[key]
+        place = np.full(count, -1)
+        # Indices may repeat a problem; then each batch of paths gives its rows as often.
         chosen = np.atleast_1d(np.asarray(numbers)).ravel()
         batches = []
         for batch in self.batches:
@@ -170,14 +192,9 @@ class GeodesicSolution:
             if len(inside):
                 batches.append(batch.take(rows[inside]).renumbered(inside))
         start, end = (ends.reshape(-1, 2)[numbers] for ends in (self.start, self.end))
-        return GeodesicSolution(
-            start=start,
-            end=end,
-            **{item.name: self._chosen(item.name, numbers) for item in fields(self)[2:-1]},
-            batches=tuple(batches),
-        )
-
-    def _chosen(self, name: str, numbers: NDArray[np.int64]) -> Any:
-        """An array's values for some of the problems; plain numbers for a single one."""
-        values = np.asarray(getattr(self, name)).reshape(-1)
-        return values[numbers] if np.ndim(numbers) else values[[numbers]].tolist()[0]
+        part = replace(self, start=start, end=end, batches=tuple(batches))
+        values: dict[str, Any] = {
+            item.name: part._shaped(np.asarray(getattr(self, item.name)).reshape(-1)[chosen])
+            for item in fields(self)[2:-1]
+        }
+        return replace(part, **values)

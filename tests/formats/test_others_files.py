@@ -71,7 +71,7 @@ def test_every_diagonal_of_the_teapot_has_a_value_or_a_reason() -> None:
     assert solutions.length.shape == (32, 2)
     # Every one has a value, those too that end at a pole.
     assert np.isfinite(solutions.length).all()
-    assert set(solutions.status.ravel()) == {Status.CONVERGED, Status.ON_BOUNDARY}
+    assert set(np.asarray(solutions.status).ravel()) == {Status.CONVERGED, Status.ON_BOUNDARY}
     assert (solutions.error_estimate < 2e-10).all()
     # Rim, body, lid and bottom are four turns of one quarter; handle and spout have two halves.
     quarters = solutions.length[[*range(12), *range(20, 32)]].reshape(6, 8)

@@ -163,7 +163,7 @@ def test_no_patch_breaks_the_search(
     places, ends_of_path = (evaluate(net, np.array(each)) for each in (points, path[[0, -1]]))
     # On a collapsed edge other parameters are the same place.
     np.testing.assert_allclose(ends_of_path, places, rtol=0.0, atol=1e-14 * np.abs(net).max())
-    assert solution.converged == solution.status.has_length == np.isfinite(solution.length)
+    assert solution.converged == Status(solution.status).has_length == np.isfinite(solution.length)
     assert not alone.converged or solution.converged
     if not solution.converged:
         return

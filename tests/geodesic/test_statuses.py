@@ -124,7 +124,7 @@ def test_one_bad_patch_does_not_spoil_the_others() -> None:
     np.testing.assert_allclose(
         solution.length[[0, 4]], [5 * np.sqrt(2) / 3, 2.56200713706941], rtol=1e-13
     )
-    assert solution.status[3] is Status.LEAVES_PATCH
+    assert np.asarray(solution.status)[3] is Status.LEAVES_PATCH
 
 
 def test_by_default_a_failure_is_raised() -> None:

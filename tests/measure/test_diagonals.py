@@ -37,7 +37,7 @@ def test_failures_raise_unless_statuses_are_asked_for() -> None:
     bad = atlas(ENNEPER, LINE)
     solution = diagonals(bad, on_failure="status")
     np.testing.assert_array_equal(solution.converged, [[True, True], [False, False]])
-    assert solution.status[0, 0] is Status.CONVERGED
+    assert np.asarray(solution.status)[0, 0] is Status.CONVERGED
     assert np.isnan(solution.length[1]).all()
     with pytest.raises(ConvergenceError, match="2 of 4 geodesics"):
         diagonals(bad)

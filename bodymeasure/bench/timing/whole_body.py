@@ -3,6 +3,8 @@
 from functools import partial
 from statistics import median
 
+import numpy as np
+
 from bodymeasure.bench.problems.sets import BODY
 from bodymeasure.bench.records import Figure
 from bodymeasure.bench.timing.timing import processor_seconds
@@ -32,7 +34,7 @@ def whole_body(rounds: int) -> list[Figure]:
             seconds[search].append(processor_seconds(call))
     straight, quick = (MILLI * median(seconds[search]) for search in SEARCHES)
     length = solutions[1].length
-    on_edge = int((solutions[1].status == Status.ON_BOUNDARY).sum())
+    on_edge = int((np.asarray(solutions[1].status) == Status.ON_BOUNDARY).sum())
     what = f"{length.size} diagonals of {BODY}"
     return [
         Figure(name=f"{what}, from straight lines alone", value=straight, unit="milliseconds"),

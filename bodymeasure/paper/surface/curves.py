@@ -69,7 +69,7 @@ def diagonal_curves(atlas: Atlas, method: Method | None = None) -> AtlasCurves:
         place=("diagonal 1", "diagonal 2") * len(atlas),
         points=points.reshape(-1, POINTS, 3),
         length=solution.length.ravel(),
-        status=tuple(status.sentence for status in solution.status.ravel()),
+        status=tuple(status.sentence for status in np.asarray(solution.status).ravel()),
     )
 
 

@@ -68,7 +68,7 @@ def survey_document(
         settings={str(key): str(value) for key, value in survey.settings.items()},
         versions={str(key): str(value) for key, value in survey.versions.items()},
         seconds={str(key): float(value) for key, value in survey.seconds.items()},
-        statuses=_meanings(survey.diagonals.status),
+        statuses=_meanings(np.asarray(survey.diagonals.status)),
         verdicts={} if check is None else _meanings(check.verdict),
         summary=_summary(len(atlas), [m for m in measurements if m.kind == "diagonal"]),
         findings=[
@@ -107,7 +107,7 @@ def _diagonals(survey: "Survey", unit: Unit) -> list[PatchRecord]:
             start=tuple(start[patch][number]),
             end=tuple(end[patch][number]),
             unit=unit.value,
-            status=solution.status[patch, number].name.lower(),
+            status=np.asarray(solution.status)[patch, number].name.lower(),
             contacts="; ".join(
                 f"{contact.edge} from {contact.start:.6g} to {contact.end:.6g}"
                 for contact in solution.contacts[patch, number]

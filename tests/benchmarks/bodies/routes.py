@@ -186,7 +186,7 @@ def cut_surfaces(count: int) -> None:
                 start, end = (on_cut(grids[pieces], uv) for uv in ends)
                 paths[pieces] = bm.geodesic_between(atlas, start, end)
             for pieces, path in paths.items():
-                changes[pieces].append(abs(path.length / whole.length - 1.0))
+                changes[pieces].append(abs(path.length / float(whole.length) - 1.0))
         worst = ", ".join(f"{max(each):.1e} in {pieces}" for pieces, each in changes.items())
         print(f"{name} cut: at most {worst}", flush=True)
 

@@ -165,7 +165,7 @@ def check(cases: list[Case], complaints: dict[str, list[int]]) -> Counter[str]:
                 complaints[f"{kind} than by {witness}"].append(case.number)
                 off = abs(case.solution.length - length)
                 print(
-                    f"    {case.number} {case.solution.status.name}: {kind} by "
+                    f"    {case.number} {bm.Status(case.solution.status).name}: {kind} by "
                     f"{off / length:.1e} than by {witness}; estimate "
                     f"{case.solution.error_estimate / length:.1e}, doubt {doubt / length:.1e}",
                     flush=True,
@@ -245,7 +245,7 @@ def main() -> None:
     for first in range(options.first, last, BATCH):
         solved = [solve(n, complaints) for n in range(first, min(first + BATCH, last))]
         cases = [case for case in solved if case is not None]
-        statuses.update(case.solution.status.name for case in cases)
+        statuses.update(bm.Status(case.solution.status).name for case in cases)
         statuses["refused"] += len(solved) - len(cases)
         witnesses += check(cases, complaints)
         seconds += [case.seconds for case in cases]

@@ -88,7 +88,7 @@ def examined(problems: Problems) -> tuple[list[Case], Counter[str]]:
             seconds.append(time.process_time() - begin)
         path = solution.path(np.linspace(0.0, 1.0, LEVELS[0] + 1))
         cases.append(Case(solution, shortest_polygons(net, path), min(seconds)))
-    return cases, Counter(status.name for status in together.status)
+    return cases, Counter(status.name for status in np.asarray(together.status))
 
 
 def report(kind: str, problems: Problems) -> None:

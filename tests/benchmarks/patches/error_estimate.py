@@ -114,7 +114,10 @@ def row(solution: GeodesicSolution, true: Array, other: NDArray[np.bool_]) -> st
     raw = np.abs(solution.raw_length[compared] / length - 1.0)
     estimate = solution.error_estimate[compared] / length
     share = 100.0 / len(true)
-    converged, leaves = solution.converged.sum(), (solution.status == Status.LEAVES_PATCH).sum()
+    converged, leaves = (
+        solution.converged.sum(),
+        (np.asarray(solution.status) == Status.LEAVES_PATCH).sum(),
+    )
     numbers = [*np.quantile(raw, [0.5, 0.99, 1.0]), *np.quantile(error, [0.5, 0.99, 1.0])]
     line = (
         f"{converged * share:6.1f} {leaves * share:6.1f}"

@@ -139,7 +139,7 @@ def compare(kind: str, nets: Array) -> None:
         solution = bm.solve_geodesic(nets, (0, 0), (1, 1), search=search, on_failure="status")
         seconds = time.process_time() - begin
         excess = solution.length / best - 1.0
-        along = solution.status == bm.Status.ON_BOUNDARY
+        along = np.asarray(solution.status) == bm.Status.ON_BOUNDARY
         off = np.flatnonzero(along & (np.abs(excess) > OFF + np.abs(change)))
         below = np.flatnonzero(excess < -MISS - np.abs(change))
         confirmed = 0
@@ -158,7 +158,7 @@ def compare(kind: str, nets: Array) -> None:
         _tell("on edge, off", off, excess)
         failed = np.flatnonzero(~solution.converged)
         if len(failed):
-            names = [solution.status[i].name for i in failed]
+            names = [np.asarray(solution.status)[i].name for i in failed]
             listed = ", ".join(f"{names.count(name)} {name}" for name in sorted(set(names)))
             print(f"    no length: {listed}: {_some(failed)}", flush=True)
 

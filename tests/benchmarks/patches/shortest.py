@@ -47,7 +47,7 @@ def compare(kind: str, nets: Array) -> None:
         )
         seconds = time.process_time() - begin
         difference = solution.length - exact
-        edges = (solution.status == bm.Status.ON_BOUNDARY).sum()
+        edges = (np.asarray(solution.status) == bm.Status.ON_BOUNDARY).sum()
         print(
             f"{kind:16s} {search:9s} {100 * solution.converged.mean():7.1f} "
             f"{100 * edges / count:8.1f} {(difference > allowed).sum():7d} "
