@@ -1,6 +1,6 @@
 """The definition of a measurement, which each kind extends, and its result."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import ClassVar, Literal
@@ -10,7 +10,7 @@ import numpy as np
 
 from bodymeasure.chart.accuracy import AccuracyClass
 from bodymeasure.chart.body import Body
-from bodymeasure.chart.entry import Entry
+from bodymeasure.chart.entry import Entry, Fault
 from bodymeasure.chart.formula.parse import parse_formula
 from bodymeasure.chart.tapes import Tape
 
@@ -73,6 +73,12 @@ class MeasurementDefinition(Entry, frozen=True, kw_only=True, tag_field="kind"):
     def accuracy_class(self) -> AccuracyClass | None:
         """The measurement's class in ISO 20685-1; None for angles, for which it has none."""
         raise NotImplementedError
+
+    def same_place(self, member: str, one: str, other: str | None) -> Iterator[Fault]:
+        """Yield a fault if a measurement leads from a landmark to itself, and so is 0."""
+        if one == other:
+            words = f"leads from {one!r} to the same landmark, which is 0 on every body; name two"
+            yield Fault(self, member, words)
 
     def measure(self, body: Body, others: Mapping[str, "Measured"]) -> "Measured":
         """Measure a body.

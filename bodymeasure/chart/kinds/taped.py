@@ -1,34 +1,19 @@
 """The measurement of a section, along which a tape follows the skin or is drawn taut."""
 
 from collections.abc import Mapping
-from typing import Protocol
+from dataclasses import replace
 
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome, TapeWanted
 from bodymeasure.chart.tapes import TapeKind
-from bodymeasure.section import DrawnTape
-
-
-class BothTapes(Protocol):
-    """The lengths of a section along the skin and drawn taut, with both tapes."""
-
-    @property
-    def contact(self) -> float: ...
-    @property
-    def taut(self) -> float: ...
-    @property
-    def error_estimate(self) -> float: ...
-    @property
-    def contact_tape(self) -> DrawnTape: ...
-    @property
-    def taut_tape(self) -> DrawnTape: ...
+from bodymeasure.measure import Drop, Girth, GirthArc
 
 
 def taped(
     body: Body,
     definition: MeasurementDefinition,
     wanted: TapeWanted,
-    found: BothTapes,
+    found: Drop | Girth | GirthArc,
     by_region: Mapping[str, float],
 ) -> Measured:
     """Return the measurement whose value is the length of the tape that is wanted."""
@@ -46,6 +31,18 @@ def taped(
         tapes=tuple(tapes),
         length_by_region=by_region,
     )
+
+
+def taped_girth(
+    body: Body,
+    definition: MeasurementDefinition,
+    wanted: TapeWanted,
+    girth: Girth,
+    remark: str = "",
+) -> Measured:
+    """Return the measurement of a girth, with what is to be remarked about it."""
+    found = taped(body, definition, wanted, girth, girth.tape.length_by_region)
+    return replace(found, reason=" ".join(filter(None, (remark, sentence(girth.remark)))))
 
 
 def sentence(remark: str) -> str:

@@ -1,14 +1,13 @@
 """The largest or smallest girth of a stretch."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import ClassVar, Literal
 
 from bodymeasure.chart.accuracy import AccuracyClass, girth_class
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Landmark
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, TapeWanted
-from bodymeasure.chart.kinds.taped import sentence, taped
+from bodymeasure.chart.kinds.taped import taped_girth
 from bodymeasure.measure import Extremum, extreme_girth
 
 
@@ -50,9 +49,6 @@ class ExtremeGirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag=
             tape="contact" if self.tape == "contact" else "taut",
             limb=self.limb,
         )
-        girth = extreme.girth
-        remarks = [sentence(girth.remark)]
-        if extreme.status is not Extremum.INSIDE:
-            remarks.insert(0, f"The extreme is {extreme.status.value}.")
-        found = taped(body, self, self.tape, girth, girth.tape.length_by_region)
-        return replace(found, reason=" ".join(filter(None, remarks)))
+        inside = extreme.status is Extremum.INSIDE
+        remark = "" if inside else f"The extreme is {extreme.status.value}."
+        return taped_girth(body, self, self.tape, extreme.girth, remark)

@@ -1,14 +1,13 @@
 """Horizontal girths."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from typing import ClassVar
 
 from bodymeasure.chart.accuracy import AccuracyClass, girth_class
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Fault, Landmark
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, TapeWanted
-from bodymeasure.chart.kinds.taped import sentence, taped
+from bodymeasure.chart.kinds.taped import taped_girth
 
 
 class GirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="girth"):
@@ -43,5 +42,4 @@ class GirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="girth"
 
     def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
         girth = body.level_girth(self.at, cut=self.cut, limb=self.limb)
-        found = taped(body, self, self.tape, girth, girth.tape.length_by_region)
-        return replace(found, reason=sentence(girth.remark))
+        return taped_girth(body, self, self.tape, girth)

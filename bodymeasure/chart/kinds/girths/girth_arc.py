@@ -8,7 +8,6 @@ from bodymeasure.chart.accuracy import AccuracyClass
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Fault, Landmark
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, TapeWanted
-from bodymeasure.chart.kinds.checks import same_place
 from bodymeasure.chart.kinds.taped import sentence, taped
 from bodymeasure.measure import girth_arc
 
@@ -51,7 +50,7 @@ class GirthArcMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="gir
         return AccuracyClass.SEGMENT_LENGTH
 
     def faults(self) -> Iterator[Fault]:
-        return same_place(self, "end", self.start, self.end)
+        return self.same_place("end", self.start, self.end)
 
     def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
         start, end = body.position(self.start), body.position(self.end)

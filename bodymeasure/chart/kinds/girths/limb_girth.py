@@ -1,14 +1,13 @@
 """Girths of limbs, square to them."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from typing import ClassVar
 
 from bodymeasure.chart.accuracy import AccuracyClass
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Fault, Landmark
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, TapeWanted
-from bodymeasure.chart.kinds.taped import sentence, taped
+from bodymeasure.chart.kinds.taped import taped_girth
 from bodymeasure.measure import limb_girth
 
 
@@ -42,5 +41,4 @@ class LimbGirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="li
     def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
         place = body.point(self.at) if isinstance(self.at, str) else float(self.at)
         girth = limb_girth(body.atlas, body.point(self.start), body.point(self.end), at=place)
-        found = taped(body, self, self.tape, girth, girth.tape.length_by_region)
-        return replace(found, reason=sentence(girth.remark))
+        return taped_girth(body, self, self.tape, girth)

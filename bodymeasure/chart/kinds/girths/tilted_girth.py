@@ -1,7 +1,6 @@
 """Girths of what leans forwards or backwards."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import ClassVar
 
 import numpy as np
@@ -10,7 +9,7 @@ from bodymeasure.chart.accuracy import AccuracyClass, girth_class
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Landmark
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, TapeWanted
-from bodymeasure.chart.kinds.taped import sentence, taped
+from bodymeasure.chart.kinds.taped import taped_girth
 from bodymeasure.errors import InputError
 from bodymeasure.section import Plane
 
@@ -46,5 +45,4 @@ class TiltedGirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="
                 "that many planes hold them; choose a front and a back landmark"
             )
         girth = body.girth(Plane(front, normal), self.front)
-        found = taped(body, self, self.tape, girth, girth.tape.length_by_region)
-        return replace(found, reason=sentence(girth.remark))
+        return taped_girth(body, self, self.tape, girth)

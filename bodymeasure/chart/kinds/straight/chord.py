@@ -10,7 +10,6 @@ from bodymeasure.chart.accuracy import AccuracyClass, length_class
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Fault, Landmark
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition
-from bodymeasure.chart.kinds.checks import same_place
 from bodymeasure.chart.kinds.straight.line import straight
 
 _BREADTH = re.compile(r"\bbreadth", re.IGNORECASE)
@@ -35,7 +34,7 @@ class ChordMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="chord"
         return AccuracyClass.BREADTH if _BREADTH.search(self.name) else length_class(self.name)
 
     def faults(self) -> Iterator[Fault]:
-        return same_place(self, "end", self.start, self.end)
+        return self.same_place("end", self.start, self.end)
 
     def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
         start, end = body.position(self.start), body.position(self.end)

@@ -7,7 +7,6 @@ from bodymeasure.chart.accuracy import AccuracyClass
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Fault, Landmark
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition
-from bodymeasure.chart.kinds.checks import same_place
 from bodymeasure.chart.kinds.straight.line import straight
 from bodymeasure.errors import InputError
 
@@ -39,7 +38,7 @@ class HeightMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="heigh
         return AccuracyClass.HEIGHT if self.above is None else AccuracyClass.SEGMENT_LENGTH
 
     def faults(self) -> Iterator[Fault]:
-        return same_place(self, "above", self.at, self.above)
+        return self.same_place("above", self.at, self.above)
 
     def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
         up = body.atlas.axes.up_vector

@@ -9,7 +9,6 @@ from bodymeasure.chart.accuracy import AccuracyClass, length_class
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Fault, Landmark
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome, TapeWanted
-from bodymeasure.chart.kinds.checks import same_place
 from bodymeasure.chart.kinds.surface.along import along
 from bodymeasure.chart.landmarks.paths import leg_between
 from bodymeasure.chart.tapes import Tape, TapeKind
@@ -41,7 +40,7 @@ class PathMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="path"):
         if len(self.through) < 2:
             yield Fault(self, "through", "through needs two landmarks or more")
         for one, other in pairwise(self.through):
-            yield from same_place(self, "through", one, other)
+            yield from self.same_place("through", one, other)
 
     def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
         points = [body.point(name) for name in self.through]
