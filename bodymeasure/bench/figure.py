@@ -36,7 +36,7 @@ METADATA: Any = {
 
 @dataclass(frozen=True)
 class Look:
-    """How a method is drawn.
+    """The look of a method in the figure.
 
     Parameters
     ----------

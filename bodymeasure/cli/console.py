@@ -64,7 +64,7 @@ def progress_bar(label: str, total: int) -> Iterator[Callable[[int], None]]:
     if not ERRORS.is_terminal:
         yield lambda _done: None
         return
-    # Not needed by `--help` and the like, and slow to load.
+    # Slow imports, which `--help` does not need.
     from rich.progress import (
         BarColumn,
         MofNCompleteColumn,

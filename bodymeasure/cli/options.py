@@ -61,7 +61,7 @@ _file_unit_option = partial(
     expose_value=False,
     callback=_keep_unit,
 )
-# For commands that have no other unit.
+# The option of commands that have no other unit.
 same_unit_option = _file_unit_option("--unit", help="The same as --file-unit.")
 
 
@@ -151,7 +151,7 @@ def _notes() -> Iterator[None]:
     """Print the notes of reading a file as the command line prints notes."""
     show = warnings.showwarning
 
-    def tell(message: Any, category: Any, *rest: Any, **others: Any) -> None:
+    def print_or_show(message: Any, category: Any, *rest: Any, **others: Any) -> None:
         if issubclass(category, ReadWarning):
             print_note(str(message))
         else:
@@ -159,7 +159,7 @@ def _notes() -> Iterator[None]:
 
     with warnings.catch_warnings():
         warnings.simplefilter("always", ReadWarning)
-        warnings.showwarning = tell
+        warnings.showwarning = print_or_show
         yield
 
 

@@ -100,7 +100,7 @@ def _by_subject(readings: Readings, vocabulary: Vocabulary) -> dict[str, _ByKey]
             whose = f" of {reading.subject!r}" if reading.subject else ""
             raise InputError(
                 f"{reading.place}: {known.key!r}{whose} is given a second time; keep one of the "
-                "two, or tell subjects apart in a column subject"
+                "two, or name the subjects in a column subject"
             )
         mine[known.key] = reading
     return result

@@ -68,7 +68,7 @@ def no_bar(_label: str, _total: int) -> AbstractContextManager[Callable[[int], N
 
 @dataclass
 class _Study:
-    """What the parts of a run pass on: tables, and the results on the readings."""
+    """The tables and results that the parts of a run pass on."""
 
     settings: Settings
     bar: Bar

@@ -11,7 +11,8 @@ SEED = 2007
 # The body, and the reading that goes on to the tables of speed, scaling and what lies beyond.
 BODY = "female_average"
 CHOSEN = "grid 0.6"
-# Of the body, every so many-th patch is taken. A quick run only shows that everything works.
+# The steps by which patches of the body are taken, and the patches of a group in a quick run, which
+# only shows that everything works.
 BODY_STEP, QUICK_BODY_STEP = 4, 24
 QUICK_GROUP_SIZE = 3
 

@@ -136,7 +136,7 @@ class CheckedLandmark(Struct, frozen=True):
 
 
 class SymmetryDocument(Struct, frozen=True):
-    """How symmetric the landmarks of an atlas are, and how well named; lengths are in `unit`.
+    """The result of checking symmetry and names of an atlas's landmarks; lengths are in `unit`.
 
     `deviation` is the root mean square distance of the surface from its mirror image.
     """

@@ -1,4 +1,4 @@
-"""How processor time and memory grow with the number of patches."""
+"""The growth of processor time and memory with the number of patches."""
 
 import tracemalloc
 from dataclasses import dataclass

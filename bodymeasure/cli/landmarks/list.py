@@ -50,7 +50,7 @@ def list_landmarks(
     After them come the landmarks that no rule could give, with the reasons, and the measurements
     that lack them. Rules and measurements are those of --set.
     """
-    # Not needed by `--help` and the like, and slow to load.
+    # Slow imports, which `--help` does not need.
     from bodymeasure.chart import load_definitions
     from bodymeasure.report.landmarks import landmarks_document, landmarks_to_csv
     from bodymeasure.report.serial import to_json

@@ -113,7 +113,7 @@ def chart(
         *((CHART_PAGE,) if output is not None else ()),
         *((CHART_PICTURES,) if pictures_wanted else ()),
     )
-    # Not needed by `--help` and the like, and slow to load.
+    # Slow imports, which `--help` does not need.
     from bodymeasure.chart import load_definitions
     from bodymeasure.report.body import chart_document, check_codes, write_chart
 
@@ -161,7 +161,7 @@ def _pictures(chart: "Chart") -> "TapePictures":
     from bodymeasure.scene import tape_pictures
 
     drawn = [item for item in chart.measured if item.tapes]
-    # Not all sides of all groups are drawn, so the bar may end early.
+    # The bar may end early, since not all sides of all groups are drawn.
     most = SIDES * len({item.definition.group for item in drawn}) + len(drawn)
     with progress_bar("drawing", most) as progress:
         return tape_pictures(chart, advance=count_calls(progress))

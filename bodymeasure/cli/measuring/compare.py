@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from bodymeasure.compare import Comparison, Readings
 
 EXIT_EXCEEDS = 1
-# As in `bodymeasure.compare`, which is slow to load; a test holds the two together.
+# The value of `bodymeasure.compare`, which is slow to load; a test keeps the two equal.
 MINIMUM_SUBJECTS = 40
 # Suffixes of files of values; any other file is an atlas.
 READ_SUFFIXES = (".csv", ".json")
@@ -87,7 +87,7 @@ def compare(
     writer = _writer(output)
     if any(not _is_file_of_values(name) for name in (first, second)):
         require(ROUTES)
-    # Not needed by `--help` and the like, and slow to load.
+    # Slow imports, which `--help` does not need.
     from bodymeasure.chart import both_sides, load_definitions
     from bodymeasure.compare import compare as compared
     from bodymeasure.compare import known_from
@@ -95,7 +95,7 @@ def compare(
     loaded = load_definitions(definitions)
     readings = [_readings(name, loaded, despite_errors=despite_errors) for name in (first, second)]
     if readings[0].name == readings[1].name:
-        # Two charts of one body, say, are told apart by their files.
+        # Two charts of one body, for instance, are distinguished by their files.
         readings = [
             replace(each, name=name) for each, name in zip(readings, (first, second), strict=True)
         ]

@@ -38,7 +38,7 @@ def diagonals(atlas: str, form: str, unit: str, despite_errors: bool) -> None:
 
     A diagonal whose length cannot be trusted has none; its status says why.
     """
-    # Not needed by `--help` and the like, and slow to load.
+    # Slow imports, which `--help` does not need.
     from bodymeasure.measure import measure_atlas
     from bodymeasure.report import survey_document, to_csv, to_json
 

@@ -80,7 +80,7 @@ def report(
     require(PAGE, *(() if no_cross_check else (COMPARISON,)), *(() if no_pictures else (PICTURES,)))
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
     with output_folder(output):
-        # Not needed by `--help` and the like, and slow to load.
+        # Slow imports, which `--help` does not need.
         from bodymeasure.report import (
             closeup_patches,
             disagreements,

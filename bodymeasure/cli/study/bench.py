@@ -42,7 +42,7 @@ def bench(output: Path | None, quick: bool) -> None:
     """
     require(*BENCHMARK, *((BENCHMARK_FIGURE,) if output else ()))
     with output_folder(output) if output else nullcontext():
-        # Not needed by `--help` and the like, and slow to load.
+        # Slow imports, which `--help` does not need.
         from bodymeasure.bench import FULL, QUICK, benchmark_steps, run_benchmark, write_benchmark
 
         size = QUICK if quick else FULL

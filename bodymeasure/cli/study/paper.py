@@ -48,7 +48,7 @@ def paper(output: Path, quick: bool, seed: int, processes: int) -> int:
     """
     require(PAGE, CHARTS, SURFACE)
     with output_folder(output):
-        # Not needed by `--help` and the like, and slow to load.
+        # Slow imports, which `--help` does not need.
         from bodymeasure.paper.reproduce import reproduce
         from bodymeasure.paper.reproduction import Settings
         from bodymeasure.paper.write import write_reproduction

@@ -108,7 +108,7 @@ def _along_chord(nets: Array) -> Array:
     which = lengths.argmax(axis=-1)[..., None]
     length = np.take_along_axis(lengths, which, axis=-1)
     chord = np.take_along_axis(chords, which[..., None], axis=-2)[..., 0, :]
-    # For a patch whose corners are all one point, any direction will do.
+    # Any direction will do for a patch whose corners are all one point.
     direction = np.where(length > 0.0, chord / np.where(length > 0.0, length, 1.0), [1.0, 0.0, 0.0])
     # A line has no sign; the nearer end of x is reached by the smaller turn.
     direction = direction * np.where(direction[..., :1] < 0.0, -1.0, 1.0)

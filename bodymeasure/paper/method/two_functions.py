@@ -20,7 +20,7 @@ from bodymeasure.geodesic.spaces.rbf import rbf_space
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.paper.method.polynomial_pair import PolynomialPair, of_size_one
 
-# As in section 7 of the paper.
+# The values of section 7 of the paper.
 SUPPORT_RADIUS = 2.0
 COLLOCATION_POINT = 0.5
 # Polynomials are in powers of (x - 1/2) and (y - 1/2), which are not large near the patch.

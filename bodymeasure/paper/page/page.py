@@ -1,7 +1,5 @@
 """The page of the reproduction, one self-contained file."""
 
-from typing import Any
-
 from bodymeasure.paper.data.random_patches import GROUP_SIZE
 from bodymeasure.paper.page import charts
 from bodymeasure.paper.page.sections import CHOICES, LONG, sections_of, tiles
@@ -18,26 +16,22 @@ def render_page(found: Reproduction) -> bytes:
     MissingExtraError
         If jinja2 or matplotlib is not installed.
     """
-    return templating.render_page(
-        "bodymeasure.paper",
-        "paper.html.j2",
-        _context(found),
-        feature="the HTML page",
-        filters={"shown": shown},
-    )
-
-
-def _context(found: Reproduction) -> dict[str, Any]:
-    made = _pictures(found)
-    return {
+    context = {
         "found": found,
         "sections": sections_of(found),
-        "pictures": made,
+        "pictures": _pictures(found),
         "choices": CHOICES,
         "tiles": tiles(found),
         "long": LONG,
         "full_group": GROUP_SIZE,
     }
+    return templating.render_page(
+        "bodymeasure.paper",
+        "paper.html.j2",
+        context,
+        feature="the HTML page",
+        filters={"shown": shown},
+    )
 
 
 def _pictures(found: Reproduction) -> dict[str, list[tuple[str, str]]]:

@@ -70,7 +70,7 @@ def accuracy_bars(chosen: ReadingResult, table_5_error: float) -> Table:
 
 
 class _Best(NamedTuple):
-    """Of one set, the records of the best method and of Ritz in the table of speed."""
+    """The records of the best method and of Ritz in the table of speed of one set."""
 
     patches: str
     best: dict[str, Any]

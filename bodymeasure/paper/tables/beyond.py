@@ -133,7 +133,7 @@ def _rbf(
 
 
 class _Row(NamedTuple):
-    """What a method with some number of functions did on some patches."""
+    """The result of a method with some number of functions on some patches."""
 
     patches: str
     family: str

@@ -6,7 +6,7 @@ from typing import Any
 from bodymeasure.paper.tables.statistics import key
 from bodymeasure.paper.tables.table import Column, Table
 
-# Families of `beyond_table`: those of the page's charts that tell most.
+# The families of `beyond_table` that are shown, which are the main ones of the page's charts.
 SHOWN = (
     "RBF Wu C2, centers from 1 on, even nodes",
     "RBF Wu C2, centers at Chebyshev points",

@@ -29,7 +29,7 @@ def _stopped_early(found: Comparison) -> Bools:
     return np.asarray(found.ritz_stopped & followed & (error > VISIBLE))
 
 
-# What is counted for each reading, by its name in the table.
+# The counts of each reading, by their names in the table.
 EVENTS: dict[str, Callable[[ReadingResult], float]] = {
     "patches": lambda r: len(r.found),
     "drawn and refused: folded": lambda r: r.data.folded,

@@ -9,9 +9,9 @@ import numpy as np
 
 from bodymeasure.report.serial import csv_bytes
 
-# How a number is to be read: a length in the unit of the patches; a ratio that is shown in percent
-# with its sign, to three decimals, in percent without a sign, or as a power of ten; seconds, a
-# factor, a count, or words.
+# The kinds of values: words, a count, a number, a length in the unit of the patches; a ratio shown
+# in percent with its sign, to three decimals, in percent without a sign, or as a power of ten;
+# seconds, and a factor.
 Kind = Literal[
     "text", "count", "number", "length", "percent", "fine", "share", "small", "seconds", "factor"
 ]

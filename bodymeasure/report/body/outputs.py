@@ -16,8 +16,8 @@ from bodymeasure.report.serial import schema_bytes, to_json
 if TYPE_CHECKING:
     from bodymeasure.chart import Chart
 
-# What makes each file, by its name, in which {stem} stands for the name of the body. An output is
-# added by its own module here and one line.
+# The functions that make the files, by names in which {stem} stands for the name of the body. An
+# output is added by its own module and one line here.
 OUTPUTS: dict[str, Callable[[ChartDocument], bytes]] = {
     "measurements.json": to_json,
     "measurements.csv": chart_to_csv,

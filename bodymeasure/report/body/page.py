@@ -1,7 +1,7 @@
 """A chart of body measurements as one self-contained page."""
 
 from collections.abc import Mapping
-from typing import Any, Protocol
+from typing import Protocol
 
 from bodymeasure.report.body import views
 from bodymeasure.report.body.records import ChartDocument
@@ -48,17 +48,7 @@ def render_chart(document: ChartDocument, pictures: TapePictures | None = None) 
     MissingExtraError
         If jinja2 is not installed.
     """
-    return render_page(
-        "bodymeasure.report",
-        "measurements.html.j2",
-        _context(document, pictures),
-        feature="the page of measurements",
-        styles=("measurements.css",),
-    )
-
-
-def _context(document: ChartDocument, pictures: TapePictures | None) -> dict[str, Any]:
-    return {
+    context = {
         "document": document,
         "groups": views.groups(document)
         if pictures is None
@@ -74,3 +64,10 @@ def _context(document: ChartDocument, pictures: TapePictures | None) -> dict[str
         "picture_note": "" if pictures is None else pictures.note,
         "text": {"small": small_text},
     }
+    return render_page(
+        "bodymeasure.report",
+        "measurements.html.j2",
+        context,
+        feature="the page of measurements",
+        styles=("measurements.css",),
+    )

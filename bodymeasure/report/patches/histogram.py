@@ -18,7 +18,7 @@ LEFT, RIGHT, TOP, BOTTOM = 40.0, 24.0, 12.0, 44.0
 
 @dataclass(frozen=True)
 class Bar:
-    """How many values, and how many of the reference, lie from `low` up to `high`."""
+    """The numbers of values and of reference values from `low` up to `high`."""
 
     low: float
     high: float

@@ -1,7 +1,7 @@
 """The report as one self-contained page."""
 
 from collections.abc import Mapping
-from typing import Any, Protocol
+from typing import Protocol
 
 from bodymeasure.report import numbers
 from bodymeasure.report.patches import views
@@ -46,11 +46,7 @@ def render_html(document: Document, pictures: Pictures | None = None) -> bytes:
     MissingExtraError
         If jinja2 is not installed.
     """
-    return render_page("bodymeasure.report", "report.html.j2", _context(document, pictures))
-
-
-def _context(document: Document, pictures: Pictures | None) -> dict[str, Any]:
-    return {
+    context = {
         "document": document,
         "summary": document.summary,
         "statuses": views.status_rows(document),
@@ -73,3 +69,4 @@ def _context(document: Document, pictures: Pictures | None) -> dict[str, Any]:
         "picture_note": "" if pictures is None else pictures.note,
         "text": numbers,
     }
+    return render_page("bodymeasure.report", "report.html.j2", context)

@@ -1,4 +1,4 @@
-"""What ``measurements.json`` and ``measurements.csv`` hold, and their schema."""
+"""The content of ``measurements.json`` and ``measurements.csv``."""
 
 from collections.abc import Sequence
 from typing import Annotated, Final, Literal
