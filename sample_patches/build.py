@@ -120,12 +120,12 @@ def _fit(atlas: Atlas, mesh: ControlMesh) -> str:
     """How far the body's surface lies from the atlas, in words."""
     covered = np.unique(mesh.groups[COVERED])
     _, distances = closest_points(atlas, limit_positions(mesh, covered.tolist()))
-    millimetres = 1e3 * distances
+    millimeters = 1e3 * distances
     return (
         f"limit positions of the {len(covered)} control mesh vertices that the atlas covers lie "
-        f"off it by {np.sqrt(np.mean(millimetres**2)):.2f} mm RMS, "
-        f"{np.quantile(millimetres, 0.99):.2f} mm at the 99th percentile, "
-        f"{millimetres.max():.2f} mm at worst"
+        f"off it by {np.sqrt(np.mean(millimeters**2)):.2f} mm RMS, "
+        f"{np.quantile(millimeters, 0.99):.2f} mm at the 99th percentile, "
+        f"{millimeters.max():.2f} mm at worst"
     )
 
 

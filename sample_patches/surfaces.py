@@ -17,7 +17,7 @@ Terms = dict[tuple[int, int], float]
 class KnownSurface:
     """A polynomial surface, and what is known about it.
 
-    `geodesic` says between which (u, v) the length is known, and what it is, in centimetres.
+    `geodesic` says between which (u, v) the length is known, and what it is, in centimeters.
     """
 
     name: str

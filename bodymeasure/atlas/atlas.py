@@ -205,7 +205,7 @@ class Atlas:
     def converted(self, unit: Unit | str) -> Self:
         """The same atlas in another unit."""
         target = Unit.parse(unit)
-        return replace(self, points=self.points * (self.unit.metres / target.metres), unit=target)
+        return replace(self, points=self.points * (self.unit.meters / target.meters), unit=target)
 
 
 def _checked_index(index: ArrayLike) -> Ints:

@@ -18,9 +18,9 @@ class Unit(StrEnum):
     INCH = "inch"
 
     @property
-    def metres(self) -> float:
-        """Length of one unit in metres, exact by definition."""
-        return _METRES[self]
+    def meters(self) -> float:
+        """Length of one unit in meters, exact by definition."""
+        return _METERS[self]
 
     @classmethod
     def parse(cls, text: str) -> "Unit":
@@ -38,7 +38,7 @@ class Unit(StrEnum):
             raise InputError(f"unknown unit {text!r}; expected one of {known}") from None
 
 
-_METRES = {
+_METERS = {
     Unit.M: 1.0,
     Unit.CM: 0.01,
     Unit.MM: 0.001,
@@ -50,4 +50,4 @@ def convert_length(length: Length, source: Unit, target: Unit) -> Length:
     """A length, or an array of lengths, given in `source`, in `target`."""
     if source == target:
         return length
-    return length * (source.metres / target.metres)
+    return length * (source.meters / target.meters)

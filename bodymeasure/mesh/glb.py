@@ -112,4 +112,4 @@ def _to_gltf(atlas: Atlas) -> Array:
     """From the atlas's coordinates to left, up and front in meters, shape (3, 3)."""
     axes = atlas.axes
     rows = np.stack([axes.left_vector, axes.up_vector, axes.front_vector])
-    return np.asarray(rows * atlas.unit.metres)
+    return np.asarray(rows * atlas.unit.meters)

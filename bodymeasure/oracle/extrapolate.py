@@ -29,7 +29,7 @@ def richardson(by_level: ArrayLike, levels: tuple[int, ...]) -> tuple[Array, Arr
     length : ndarray, shape (...)
         Extrapolated from the two finest levels.
     uncertainty : ndarray, shape (...)
-        Twice the largest difference from what coarser pairs of neighbouring levels say, and a
+        Twice the largest difference from what coarser pairs of neighboring levels say, and a
         fiftieth of the last correction. From two levels alone, the whole correction.
 
     Notes

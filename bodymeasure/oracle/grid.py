@@ -88,7 +88,7 @@ def grid_lines(points: Array) -> tuple[Array, Array]:
 def refined_grid(lines_u: Array, lines_v: Array, coarsest: int, refinement: int) -> PatchGrid:
     """A grid through the given lines, a whole refinement of the coarsest such grid.
 
-    Between neighbouring lines the steps are even, and each refinement divides those of the
+    Between neighboring lines the steps are even, and each refinement divides those of the
     coarsest grid, so that the error has one expansion in powers of the step.
 
     Parameters

@@ -182,8 +182,8 @@ def symmetry_document(
     """
     unit = Unit.parse(unit)
     found = check_symmetry(atlas, mirror)
-    scale = atlas.unit.metres / unit.metres
-    limit = SYMMETRIC_WITHIN / unit.metres if within is None else within
+    scale = atlas.unit.meters / unit.meters
+    limit = SYMMETRIC_WITHIN / unit.meters if within is None else within
     return SymmetryDocument(
         atlas=atlas.name or name,
         unit=unit.value,

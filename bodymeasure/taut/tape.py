@@ -8,7 +8,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.queries.locations import Location, atlas_point
 from bodymeasure.atlas.queries.outside import Outside
 from bodymeasure.atlas.units import Unit
 from bodymeasure.errors import ConvergenceError, InputError
@@ -19,15 +19,16 @@ from bodymeasure.taut.solve import TautLeg, draw_taut
 from bodymeasure.taut.status import TautStatus
 from bodymeasure.wording import result_line
 
-# Segments that a leg starts with.
+# Segments of the first string of a leg.
 SEGMENTS = 32
-# Of the length: a string longer than the path along the skin by more has not come to rest.
+# Part of the length: a string that is longer than the path along the skin by more has not come to
+# rest.
 LONGER = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
 class TautTape:
-    """A tape drawn taut over a body, and what it is compared with.
+    """A tape drawn taut over a body, and the lengths it is compared with.
 
     Parameters
     ----------
@@ -35,9 +36,9 @@ class TautTape:
         In `unit`. NaN unless the status has a length. Never below `chord` or above the contact
         path's length.
     error_estimate : float
-        Of `length`, in `unit`; infinite where nothing is known.
+        Estimated error of `length`, in `unit`; infinite where nothing is known.
     status : TautStatus
-        Of several legs, the worst.
+        The worst of its legs.
     unit : Unit
     points : ndarray, shape (n, 3)
         The tape as a polygon, in order; its corners on the skin are joined by chords.
@@ -81,27 +82,29 @@ class TautTape:
 
 def taut_tape(
     atlas: Atlas,
-    start: AtlasPoint,
-    end: AtlasPoint,
-    via: Sequence[AtlasPoint] = (),
+    start: Location,
+    end: Location,
+    via: Sequence[Location] = (),
     *,
     contact: AtlasPath | None = None,
     outside: Outside = "determined",
     on_failure: OnFailure = "raise",
 ) -> TautTape:
-    """The shortest way outside the body between two of its points, and the one along its skin.
+    """Return the shortest way outside the body between two of its points, and along its skin.
 
     Parameters
     ----------
     atlas : Atlas
-    start, end : AtlasPoint
-    via : sequence of AtlasPoint
-        Points that the tape is held at, in order.
+    start, end : str, AtlasPoint or position of shape (3,)
+        A landmark's name, a point of the atlas, or a position in the atlas's unit, for which the
+        closest point of the surface is taken.
+    via : sequence of the same
+        Points at which the tape is held, in order.
     contact : AtlasPath, optional
         The path along the skin through the same points, if it is known already.
     outside : {"determined", "along normals", "against normals"}
-        Where the outside is: told from what the surface encloses, or, for an open one, where
-        S_u x S_v points, or opposite.
+        Where the outside is: determined from what the surface encloses, or, for an open surface,
+        where S_u x S_v points, or opposite.
     on_failure : {"raise", "status"}
         What to do if there is no length that can be trusted: raise, so that no failure is
         overlooked, or say so in the status, with NaN for a length.
@@ -113,8 +116,8 @@ def taut_tape(
     Raises
     ------
     InputError
-        If a point is not on the atlas, two are on parts that no seam joins, the outside cannot be
-        told, or `contact` leads through other points or over another atlas.
+        If a location is not on the atlas, two are on parts that no seam joins, the outside cannot
+        be determined, or `contact` leads through other points or over another atlas.
     ConvergenceError
         If there is no length that can be trusted and `on_failure` is "raise".
     MissingExtraError
@@ -122,12 +125,12 @@ def taut_tape(
 
     Notes
     -----
-    A string of points is let go from the path along the skin and slides to rest, each point kept
+    A string of points starts on the path along the skin and slides to rest, each point kept
     outside the tangent plane at its closest point of the skin: see `bodymeasure.taut.string`. It
-    bridges hollows and stands clear of nothing else. Parts that touch the skin are measured as
-    arcs over it. The error estimate is the change from a string of half as many points, plus what
-    is in doubt in each segment. The tape is shortest among those nearby: one that goes round
-    the body on another side is found from a `contact` that does.
+    bridges hollows, and lies on the skin everywhere else. Parts that touch the skin are measured as
+    arcs over it. The error estimate is the change from a string of half as many points, plus the
+    errors of the segments. The tape is the shortest among those nearby: one that goes round the
+    body on another side is found from a `contact` that does.
 
     Beyond an open boundary, such as a trimmed neck, the surface is taken to go on straight.
 
@@ -135,19 +138,20 @@ def taut_tape(
     --------
     >>> import bodymeasure as bm
     >>> body = bm.load_sample("female_average")
-    >>> left, right = (body.landmarks[f"bust point {side}"] for side in ("left", "right"))
-    >>> tape = taut_tape(body, left, right)
+    >>> tape = bm.taut_tape(body, "bust point left", "bust point right")
     >>> print(f"{tape.chord:.4f} {tape.length:.4f} {tape.contact.length:.4f} {tape.unit}")
     0.2092 0.2104 0.2169 m
     """
     check_on_failure(on_failure)
     if outside not in ("determined", "along normals", "against normals"):
         raise InputError(
-            f"outside is {outside!r}; expected 'told', 'along normals' or 'against normals'"
+            f"outside is {outside!r}; expected 'determined', 'along normals' or 'against normals'"
         )
-    points = (start, *via, end)
+    names = ("the start", *(f"via point {i}" for i in range(len(via))), "the end")
+    given = zip((start, *via, end), names, strict=True)
+    points = tuple(atlas_point(atlas, location, name) for location, name in given)
     if contact is None:
-        contact = geodesic_between(atlas, start, end, via, on_failure="status")
+        contact = geodesic_between(atlas, points[0], points[-1], points[1:-1], on_failure="status")
     elif contact.atlas is not atlas:
         raise InputError("the contact path is one over another atlas; expected this one")
     elif contact.points != points:
@@ -169,14 +173,14 @@ def _drawn(skin: Skin, contact: AtlasPath) -> TautTape:
         nodes = contact.position(np.clip(t, 0.0, 1.0))
         legs.append(draw_taut(skin, nodes))
     chord = _chord(contact)
-    length, error, status = _judged(contact, legs, chord)
+    length, error, status = _length_of_tape(contact, legs, chord)
     # The points between legs are in both.
     points = np.concatenate([legs[0].nodes[:1], *(leg.nodes[1:] for leg in legs)])
     normals = np.concatenate([legs[0].normals[:1], *(leg.normals[1:] for leg in legs)])
     return TautTape(length, error, status, contact.atlas.unit, points, normals, contact, chord)
 
 
-def _judged(
+def _length_of_tape(
     contact: AtlasPath, legs: list[TautLeg], chord: float
 ) -> tuple[float, float, TautStatus]:
     length, error = sum(leg.length for leg in legs), sum(leg.error for leg in legs)

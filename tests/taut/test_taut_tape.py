@@ -184,7 +184,9 @@ def test_contact_paths_of_other_points_and_atlases_are_refused(body: bm.Atlas) -
 
 def test_wrong_words_are_refused(body: bm.Atlas) -> None:
     ends = pair(body, "bust point left", "bust point right")
-    with pytest.raises(bm.InputError, match="outside is 'up'; expected 'told', 'along normals'"):
+    with pytest.raises(
+        bm.InputError, match="outside is 'up'; expected 'determined', 'along normals'"
+    ):
         bm.taut_tape(body, ends[0], ends[1], outside="up")  # type: ignore[arg-type]
     with pytest.raises(bm.InputError, match="on_failure is 'ignore'; expected 'raise' or"):
         bm.taut_tape(body, ends[0], ends[1], on_failure="ignore")  # type: ignore[arg-type]

@@ -128,7 +128,7 @@ def points_near(
     for position, name in zip(given, names, strict=True):
         _position(position, name)
     unit = unit or atlas.unit
-    scale = unit.metres / atlas.unit.metres
+    scale = unit.meters / atlas.unit.meters
     points, distances = closest_points(atlas, given * scale)
     limit = FARTHEST * float(np.ptp(atlas.points, axis=0).max()) if farthest is None else farthest
     too_far = np.flatnonzero(distances > limit)
@@ -161,7 +161,7 @@ def far_words(
 def _unit_hint(atlas: Atlas, position: Array, unit: Unit, limit: float) -> str:
     """What to check about a position that is too far from the atlas."""
     others = [other for other in Unit if other is not unit]
-    scales = np.array([other.metres / atlas.unit.metres for other in others])
+    scales = np.array([other.meters / atlas.unit.meters for other in others])
     _, distances = closest_points(atlas, position * scales[:, None])
     best = int(np.argmin(distances))
     if distances[best] > limit:

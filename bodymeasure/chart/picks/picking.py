@@ -62,7 +62,7 @@ def nearest_picks(
         would be close.
     """
     unit = Unit.parse(unit)
-    allowed = np.inf if far else FARTHEST / atlas.unit.metres
+    allowed = np.inf if far else FARTHEST / atlas.unit.meters
     said = [f"landmark {name!r}" for name in names]
     points, distances = points_near(
         atlas, positions, said, unit=unit, farthest=allowed, remedy=", or give --far"

@@ -228,7 +228,7 @@ def _print_pick(atlas: Atlas, pick: "Pick", unit: str | None) -> None:
     point = pick.point
     words = f"{pick.name}: {atlas.patch_names[point.patch]}, u = {point.u:.6f}, v = {point.v:.6f}"
     if unit is not None:
-        distance = pick.distance * atlas.unit.metres / Unit.parse(unit).metres
+        distance = pick.distance * atlas.unit.meters / Unit.parse(unit).meters
         words += f", {distance:.2g} {unit} from the position"
     RESULTS.print(Text(words), soft_wrap=True)
     suggested = suggested_name(pick.name, names_in(load_definitions()))

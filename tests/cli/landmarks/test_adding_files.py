@@ -15,7 +15,7 @@ BUST = ("9.1", "-16", "116.4")
 def test_vertices_are_counted_from_0_or_from_1(run: Run, bare: Path, tmp_path: Path) -> None:
     body = read_atlas(bare)
     places = [AtlasPoint(10, 0.2, 0.3), AtlasPoint(200, 0.5, 0.5), AtlasPoint(300, 0.9, 0.1)]
-    positions = np.array([body.position(place) for place in places]) / Unit.INCH.metres
+    positions = np.array([body.position(place) for place in places]) / Unit.INCH.meters
     mesh = tmp_path / "body.obj"
     lines = ["# a mesh", *(f"v {x!r} {y!r} {z!r} 1" for x, y, z in positions.tolist())]
     mesh.write_text("\n".join([*lines, "vt 0 0", "vn 1 0 0", "f 1/1/1 2/1/1 3/1/1"]), "utf-8")
