@@ -145,7 +145,7 @@ def require_writable(path: Path) -> None:
 
 
 def _try_writing(folder: Path) -> None:
-    # Permissions do not tell: not of root, nor of a disk that can only be read.
+    # Permissions do not decide it: root has all, and a disk may be read-only.
     with tempfile.TemporaryFile(dir=folder):
         pass
 

@@ -65,7 +65,7 @@ class Layout:
         return np.asarray(self.atlas.points[numbers])
 
     def left_side(self, step: Step) -> Step:
-        """Of the two sides beside the one given, that further to the wearer's left."""
+        """The side farther to the wearer's left of the two beside the one given."""
         sides = ((2, 3), (0, 1))[step[1] // 2]
         left = self.atlas.axes.left_vector
         return max(
@@ -169,7 +169,7 @@ def _places(layout: Layout, centers: Array) -> list[str]:
     result = [""] * len(angle)
     for i, place in enumerate(PLACES):
         inside = np.flatnonzero(quarter == i)
-        # Two in one quarter are told apart by the direction across it.
+        # Two in one quarter are distinguished by the direction across it.
         across, words = ((outer, PLACES[::2]), (front, PLACES[1::2]))[(i + 1) % 2]
         ordered = inside[np.argsort(-(offset[inside] @ across))]
         suffixes = {0: [], 1: [""], 2: [f" {word}" for word in words]}.get(len(inside))

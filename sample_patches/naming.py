@@ -35,7 +35,7 @@ def name_patches(atlas: Atlas) -> tuple[tuple[str, ...], tuple[str, ...]]:
     Returns
     -------
     names, regions : tuple of str
-        Of each patch; a name is unique and begins with its region.
+        The name of each patch, which is unique and begins with its region.
 
     Raises
     ------

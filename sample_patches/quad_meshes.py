@@ -27,7 +27,7 @@ def write_quad_meshes(meshes: Mapping[str, ControlMesh], covered: str, folder: P
     Parameters
     ----------
     meshes : mapping of str to ControlMesh
-        By body, in metres, with the same quads.
+        The meshes by body, in meters, with the same quads.
     covered : str
         The group of quads that the atlas covers; they are written first.
     folder : Path

@@ -33,16 +33,16 @@ LARGEST_DEGREE = 9
 class Atlas:
     """A body's surface as Bezier patches that share control points by index.
 
-    Bicubic ones as a rule; all of one higher degree, or rational, where they come so.
+    They are bicubic as a rule; all may be of one higher degree, or rational.
 
     Parameters
     ----------
     points : array_like, shape (n, 3)
         Control points, in `unit`.
     index : array_like of int, shape (patches, degree + 1, degree + 1)
-        Number of each patch's control points; axis 1 runs with u, axis 2 with v. Neighbouring
-        patches that share an edge share its numbers. The degree is from 3 to 9: `elevate` lower
-        ones.
+        Numbers of each patch's control points; axis 1 runs with u, axis 2 with v. Neighboring
+        patches that share an edge share its numbers. The degree is from 3 to 9; `elevate` raises
+        lower ones.
     unit : Unit or str
         Unit of the control points.
     patch_names : sequence of str, optional
@@ -56,14 +56,14 @@ class Atlas:
     provenance : mapping of str to str
         Where it comes from: source, author, license and the like.
     weights : array_like, shape (patches, degree + 1, degree + 1), optional
-        Of each patch's control points, positive: patches are rational. Of an edge that two patches
-        share, the weights of one are a multiple of the other's.
+        Positive weights of each patch's control points, with which patches are rational. Along an
+        edge that two patches share, the weights of one are a multiple of the other's.
 
     Raises
     ------
     InputError
         If a shape, a value, a number or a name is not what is said above; the message names it.
-        The geometry is judged by `bodymeasure.check_atlas`.
+        Whether the geometry is sound, `bodymeasure.check_atlas` checks.
     """
 
     points: Array
@@ -109,7 +109,7 @@ class Atlas:
         Parameters
         ----------
         control_points : array_like, shape (4, 4, 3) or (patches, 4, 4, 3)
-            Or of a higher degree; or with four coordinates, those of rational patches.
+            The degree may be higher; control points of rational patches have four coordinates.
         unit : Unit or str
         """
         try:
@@ -140,8 +140,8 @@ class Atlas:
     def control_points(self) -> Array:
         """Control points of every patch, shape (patches, degree + 1, degree + 1, 3); read-only.
 
-        Of rational patches in homogeneous coordinates, of which there are four; the weights of
-        each patch times a power of 2, so that the largest is from 1/2 to 1.
+        Those of rational patches are in the four homogeneous coordinates; the weights of each patch
+        are multiplied by a power of 2, so that the largest is from 1/2 to 1.
         """
         control_points = self.points[self.index]
         if self.weights is not None:
@@ -153,7 +153,7 @@ class Atlas:
 
     @property
     def degree(self) -> int:
-        """Of the patches, in u and in v."""
+        """The degree of the patches, in u and in v."""
         return int(self.index.shape[1]) - 1
 
     @property

@@ -17,9 +17,9 @@ class Axes:
     Parameters
     ----------
     up : str
-        From the soles to the crown.
+        The direction from the soles to the crown.
     front : str
-        The way the body looks.
+        The direction in which the body looks.
 
     Raises
     ------

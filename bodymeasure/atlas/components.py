@@ -7,7 +7,7 @@ from bodymeasure._typing import Ints
 
 
 def connected_components(first: Ints, second: Ints, count: int) -> Ints:
-    """Number of the component of each node, shape (count,).
+    """Return the number of the component of each node, shape (count,).
 
     Parameters
     ----------

@@ -29,7 +29,7 @@ EDGES = (
 # The parameter that is fixed on each side, and its value there.
 AXIS = np.array([edge.fixed_axis for edge in EDGES])
 VALUE = np.array([edge.fixed_value for edge in EDGES])
-# Weights along a seam whose ratios to one another differ by less, relatively, differ by rounding.
+# Weights along a seam whose ratios differ by less, relatively, differ by rounding.
 SAME_RATIO = 1e-12
 
 
@@ -40,7 +40,8 @@ class EdgeTable:
     Parameters
     ----------
     control_index : ndarray of int, shape (patches, 4, degree + 1)
-        The control point numbers along each side (in the order of `EDGES`), upwards.
+        Numbers of the control points along each side (in the order of `EDGES`), in the direction of
+        the growing parameter.
     edge : ndarray of int, shape (patches, 4)
         Number of the distinct edge that each side lies on.
     reversed : ndarray of bool, shape (patches, 4)
@@ -84,9 +85,9 @@ def edge_table(index: Ints) -> EdgeTable:
 
 
 def sides_of(nets: NDArray[Any]) -> NDArray[Any]:
-    """The four sides of nets (patches, k, k, ...), upwards, in the order of `EDGES`.
+    """Return the four sides of nets (patches, k, k, ...) in the order of `EDGES`.
 
-    Shape (patches, 4, k, ...).
+    Their shape is (patches, 4, k, ...), and each runs with the growing parameter.
     """
     return np.stack([nets[:, 0], nets[:, -1], nets[:, :, 0], nets[:, :, -1]], axis=1)
 

@@ -10,18 +10,18 @@ LARGEST = 1e60
 
 
 def require_size(points: Array, unit: str = "", what: str = "the atlas") -> None:
-    """Refuse points so far or so close that squares of their areas are no numbers.
+    """Refuse points so far away or so close together that squares of their areas overflow.
 
     Parameters
     ----------
     points : ndarray, shape (n, 3)
     unit, what : str
-        For the message.
+        Words for the message.
 
     Raises
     ------
     InputError
-        The extent, and what was expected.
+        The message names the extent, and what was expected.
     """
     extent = np.abs(points).max(initial=0.0)
     if extent <= LARGEST:

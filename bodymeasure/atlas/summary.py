@@ -23,13 +23,14 @@ class AtlasSummary:
     rational : bool
     unit : Unit
     height, width, depth : float
-        Of the box round the surface, along the atlas's axes: up, across, to the front.
+        Sizes of the box around the surface, along the atlas's axes: up, across, to the front.
     seams, boundary_edges, parts : int
-        Edges that two patches share, that one has alone, and connected parts.
+        Numbers of edges that two patches share, of edges that one has alone, and of connected
+        parts.
     collapsed_edges : int
-        Sides whose control points are one.
+        Number of sides whose control points are one.
     smallest_patch, largest_patch : float
-        Diagonals of the boxes round their control points.
+        Diagonals of the boxes around their control points.
     regions, landmarks : tuple of str
     """
 
@@ -52,7 +53,7 @@ class AtlasSummary:
 
 
 def summarize(atlas: Atlas) -> AtlasSummary:
-    """An atlas in numbers, in its unit.
+    """Describe an atlas in numbers, in its unit.
 
     Parameters
     ----------

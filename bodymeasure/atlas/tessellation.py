@@ -28,7 +28,7 @@ class Patches(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Tessellation:
-    """A triangle mesh that knows where on the atlas each of its vertices lies.
+    """A triangle mesh, with the point of the atlas at each of its vertices.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ class Tessellation:
         return f"<Tessellation of {vertices:,} vertices and {faces:,} triangles>"
 
     def to_trimesh(self) -> "Trimesh":
-        """The mesh as a `trimesh.Trimesh`, with vertex attributes ``patch``, ``u`` and ``v``.
+        """Return the mesh as a `trimesh.Trimesh`, with vertex attributes ``patch``, u and v.
 
         Raises
         ------
@@ -73,7 +73,7 @@ class Tessellation:
             self.vertices,
             self.faces,
             vertex_attributes={
-                # GLB files have no wider whole numbers.
+                # GLB files hold no wider whole numbers.
                 "patch": self.patch.astype(np.uint16 if self.patch.max() < 2**16 else np.uint32),
                 "u": self.parameters[:, 0],
                 "v": self.parameters[:, 1],
@@ -132,7 +132,7 @@ def tessellate(atlas: Patches, segments: int) -> Tessellation:
 
 
 def grid_faces(grid: Ints) -> Ints:
-    """Two triangles for each cell of grids of vertex numbers, cut from (0, 0) to (1, 1).
+    """Return two triangles for each cell of grids of vertex numbers, cut from (0, 0) to (1, 1).
 
     Parameters
     ----------
@@ -158,7 +158,7 @@ def _corner_parameters(count: int, segments: int) -> Array:
 
 
 def _has_three_corners(faces: Ints) -> Bools:
-    """Faces that still have three different corners; along a collapsed edge half have not."""
+    """Whether faces have three different corners, as half of those along a collapsed edge lack."""
     return np.asarray((faces != np.roll(faces, 1, axis=1)).all(axis=1))
 
 

@@ -24,7 +24,7 @@ class Unit(StrEnum):
 
     @classmethod
     def parse(cls, text: str) -> "Unit":
-        """The unit of that name.
+        """Return the unit of a name.
 
         Raises
         ------
@@ -47,7 +47,7 @@ _METERS = {
 
 
 def convert_length(length: Length, source: Unit, target: Unit) -> Length:
-    """A length, or an array of lengths, given in `source`, in `target`."""
+    """Convert a length, or an array of lengths, from the unit `source` to the unit `target`."""
     if source == target:
         return length
     return length * (source.meters / target.meters)

@@ -20,7 +20,7 @@ from bodymeasure.formats.text import TextFile, Words, quoted, written
 _HEADER = re.compile(
     rb"(?P<st>ST)?BBP|(?P<c>C)?BEZ(?P<u>[1-6])(?P<v>[1-6])(?P<n>[34])(?P<st2>_ST)?"
 )
-# Of the degrees, each of which is one digit.
+# The largest degree, which is written as one digit.
 LARGEST = 6
 _COLORS = 4 * 4
 _TEXTURE = 4 * 2

@@ -1,4 +1,4 @@
-"""What a user says of a file that the file does not say itself."""
+"""What a user says about a file that the file does not say itself."""
 
 import math
 from collections.abc import Sequence
@@ -16,7 +16,7 @@ class ReadOptions:
     Parameters
     ----------
     unit : Unit, optional
-        Of its coordinates.
+        Unit of its coordinates.
     axes : Axes, optional
         Which way is up and which way the body looks.
     groups : tuple of str

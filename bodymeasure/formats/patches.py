@@ -22,7 +22,7 @@ class ReadPatches:
     nets : sequence of ndarray, each of shape (m + 1, n + 1, 3)
         Control points; the first axis runs with u.
     weights : sequence of ndarray, each of shape (m + 1, n + 1), optional
-        Of rational patches, one for each net.
+        Weights of rational patches, one array for each net.
     names, groups : sequence of str, optional
         One for each net, empty where there is none. Patches of one name are numbered.
     places : sequence of str, optional

@@ -30,14 +30,14 @@ class Format(NamedTuple):
     title : str
         What errors call it.
     extensions : tuple of str
-        Of files that are taken for it.
+        Extensions of files that are read and written in this format.
     read : callable
         Content and name of a file to an atlas, or to patches or faces without a unit.
     write : callable, optional
         An atlas to the content of a file.
     keeps : frozenset of str
-        What a file holds besides the geometry, of "unit" (with the axes), "names", "regions" and
-        "landmarks" (with the atlas's name and provenance).
+        What a file holds besides the geometry: any of "unit" (with the axes), "names", "regions"
+        and "landmarks" (with the atlas's name and provenance).
     """
 
     title: str
@@ -82,24 +82,24 @@ def read_atlas(
     format: str | None = None,  # noqa: A002  (what the command line calls it)
     tolerance: float | None = None,
 ) -> Atlas:
-    """Read an atlas from a file; the extension tells the format.
+    """Read an atlas from a file; its extension decides the format.
 
     Parameters
     ----------
     path : path-like
         `bodymeasure docs formats` lists the formats.
     unit : Unit or str, optional
-        Of the file's coordinates, for formats that say none; never guessed.
+        Unit of the file's coordinates, for formats that state none; it is never guessed.
     up, front : str, optional
         Which way is up and which way the body looks, one of ``+x -x +y -y +z -z``, for formats that
         do not say; ``+z`` and ``-y`` if not given.
     group : str or sequence of str, optional
         Take only the patches of these groups (regions).
     format : str, optional
-        One of `FORMATS`, instead of what the extension tells.
+        One of `FORMATS`, instead of what the extension says.
     tolerance : float, optional
         For formats of loose patches: how far apart edges may be that are joined, in the file's
-        unit. Without it, they may differ by rounding; wider gaps are for `check_atlas` to tell.
+        unit. Without it, they may differ by rounding; `check_atlas` reports wider gaps.
 
     Returns
     -------
@@ -171,7 +171,7 @@ def write_atlas(
     *,
     format: str | None = None,  # noqa: A002
 ) -> None:
-    """Write an atlas to a file; the extension tells the format.
+    """Write an atlas to a file; its extension decides the format.
 
     Coordinates are written without loss. `bodymeasure docs formats` lists what else each format has
     room for: ``.atlas`` and ``.npz`` keep everything, the others have no unit.
@@ -181,7 +181,7 @@ def write_atlas(
     atlas : Atlas
     path : path-like
     format : str, optional
-        One of `FORMATS`, instead of what the extension tells.
+        One of `FORMATS`, instead of what the extension says.
 
     Raises
     ------

@@ -13,7 +13,7 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 
-# Of an offending word, how much an error quotes.
+# How many characters of an offending word an error quotes.
 _QUOTED = 24
 _REMARK = re.compile(rb"(?:^|(?<=\s))#.*", re.DOTALL)
 

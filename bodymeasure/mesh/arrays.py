@@ -1,4 +1,4 @@
-"""Vertices and triangles of whatever a mesh comes as."""
+"""The vertices and triangles of meshes, in whatever form they come."""
 
 from typing import Any, NamedTuple
 

@@ -1,4 +1,4 @@
-"""The smooth surface that a mesh stands for, as far as its vertices tell."""
+"""The smooth surface that a mesh stands for, as far as its vertices determine it."""
 
 import numpy as np
 

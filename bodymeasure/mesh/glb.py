@@ -26,7 +26,7 @@ THICKNESS = 0.002
 # Sides of a tube: round enough at any size at which it is looked at.
 SIDES = 12
 SKIN = (217, 199, 184, 255)
-# Okabe and Ito's colors, which the color-blind tell apart.
+# Okabe and Ito's colors, which the color-blind can distinguish.
 COLORS = (
     (0, 114, 178, 255),
     (213, 94, 0, 255),
@@ -52,7 +52,7 @@ def write_glb(
         Ends in ``.glb``.
     atlas : Atlas
     paths : mapping of str to AtlasPath, MeshPath or array_like of shape (k, 3), optional
-        By name; points in the atlas's unit. Lengths go into the nodes' extras.
+        The paths by name; points are in the atlas's unit. Lengths go into the nodes' extras.
     segments : int
         Steps along a patch's side.
 

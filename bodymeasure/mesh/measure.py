@@ -25,12 +25,12 @@ MeshPlace = int | Array
 # Lengths over meshes approach the surface's by the square of the triangles' size: what halving
 # them changes is three quarters of what is missing.
 MISSING = 4.0 / 3.0
-# Times that, for meshes whose triangles are of many sizes and shapes.
+# Factor for meshes whose triangles are of many sizes and shapes.
 SAFETY = 3.0
 # An arc of a circle whose sag is s times its chord is longer than that by 8/3 s^2.
 ARC = 8.0 / 3.0
-# Of a path's length, and in edges of the mesh: how far from it the path over curved triangles is
-# looked for. It is the same path, a little displaced.
+# How far from a path the path over curved triangles is looked for: as a part of its length, and in
+# edges of the mesh. It is the same path, a little displaced.
 ASIDE = 0.05
 RINGS = 3.0
 
@@ -56,7 +56,7 @@ def measure_mesh(
     via : sequence of such
         Places that the path leads through, in order.
     unit : Unit or str, optional
-        Of the mesh's coordinates, only to be passed on.
+        Unit of the mesh's coordinates, which is only passed on.
 
     Returns
     -------

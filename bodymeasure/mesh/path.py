@@ -14,7 +14,7 @@ class MeshPath:
     Parameters
     ----------
     length : float
-        Of the mesh itself, exactly; in `unit`.
+        Exact length over the mesh itself, in `unit`.
     error_estimate : float
         How far the length may be from that over the smooth surface which the mesh stands for; in
         the same unit. Infinite where it could not be estimated.

@@ -1,4 +1,4 @@
-"""Points of whatever a path comes as."""
+"""The points of paths, in whatever form they come."""
 
 from typing import Any
 
@@ -23,10 +23,10 @@ def points_of(
     Parameters
     ----------
     name : str
-        Of the path, for errors.
+        What errors call the path.
     given : AtlasPath, MeshPath or array_like of shape (k, 3)
     unit : Unit, optional
-        Of the points, to be refused where a path is in another.
+        Unit of the points; a path in another one is refused.
 
     Raises
     ------

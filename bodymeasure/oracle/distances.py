@@ -35,7 +35,7 @@ class MeshDistances:
     exact : ndarray, shape (patches, pairs)
         Length of the shortest path in the patch, extrapolated from exact polyhedral distances.
     exact_uncertainty : ndarray, shape (patches, pairs)
-        How far `exact` may be off, as told by the disagreement of its levels.
+        How far `exact` may be off, estimated from the disagreement of its levels.
     heat : ndarray, shape (patches, pairs)
         Distance by the heat method on the finest mesh: right to about 1 %.
     by_level : ndarray, shape (patches, pairs, len(levels))

@@ -43,7 +43,8 @@ def exact_distance(vertices: Array, faces: Ints, source: int, target: int) -> fl
     igl = _import_igl()
     ends = {"VS": np.array([source]), "VT": np.array([target])}
     try:
-        # By keyword: positional calls put the targets among the source faces and return nothing.
+        # Called by keyword: positional calls put the targets among the source faces and return
+        # nothing.
         distance = float(igl.exact_geodesic(vertices, faces, **ends)[0])
     except MemoryError:  # seen on cells of 1e-8 of the patch
         raise InputError("libigl ran out of memory; some triangles may be too thin") from None

@@ -64,7 +64,7 @@ class MeasureAccessor:
         via : sequence of such
             Places that the path leads through, in order.
         unit : str, optional
-            Of a plain mesh's coordinates, only to be passed on.
+            Unit of a plain mesh's coordinates, which is only passed on.
 
         Returns
         -------

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pyvista as pv
 
-# Of the mesh's size.
+# Radius of a tube, as a part of the mesh's size.
 TUBE = 0.003
 SKIN = "#d9c7b8"
 TAPE = "#0072b2"

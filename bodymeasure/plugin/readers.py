@@ -26,8 +26,8 @@ def read_as_mesh(
     ----------
     path : path-like
     unit : str, optional
-        Of the coordinates, for formats that do not say. Without it, lengths are in the file's own
-        unit, and say so.
+        Unit of the coordinates, for formats that do not state it. Without it, lengths are in the
+        file's own unit, and say so.
     segments : int
         Steps along a patch's side.
 

@@ -20,7 +20,8 @@ ATLAS, UNIT, PATCH, PARAMETERS = (
     "bodymeasure_patch",
     "bodymeasure_uv",
 )
-# Of the atlas's size. Coordinates may have been through a file of single precision.
+# Part of the atlas's size by which vertices may be off: coordinates may have been through a file of
+# single precision.
 MOVED = 1e-6
 # Vertices whose places are checked at a time, so that large meshes take little memory.
 _BLOCK = 1 << 15

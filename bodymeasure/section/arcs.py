@@ -11,12 +11,12 @@ from bodymeasure.section.pieces import Pieces
 
 
 class Arcs(NamedTuple):
-    """Arcs of a section, none of them with a point in common but for their ends.
+    """Arcs of a section, which have no point but their ends in common.
 
     Parameters
     ----------
     pieces : Pieces
-        One an arc, k of them.
+        One piece for each of k arcs.
     ends : ndarray of int, shape (k, 2)
         Numbers of the crossings at both ends.
     """
@@ -44,7 +44,7 @@ class Chain(NamedTuple):
 def pair_crossings(cells: Cells, crossings: Crossings) -> Arcs | None:
     """Join the crossings of each rectangle; None where rounding leaves one without a partner.
 
-    In a rectangle in which the section is a graph, it enters and leaves by turns.
+    A section that is a graph in a rectangle enters and leaves it by turns.
     """
     count = len(cells.patch)
     place = crossings.along.copy()
@@ -52,7 +52,7 @@ def pair_crossings(cells: Cells, crossings: Crossings) -> Arcs | None:
     over_u = cells.axis == 0
     place[over_u, 0], place[over_u, 1] = cells.lower[over_u, :1], cells.upper[over_u, :1]
     place[~over_u, 2], place[~over_u, 3] = cells.lower[~over_u, 1:], cells.upper[~over_u, 1:]
-    # As many on each of four sides as the degree has roots.
+    # Each of the four sides has at most as many crossings as the degree.
     most = 4 * place.shape[-1]
     number = crossings.number.reshape(count, most)
     flat = np.where(number >= 0, place.reshape(count, most), np.inf)

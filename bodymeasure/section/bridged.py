@@ -14,7 +14,7 @@ from bodymeasure.section.plane import Plane
 
 @dataclass(frozen=True, eq=False)
 class BridgedLoop:
-    """Arcs in order, each joined to the next by a straight line, the last one to the first.
+    """Arcs in order, each joined by a straight line to the next, and the last one to the first.
 
     It is a `Curve`: each line is a piece like those of the arcs.
 
@@ -33,7 +33,7 @@ class BridgedLoop:
 
     @property
     def closed(self) -> bool:
-        """It is."""
+        """Always true: the last arc is joined to the first."""
         return True
 
     @property
@@ -43,12 +43,12 @@ class BridgedLoop:
 
     @property
     def length(self) -> float:
-        """Of arcs and lines."""
+        """Length of the arcs and the lines."""
         return float(self._lengths.sum())
 
     @property
     def error_estimate(self) -> float:
-        """Of its length: at most that of the whole section curve."""
+        """Error of the length: at most that of the whole section curve."""
         return self.arcs[0].error_estimate
 
     @cached_property

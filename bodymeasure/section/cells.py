@@ -7,17 +7,19 @@ import numpy as np
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.bezier import elevate, split
 
-# Where rectangles are cut. Not the middle: symmetric patches and round heights would put corners
-# of rectangles on the section again and again.
+# Where rectangles are cut. In the middle, symmetric patches and round heights would put corners of
+# rectangles on the section again and again.
 CUT = 0.4877
-# Slope of the graph, in the rectangle's own coordinates, up to which it is one. Above 1, so that
-# each direction passes one of the two tests; not much above, so that quadrature is easy.
+# Largest slope of a graph, in the rectangle's own coordinates. It is above 1, so that each
+# direction passes one of the two tests, and not much above, so that quadrature is easy.
 STEEPEST = 4.0
-# Rectangles of 2^-20 still without a direction: their second-order terms are 1e-12 of the patch.
+# Halvings after which a rectangle without a direction is undecided: its second-order terms are
+# 1e-12 of the patch.
 DEEPEST = 20
-# Of the size: derivatives that small have no sign.
+# Part of the size: the sign of derivatives that small is rounding.
 ROUNDING = 1e-15
-# A section of n patches takes some 3 n rectangles; where it takes so many, the plane grazes.
+# A section of n patches takes some 3 n rectangles; where it takes so many, the plane grazes the
+# surface.
 MOST = 200_000
 
 
@@ -51,12 +53,12 @@ def graph_cells(distance: Array, size: float) -> tuple[Cells, Cells]:
     distance : ndarray, shape (patches, degree + 1, degree + 1)
         Bernstein coefficients of the distance from the plane.
     size : float
-        The atlas's, in the unit of the distances.
+        Size of the atlas, in the unit of the distances.
 
     Returns
     -------
     cells : Cells
-        All that the section may cross.
+        All rectangles that the section may cross.
     undecided : Cells
         Tiny ones without a direction, at which the plane touches the surface; `axis` is -1.
 
@@ -116,7 +118,7 @@ def _graph_axis(distance: Array, least: float) -> Ints:
     )
     over_u = _dominates(along_v, along_u / STEEPEST, least)
     over_v = _dominates(along_u, along_v / STEEPEST, least)
-    # Where both hold, the flatter graph.
+    # Where both hold, the flatter graph is taken.
     flatter_u = np.abs(along_v).min(axis=(1, 2)) >= np.abs(along_u).min(axis=(1, 2))
     axis = np.where(over_u & (flatter_u | ~over_v), 0, 1)
     return np.where(over_u | over_v, axis, -1)

@@ -17,8 +17,8 @@ class Crossings(NamedTuple):
     Parameters
     ----------
     number : ndarray of int, shape (cells, 4, degree)
-        The crossings of each side (u lower, u upper, v lower, v upper); -1 fills up. Rectangles
-        that share a point, also those of two patches, share its number.
+        The crossings of each side (u lower, u upper, v lower, v upper), filled up with -1.
+        Rectangles that share a point, even those of two patches, share its number.
     along : ndarray, shape (cells, 4, degree)
         The parameter that varies on the side, at each crossing.
     sides : ndarray of int, shape (crossings,)
@@ -31,7 +31,7 @@ class Crossings(NamedTuple):
 
 
 def find_crossings(distance: Array, cells: Cells, table: EdgeTable) -> Crossings:
-    """Roots of the distance on all sides of rectangles.
+    """Return the roots of the distance on all sides of rectangles.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ def find_crossings(distance: Array, cells: Cells, table: EdgeTable) -> Crossings
     Notes
     -----
     Roots belong to whole lines across a patch, or to edges of the atlas, and are found once for
-    each. So the rectangles on either side of a line see the same points, whatever their sizes.
+    each, so that the rectangles on either side of a line see the same points, whatever their sizes.
     """
     line, flipped, low, high = _lines_of_sides(distance, cells, table)
     coefficients, row, sides = line
@@ -67,7 +67,7 @@ _Lines = tuple[Array, Ints, Ints]
 def _lines_of_sides(
     distance: Array, cells: Cells, table: EdgeTable
 ) -> tuple[_Lines, Bools, Array, Array]:
-    """Polynomials of all lines with each side's row of them and their sides; turned; interval."""
+    """Return the polynomials of all lines, and each side's row of them, direction and interval."""
     bounds = np.stack([cells.lower, cells.upper], axis=-1)
     value = bounds.reshape(-1, 4)
     # The parameter along the sides of fixed u is v, and the other way round.

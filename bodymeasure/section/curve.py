@@ -1,4 +1,4 @@
-"""What is measured along a section: its curves, whole, in part, or joined straight."""
+"""The curves that are measured along a section: whole, in part, or joined by straight lines."""
 
 from typing import NamedTuple, Protocol
 
@@ -35,7 +35,7 @@ class Curve(Protocol):
 
     @property
     def error_estimate(self) -> float:
-        """Of its length."""
+        """Estimated error of the length."""
 
     def positions_at(self, place: Array) -> Array:
         """Positions (n, 3) at places (n,)."""
@@ -69,13 +69,13 @@ class DrawnTape(NamedTuple):
 
 
 def drawn(curve: Curve, spans: Array | None = None) -> DrawnTape:
-    """A curve as a chain of points, straight over some spans.
+    """Return a curve as a chain of points, straight over some spans.
 
     Parameters
     ----------
     curve : Curve
     spans : ndarray, shape (k, 2), optional
-        Places at which straight parts start and end, such as `Hull.spans`. One that starts after
+        Places at which straight parts start and end, such as `Hull.spans`. A part that starts after
         it ends runs over the curve's start.
     """
     end = float(curve.count)
@@ -87,7 +87,7 @@ def drawn(curve: Curve, spans: Array | None = None) -> DrawnTape:
         place = np.concatenate([place[~inside], [first, last]])
     place = np.unique(np.clip(place, 0.0, end))
     if curve.closed:
-        # The start again, which a span may have left out.
+        # The start comes again at the end, unless a span left it out.
         place = np.append(place[place < end], place[0])
     patch, parameters = curve.surface_points_at(place)
     return DrawnTape(curve.positions_at(place), patch, parameters)

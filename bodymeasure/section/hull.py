@@ -12,20 +12,21 @@ from bodymeasure.section.bridged import BridgedLoop
 from bodymeasure.section.curve import Curve
 from bodymeasure.section.loop import SectionLoop
 
-# Samples a piece to begin with: they have to tell hollows apart, not to measure them.
+# Samples on each piece to begin with: they have to separate hollows, not to measure them.
 SAMPLES = 12
 # Parts into which the steps beside a bridge's ends are cut each round.
 CUTS = 8
-# Of a piece: where the ends of bridges are known so well, their lengths are to rounding, since an
-# error e of a tangent's foot changes the perimeter by some e^3.
+# Part of a piece: where the ends of bridges are known so well, their lengths are exact to rounding,
+# since an error e of a tangent's foot changes the perimeter by some e^3.
 FINEST = 1e-6
-# Of the length: hollows that save less are not worth a closer look.
+# Part of the length: hollows that save less are not worth a closer look.
 NEGLIGIBLE = 1e-14
-# Sine of an angle: rounding of the finest steps stays below, and hollows so shallow save a 1e-12th.
+# Sine of an angle: rounding of the finest steps stays below, and hollows so shallow save 1e-12 of
+# the length.
 STRAIGHT = 1e-6
-# Relative. By so much may corners in the loop's order go round longer than in the hull's.
+# How much longer, relatively, the way round corners may be in the loop's order than in the hull's.
 ORDER_TOLERANCE = 1e-9
-# Of the chord: an arc that crosses its line so near to its end starts there, but for rounding.
+# Part of the chord: an arc that crosses its line so near to its end starts there, but for rounding.
 BEYOND = 1e-9
 
 
@@ -50,7 +51,7 @@ class Hull(NamedTuple):
 
 
 def convex_hull(loop: Curve) -> Hull:
-    """Convex hull of a closed loop in its plane, from the smooth curve.
+    """Return the convex hull of a closed loop in its plane, from the smooth curve.
 
     Parameters
     ----------
@@ -68,8 +69,8 @@ def convex_hull(loop: Curve) -> Hull:
     Notes
     -----
     The hull consists of arcs of the loop, whose lengths are known, and bridges over its hollows.
-    Bridges are found on samples, and the samples beside their ends refined until they are exact.
-    What each saves, the arc less the chord, is taken off the loop's length.
+    Bridges are found on samples; the samples beside their ends are refined until they are exact.
+    The arc less the chord, which is what a bridge saves, is taken off the loop's length.
     """
     if not loop.closed:
         raise InputError(
@@ -86,7 +87,7 @@ def convex_hull(loop: Curve) -> Hull:
 
 
 def outer_hull(arc: SectionLoop, turn: float) -> Hull:
-    """The shortest curve in its plane from an arc's start to its end, beside the arc.
+    """Return the shortest curve in its plane from an arc's start to its end, beside the arc.
 
     Parameters
     ----------
@@ -102,7 +103,7 @@ def outer_hull(arc: SectionLoop, turn: float) -> Hull:
 
     Notes
     -----
-    What of the arc lies outwards of its chord, its convex hull on that side; see `convex_hull`.
+    It is the convex hull of what lies outwards of the arc's chord; see `convex_hull`.
     """
     loop = BridgedLoop((arc,))
 
@@ -113,12 +114,12 @@ def outer_hull(arc: SectionLoop, turn: float) -> Hull:
 
     hull = _refined(loop, corners, turn)
     chord = float(np.linalg.norm(loop.bridges[0, 1] - loop.bridges[0, 0]))
-    # But for rounding, it is between the two.
+    # It lies between the two, except for rounding.
     return hull._replace(length=max(min(hull.length - chord, arc.length), chord))
 
 
 def signed_area(flat: Array) -> float:
-    """Twice the area that a closed polygon (n, 2) goes round, negative if clockwise."""
+    """Return twice the area inside a closed polygon (n, 2), negative if it runs clockwise."""
     return float(_cross(flat, np.roll(flat, -1, axis=0)).sum())
 
 
@@ -126,15 +127,16 @@ _Corners = Callable[[Array, Array], Ints]
 
 
 def _refined(loop: Curve, corners_of: _Corners, turn: float) -> Hull:
-    """A hull from the corners that it has among samples, refined where it leaves the curve.
+    """Return a hull from its corners among samples, refined where it leaves the curve.
 
     Parameters
     ----------
     loop : Curve
     corners_of : callable
-        From places (n,) and positions in the plane (n, 2) to the rows of the corners, in order.
+        Takes places (n,) and positions in the plane (n, 2) and returns the rows of the corners, in
+        order.
     turn : float
-        Positive if the curve goes anticlockwise round what it is the outer side of.
+        Positive if the curve goes counterclockwise round what it encloses.
     """
     frame = loop.plane.frame()
     place = np.arange(SAMPLES * loop.count) / SAMPLES
@@ -179,7 +181,7 @@ def _outer_corners(flat: Array, end: int, turn: float) -> Ints:
         )
     outside = np.flatnonzero(outwards > 0.0)
     kept = np.union1d(outside, [0, end])
-    # Inwards of the chord, so that the hull has an inside even if nothing lies outwards.
+    # A point inwards of the chord, so that the hull has an inside even if nothing lies outwards.
     apex = 0.5 * (flat[0] + flat[end]) + np.sign(turn) * np.array([-chord[1], chord[0]])
     corners = _hull_corners(np.concatenate([flat, apex[None]]), np.append(kept, len(flat)))
     return np.union1d(corners[:-1], [0, end])
@@ -222,7 +224,7 @@ def _saved(
     arc = at[len(rows) :] - at[: len(rows)]
     arc = np.where(last[rows] < first[rows], arc + loop.length, arc)
     chord = np.linalg.norm(flat[last[rows]] - flat[first[rows]], axis=1)
-    # No arc is shorter than its chord, but for rounding.
+    # No arc is shorter than its chord, except for rounding.
     result[rows] = np.maximum(arc - chord, 0.0)
     return result
 
@@ -234,9 +236,9 @@ def _concave_steps(
     corners: Ints,
     turn: float,
 ) -> Ints:
-    """Steps from corner to next sample that may hide a hollow: the loop turns inwards in them.
+    """Return the steps from a corner to the next sample that may hide a hollow.
 
-    Either at an end, against the chord, or at a kink between two pieces.
+    In these the loop turns inwards: at an end, against the chord, or at a kink between two pieces.
     """
     on_hull = np.zeros(len(place), dtype=np.bool_)
     on_hull[corners] = True

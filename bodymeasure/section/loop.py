@@ -26,7 +26,7 @@ class SectionLoop:
         In the order in which they follow one another.
     piece_length : ndarray, shape (pieces,)
     error_estimate : float
-        Of `length`, in `unit`.
+        Estimated error of `length`, in `unit`.
     closed : bool
         Whether the curve returns to its start; else it ends on open boundaries of the atlas.
     unit : Unit

@@ -10,11 +10,12 @@ from bodymeasure.bezier import bernstein, derivatives
 from bodymeasure.section.plane import Plane
 from bodymeasure.section.roots import bracketed_roots
 
-# Two Gauss rules a piece, whose difference is the error of the first one.
+# Nodes of two Gauss rules on each piece, whose difference is the error of the first one.
 NODES, MORE_NODES = 8, 13
-# Of the size of the atlas: what a length may change from rule to rule. Below are roots' roundings.
+# Part of the atlas's size by which a length may change from one rule to the next. What is below is
+# the rounding of roots.
 TOLERANCE = 1e-13
-# Halvings of a piece; graphs have no vertical tangent, so a few do.
+# Halvings of a piece at most; graphs have no vertical tangent, so that a few are enough.
 MAX_HALVINGS = 12
 
 
@@ -44,13 +45,13 @@ class Pieces:
         return len(self.patch)
 
     def take(self, rows: Ints | Bools) -> "Pieces":
-        """Some of the pieces."""
+        """Return some of the pieces."""
         return Pieces(*(getattr(self, field.name)[rows] for field in fields(self)))
 
     def between(self, first: Array, last: Array) -> "Pieces":
-        """The part of each from one fraction of its parameter's range to another."""
+        """Return the part of each piece from one fraction of its range to another."""
         span = self.stop - self.start
-        # Their own ends to the last bit.
+        # Fractions 0 and 1 give a piece's own ends to the last bit.
         start, stop = (np.where(t == 1.0, self.stop, self.start + t * span) for t in (first, last))
         return replace(self, start=start, stop=stop)
 
@@ -122,14 +123,14 @@ def measured_pieces(
     pieces : Pieces
         In the order in which they follow one another.
     size : float
-        The atlas's, to which the tolerance is relative.
+        Size of the atlas, to which the tolerance is relative.
 
     Returns
     -------
     pieces : Pieces
         In the same order.
     length, error : ndarray, shape (k,)
-        By the larger rule, and its difference from the smaller one.
+        Lengths by the larger rule, and their differences from the smaller one.
     """
     order = np.arange(len(pieces), dtype=np.float64)
     done: list[tuple[Array, Pieces, Array, Array]] = []

@@ -19,7 +19,7 @@ class Plane:
     ----------
     point : array_like, shape (3,)
     normal : array_like, shape (3,)
-        Of any length but zero; kept with length 1.
+        It may have any length but zero, and is kept with length 1.
 
     Raises
     ------
@@ -54,7 +54,7 @@ class Plane:
     def distances(self, positions: ArrayLike) -> Array:
         """Signed distances of positions (..., 3) from the plane, shape (...).
 
-        Of homogeneous coordinates (..., 4), times their weights.
+        Homogeneous coordinates (..., 4) give the distances times their weights.
         """
         given = np.asarray(positions, dtype=np.float64)
         if given.shape[-1] == 4:

@@ -4,15 +4,15 @@ import numpy as np
 
 from bodymeasure._typing import Array
 
-# Halving alone needs some 55 steps for all digits; Newton's steps make it about six.
+# Steps at most: halving alone needs some 55 for all digits, and with Newton's steps it takes six.
 MAX_STEPS = 120
-# Of parameters, which lie in [0, 1]: what rounding leaves of them.
+# What rounding leaves of parameters, which lie in [0, 1].
 FINEST = 4e-16
 
 
 def polynomial_values(coefficients: Array, t: Array) -> tuple[Array, Array]:
     """Values and slopes at t, both shape (...), for Bernstein coefficients (..., degree + 1)."""
-    # De Casteljau's way: few and large operations, which count where there are many calls.
+    # De Casteljau's algorithm takes few large operations, which counts where there are many calls.
     b = np.moveaxis(coefficients, -1, 0)
     degree = len(b) - 1
     s = 1.0 - t
@@ -22,9 +22,9 @@ def polynomial_values(coefficients: Array, t: Array) -> tuple[Array, Array]:
 
 
 def bracketed_roots(coefficients: Array, lower: Array, upper: Array) -> Array:
-    """The root of each polynomial in a bracket in which it is monotone, shape (k,).
+    """Return the root of each polynomial in a bracket in which it is monotone, shape (k,).
 
-    Where it has no change of sign in its bracket, the end with the smaller value.
+    Where the sign does not change in the bracket, it is the end with the smaller value.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ def bracketed_roots(coefficients: Array, lower: Array, upper: Array) -> Array:
 
     Notes
     -----
-    Newton's method, with a halving wherever its step would leave the bracket.
+    It is Newton's method, with a halving wherever its step would leave the bracket.
     """
     low, high = lower.astype(np.float64), upper.astype(np.float64)
     at_low, at_high = (polynomial_values(coefficients, t)[0] for t in (low, high))
@@ -52,7 +52,7 @@ def bracketed_roots(coefficients: Array, lower: Array, upper: Array) -> Array:
         low[busy[below]] = here[below]
         high[busy[~below]] = here[~below]
         step = np.divide(value, slope, out=np.full_like(value, np.inf), where=slope != 0.0)
-        # Asked first: a root that is met exactly is an end of its bracket.
+        # This comes first, since a root that is met exactly is an end of its bracket.
         arrived = np.abs(step) <= FINEST
         new = here - step
         outside = ~((new > low[busy]) & (new < high[busy])) & ~arrived
@@ -63,9 +63,10 @@ def bracketed_roots(coefficients: Array, lower: Array, upper: Array) -> Array:
 
 
 def roots_of_polynomials(coefficients: Array) -> Array:
-    """Roots on [0, 1] at which the sign changes, shape (k, degree), upwards, NaN where none.
+    """Return the ascending roots on [0, 1] at which the sign changes, shape (k, degree).
 
-    Their number agrees with the signs at both ends, whatever the rounding: zero counts as positive.
+    Rows are filled up with NaN. The number of roots agrees with the signs at both ends, whatever
+    the rounding; zero counts as positive.
 
     Parameters
     ----------
@@ -100,7 +101,7 @@ def _stationary_points(coefficients: Array) -> Array:
         return _stationary_points_of_cubics(coefficients)
     slopes = np.diff(coefficients, axis=1)
     if slopes.shape[1] == 2:
-        # One root of a line.
+        # A linear slope has one root.
         change = slopes[:, :1] - slopes[:, 1:]
         points = np.divide(slopes[:, :1], change, out=np.zeros_like(change), where=change != 0.0)
         return np.clip(points, 0.0, 1.0)

@@ -16,16 +16,17 @@ from bodymeasure.section.loop import SectionLoop
 from bodymeasure.section.pieces import CutSurface, measured_pieces
 from bodymeasure.section.plane import Plane
 
-# Of the atlas's size. Corners so close to the plane have no safe side: rounding decides.
+# Part of the atlas's size. On which side corners so close to the plane lie, rounding decides.
 NEAR = 1e-14
-# Of the size: by how much the plane is moved off corners, and off seams that lie in it. Far above
-# rounding, far below what can be measured. Uneven, so that one move's accident is not the next's.
+# Parts of the size by which the plane is moved off corners, and off seams that lie in it. They are
+# far above rounding and far below what can be measured, and uneven, so that the accident of one
+# move is not that of the next.
 MOVES = (0.0, 1.0e-11, -1.0e-11, 2.7e-11, -3.1e-11)
-# Of the size: patches whose control points all lie so close to the plane lie in it.
+# Part of the size: patches whose control points all lie so close to the plane lie in it.
 FLAT = 1e-12
-# Lengths change by about as much as the plane moves; ten times that for slanting surfaces.
+# Lengths change by about as much as the plane moves; the factor is for slanting surfaces.
 SAFETY = 10.0
-# Times the move: curves so short come of the move alone.
+# Multiple of the move: curves so short come from the move alone.
 TRACE = 100.0
 
 
@@ -36,9 +37,9 @@ class PlaneSection:
     Parameters
     ----------
     plane : Plane
-        The one asked for.
+        The plane that was asked for.
     loops : tuple of SectionLoop
-        The longest first; empty if the plane misses the atlas.
+        The longest comes first; empty if the plane misses the atlas.
     """
 
     plane: Plane
@@ -98,7 +99,7 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
     table = edge_table(atlas.index)
     missed = False
     for move in MOVES:
-        # Patches beside the plane are none of the section's, but share edges with those that are.
+        # Patches beside the plane do not belong to the section, but share edges with those that do.
         distances = plane.moved(move * size).distances(nets)
         near = np.flatnonzero(
             (distances.min(axis=(1, 2)) <= 0.0) & (distances.max(axis=(1, 2)) >= 0.0)
@@ -126,7 +127,7 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
 
 
 def _of_weight_one(nets: Array) -> Array:
-    """The patches, the weights of rational ones scaled to at most 1."""
+    """Return the patches; the weights of rational ones are scaled to at most 1."""
     if nets.shape[-1] == 3:
         return nets
     return np.asarray(nets / nets[..., 3].max())

@@ -42,7 +42,7 @@ def loop_schaefer(mesh: PolygonMesh) -> PatchNets:
     Parameters
     ----------
     mesh : PolygonMesh
-        Of quads alone; others become such by `quads_of`.
+        A mesh of quads alone; `quads_of` makes one of any other.
 
     Returns
     -------

@@ -17,7 +17,7 @@ def quads_of(mesh: PolygonMesh) -> tuple[PolygonMesh, Ints]:
     Returns
     -------
     mesh : PolygonMesh
-        Else each face of k corners becomes k quads, which begin at its corners.
+        Otherwise each face of k corners becomes k quads, which begin at its corners.
     face : ndarray of int, shape (quads,)
         The face that each comes from.
 

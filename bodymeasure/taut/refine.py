@@ -8,13 +8,13 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.taut.skin import Skin
 from bodymeasure.taut.string import String, relax
 
-# Of the length: segments whose length is in doubt by more are divided.
+# Part of the length: segments whose error is larger are divided.
 SEGMENT_TOLERANCE = 3e-9
-# Parts of a segment in one go.
+# The most parts into which a segment is divided at a time.
 MOST_PARTS = 8
-# Of the length: keeps springs from having none.
+# Part of the length that every spring has at least.
 LEAST_WEIGHT = 1e-9
-# Of the largest pressure: marks a node that is guessed to touch.
+# Part of the largest pressure, which marks a node that is guessed to touch.
 TINY_PRESSURE = 1e-6
 
 
@@ -76,10 +76,10 @@ def divided(skin: Skin, string: String, now: SegmentLengths, parts: Ints) -> Str
 
 
 def parts_of_segments(string: String, now: SegmentLengths, least: int) -> Ints:
-    """Into how many parts to divide each segment: `least`, or more where its length is in doubt.
+    """Return into how many parts to divide each segment: `least`, or more for inaccurate lengths.
 
-    Those are the segments over kinks, whose doubt falls with the square of the parts; and those in
-    which the string leaves the skin, where a kink may hide between the points that are looked at.
+    These are the segments over kinks, whose error falls with the square of the number of parts, and
+    those in which the string leaves the skin, where a kink may hide between the points in use.
     """
     excess = now.error / (SEGMENT_TOLERANCE * now.length.sum())
     parts = np.ceil(np.sqrt(excess)).astype(np.int64)

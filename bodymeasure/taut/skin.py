@@ -16,16 +16,18 @@ from bodymeasure.atlas.topology.joins import entered, on_sides, over_sides
 from bodymeasure.bezier import evaluate
 from bodymeasure.bezier.power_form import jets, power_coefficients
 
-# Samples a side of each patch, whose closest one tells where a search starts: closer than what
-# bends a body's surface.
+# Samples along a side of each patch. A search starts at the closest one; they lie closer together
+# than a body's surface bends.
 SAMPLES = 12
 # In (u, v): after a step of this size, what is left of Newton's error is its square.
 LAST_STEP = 1e-6
 # Seams that a search for one foot may cross: all round a corner of five patches, and back.
 MAX_CROSSINGS = 6
-# Of the atlas's size: positions this close to the skin have no direction from their foot.
+# Part of the atlas's size: the direction of positions this close to the skin from their foot is
+# rounding.
 TOUCHING = 1e-9
-# Of the atlas's size: feet on two patches that are equally close up to this are one on their seam.
+# Part of the atlas's size: feet on two patches that are equally close up to this are one foot on
+# their seam.
 TIED = 1e-12
 
 

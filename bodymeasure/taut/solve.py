@@ -9,16 +9,16 @@ from bodymeasure.taut.refine import divided, parts_of_segments, segment_lengths
 from bodymeasure.taut.skin import Skin
 from bodymeasure.taut.string import relax
 
-# Of the length: error estimates below need no finer string.
+# Part of the length: an error estimate below it needs no finer string.
 TOLERANCE = 2e-6
 # Strings that are tried: the first, one with more points where they count, and then twice as many
 # each time.
 LEVELS = 5
-# Of the atlas's size: a path so short is one point.
+# Part of the atlas's size: a path so short is one point.
 NEGLIGIBLE = 1e-10
 # Takeoffs fall on the points of a string by chance, so that two strings now and then agree better
-# than either is right. The change from one to the next and what segments have in doubt count so
-# often; what the one before had in doubt, and this part of the length are added. On bodies that
+# than either is right. The change from one to the next and the errors of the segments count so
+# often; the errors of the string before, and this part of the length are added. On bodies that
 # covers the changes to strings of four times as many points: `tests/benchmarks/bodies/taut.py`.
 SAFETY = 3.0
 CHANCE = 5e-8

@@ -16,12 +16,14 @@ REST = 1e-10
 # counts as at rest if its length may change by this part, which counts as its error.
 PATIENCE = 8
 LATE_REST = 3e-8
-# Of the length: the farthest that a node may go in one round: it must not jump through a limb.
+# Part of the length: the farthest that a node may go in one round, so that it does not jump through
+# a limb.
 LONGEST_STEP = 0.06
-# Of the length, and of a node's last step: how far from its foot the seam of a valley may be to be
-# the node's second wall. It shrinks with the steps, since far from the seam the wall is only rough.
+# Parts of the length, and a multiple of a node's last step: how far from its foot the seam of a
+# valley may be for the patch beyond to be the node's second wall. The reach shrinks with the steps,
+# since far from the seam the wall is only rough.
 FIRST_REACH, LEAST_REACH, REACH_STEPS = 0.02, 1e-8, 2.0
-# Of the length: nodes that start this close to the skin are taken to touch it.
+# Part of the length: nodes that start this close to the skin are taken to touch it.
 ON_SKIN = 1e-8
 
 
@@ -35,7 +37,7 @@ class String(NamedTuple):
     weights : ndarray, shape (n,)
         Rest lengths of the springs, up to a factor: at rest, segments are proportional to them.
     feet : Feet
-        Of the n - 1 inner nodes.
+        The feet of the n - 1 inner nodes.
     touching : ndarray of bool, shape (n - 1,)
         Which inner nodes press on the skin.
     pressure : ndarray, shape (n - 1,)

@@ -19,7 +19,7 @@ def feet_over_valleys(skin: Skin, positions: Array, feet: Feet, reach: Array) ->
     skin : Skin
     positions : ndarray, shape (k, 3)
     feet : Feet
-        Of the positions.
+        The feet of the positions.
     reach : ndarray, shape (k,)
 
     Returns

@@ -64,5 +64,5 @@ def test_mistakes_are_named() -> None:
 def test_what_was_not_judged_is_said() -> None:
     girth = body_girth(tube([1.0] * 4), at(1.0, 0.0, 1.0))
     assert girth.contact == pytest.approx(ring_length(), rel=1e-12)
-    assert "was not judged, since the atlas names no regions" in girth.remark
+    assert "was not checked, since the atlas names no regions" in girth.remark
     assert body_girth(load_sample("female_average"), "front waist point").remark == ""

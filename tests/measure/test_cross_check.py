@@ -10,7 +10,7 @@ from helpers.surfaces.surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID
 from bodymeasure import Atlas, diagonals, solve_geodesic
 from bodymeasure._typing import Array
 from bodymeasure.measure.patches import cross_check as module
-from bodymeasure.measure.patches.cross_check import DOUBT, RESOLUTION, Verdict
+from bodymeasure.measure.patches.cross_check import RESOLUTION, SAFETY, Verdict
 from bodymeasure.oracle import MeshDistances
 
 NETS = np.stack([ENNEPER, PARABOLOID, HYPERBOLIC_PARABOLOID, PARABOLOID])
@@ -32,8 +32,8 @@ def test_verdicts(monkeypatch: pytest.MonkeyPatch) -> None:
     length = diagonals(ATLAS).length
     uncertainty = np.full_like(length, 1e-4)
     exact = length.copy()
-    exact[0] += [0.99 * DOUBT * 1e-4, 1.01 * DOUBT * 1e-4]
-    exact[1] -= [0.99 * DOUBT * 1e-4, 1.01 * DOUBT * 1e-4]
+    exact[0] += [0.99 * SAFETY * 1e-4, 1.01 * SAFETY * 1e-4]
+    exact[1] -= [0.99 * SAFETY * 1e-4, 1.01 * SAFETY * 1e-4]
     # Below what meshes can tell, nothing counts, however sure they are.
     uncertainty[2:] = 0.0
     exact[2] *= [1 + 0.9 * RESOLUTION, 1 - 0.9 * RESOLUTION]
@@ -102,5 +102,5 @@ def test_along_an_edge_the_extrapolation_is_in_doubt() -> None:
     atlas = Atlas.from_control_points(nets, "cm")
     solution = solve_geodesic(nets[None, None], (0.0, 0.0), (0.0, 1.0))
     checked = module.cross_check(atlas, solution)
-    assert checked.difference[0, 0] < -DOUBT * checked.exact_uncertainty[0, 0]
+    assert checked.difference[0, 0] < -SAFETY * checked.exact_uncertainty[0, 0]
     assert checked.verdict[0, 0] is Verdict.AGREES

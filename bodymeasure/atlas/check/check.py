@@ -65,7 +65,7 @@ def check_atlas(atlas: Atlas) -> tuple[Finding, ...]:
     free = free_edges(control_points, atlas.index, collapsed)
     near = near_seams(free)
     findings += _gap_findings(atlas, free, near)
-    # All else is judged as if edges that coincide were joined.
+    # Everything else is checked as if edges that coincide were joined.
     index = welded_index(atlas.index, free, near)
     findings += _t_junction_findings(atlas, index, collapsed, free, near)
     findings += _join_findings(atlas, index, degeneracy)

@@ -11,11 +11,11 @@ from bodymeasure.atlas.seams import EDGES, sides_of
 from bodymeasure.atlas.size import patch_sizes
 from bodymeasure.bezier import project
 
-# Of a patch's size: a tenth of a micrometer on a patch of 10 cm. Less than a scan or a fit can
-# mean, more than the rounding of coordinates in single precision or with seven digits.
+# Part of a patch's size: a tenth of a micrometer on a patch of 10 cm. It is less than a scan or a
+# fit can mean, and more than the rounding of coordinates in single precision or with seven digits.
 SAME_PLACE = 1e-6
-# Of a patch's squared size: rounding of coordinates leaves less, and on a patch of 10 cm it is a
-# strip one tenth of a nanometer wide.
+# Part of a patch's squared size: rounding of coordinates leaves less, and on a patch of 10 cm it is
+# a strip one tenth of a nanometer wide.
 NO_AREA = 1e-9
 # Sine of the angle between the tangents at a corner: half a degree. The surface still has a normal,
 # but errors of the control points are amplified a hundredfold in it.
@@ -36,10 +36,10 @@ class Degeneracy:
     patches : ndarray of bool, shape (patches,)
         The patch has no area.
     edges : ndarray of bool, shape (patches, 4)
-        The side, in the order of `EDGES`, is a point; not said of patches without area.
+        The side, in the order of `EDGES`, is a point; false for patches without area.
     corners : ndarray of bool, shape (patches, 4)
-        The tangents at the corner, in the order of `CORNERS`, vanish or are parallel; not said of
-        the ends of a collapsed side, nor of patches without area.
+        The tangents at the corner, in the order of `CORNERS`, vanish or are parallel; false for the
+        ends of a collapsed side and for patches without area.
     """
 
     patches: Bools
@@ -48,23 +48,23 @@ class Degeneracy:
 
 
 def collapsed_sides(control_points: Array) -> Bools:
-    """Sides, in the order of `EDGES`, that are a point beside their patch; shape (patches, 4)."""
+    """Which sides, in the order of `EDGES`, are a point beside their patch, shape (patches, 4)."""
     extent = np.linalg.norm(np.ptp(sides_of(control_points), axis=2), axis=-1)
     return np.asarray(extent <= SAME_PLACE * patch_sizes(control_points)[:, None])
 
 
 def find_degeneracy(control_points: Array, normals: Array) -> Degeneracy:
-    """What collapses in each patch.
+    """Find what collapses in each patch.
 
     Parameters
     ----------
     control_points : ndarray, shape (patches, degree + 1, degree + 1, 3)
-        In space: of rational patches, without their weights.
+        Positions in space; those of rational patches come without their weights.
     normals : ndarray, shape (patches, k, k, 3)
         Coefficients of the normal field.
     """
     sizes = patch_sizes(control_points)
-    # A point among patches of another size is found against the typical one.
+    # A patch that is a point is recognized by the size of a typical patch.
     points = sizes <= SAME_PLACE * np.median(sizes)
     largest = np.linalg.norm(normals, axis=-1).max(axis=(1, 2))
     patches = points | (largest <= NO_AREA * sizes**2)
@@ -89,7 +89,7 @@ def _parallel(first: Array, second: Array, sizes: Array) -> Bools:
 
 
 def degeneracy_findings(atlas: Atlas, degeneracy: Degeneracy) -> list[Finding]:
-    """The findings on what collapses."""
+    """Return the findings on what collapses."""
     sizes = patch_sizes(project(atlas.control_points))
     count = atlas.index[0].size
     findings = [

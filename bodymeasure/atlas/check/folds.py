@@ -1,4 +1,4 @@
-"""Patches that fold over: whose normal turns round abruptly inside."""
+"""Patches that fold over: their normal turns round abruptly inside."""
 
 import numpy as np
 
@@ -9,28 +9,28 @@ from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
 from bodymeasure.atlas.normals import normal_vectors
 from bodymeasure.bezier import split
 
-# Cells of a 2**-6-th of the patch's side, sampled with half a cell around them: a fold may run
-# along their border, where each by itself shows only half the turn.
+# Halvings of a patch down to the finest cells. These are sampled with half a cell around them: a
+# fold may run along their border, where each by itself shows only half the turn.
 FINEST_LEVEL = 6
 _AROUND = 0.5
 # A patch is folded if its normal turns by more than 90 degrees within a 32nd of its side. On a
 # patch of 10 cm that is a bend of radius 2 mm. One that bends evenly turns by 6 degrees there if it
 # is a half cylinder, by 11 if it closes to a tube.
 _WITHIN = round(2**FINEST_LEVEL / (1 + 2 * _AROUND))
-# Cosine of the angle to the mean normal under which a cell is proven: any two of its normals are
-# then within 90 degrees.
+# Cosine of the largest angle to the mean normal in a cell without a fold: any two of its normals
+# are then within 90 degrees.
 _CONE = np.sqrt(0.5)
-# Of a patch's largest normal: rounding of coordinates leaves less, so that a smaller normal has no
-# direction to be trusted.
+# Part of a patch's largest normal: rounding of coordinates leaves less, so that the direction of a
+# smaller normal cannot be trusted.
 NO_NORMAL = 1e-9
-# Points a side at which a cell without proof is sampled.
+# Points along a side at which a cell without proof is sampled.
 _SAMPLES = 5
 # Patches treated at once, which bounds the memory: a patch has at most 4**6 cells of 864 bytes.
 _BLOCK = 64
 
 
 def fold_findings(atlas: Atlas, normals: Array, degeneracy: Degeneracy) -> list[Finding]:
-    """The findings on folded patches, and on single points without a normal inside a patch.
+    """Return the findings on folded patches, and on points without a normal inside a patch.
 
     Parameters
     ----------
@@ -43,8 +43,8 @@ def fold_findings(atlas: Atlas, normals: Array, degeneracy: Degeneracy) -> list[
     Notes
     -----
     The Bernstein coefficients of the normal field bound it. Where all of them lie in a narrow cone,
-    the patch has no fold; else it is split into four, and each cell is looked at again.
-    Few cells stay without proof at the finest level, and those are sampled.
+    the patch has no fold; otherwise it is split into four, and each cell is tested again. The few
+    cells without proof at the finest level are sampled.
     """
     largest = np.linalg.norm(normals, axis=-1).max(axis=(1, 2), initial=0.0)
     scaled = normals / np.where(largest > 0.0, largest, 1.0)[:, None, None, None]
@@ -55,7 +55,7 @@ def fold_findings(atlas: Atlas, normals: Array, degeneracy: Degeneracy) -> list[
     for first in range(0, len(unproven), _BLOCK):
         block = unproven[first : first + _BLOCK]
         numbers, corners = _unproven_cells(scaled[block])
-        findings += _judge(atlas, block[numbers], corners, largest, degeneracy)
+        findings += _sampled_findings(atlas, block[numbers], corners, largest, degeneracy)
     return findings
 
 
@@ -86,14 +86,14 @@ def _unproven_cells(
     return numbers, corners
 
 
-def _judge(
+def _sampled_findings(
     atlas: Atlas,
     patches: Ints,
     corners: Array,
     largest: Array,
     degeneracy: Degeneracy,
 ) -> list[Finding]:
-    """Findings from the normals sampled in each unproven cell."""
+    """Return the findings from the normals that are sampled in each cell without proof."""
     width = 0.5**FINEST_LEVEL
     steps = np.linspace(-_AROUND, 1.0 + _AROUND, _SAMPLES) * width
     offsets = np.stack(np.meshgrid(steps, steps, indexing="ij"), axis=-1).reshape(-1, 2)

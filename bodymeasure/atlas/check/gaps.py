@@ -11,19 +11,19 @@ from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.seams import edge_table, sides_of
 from bodymeasure.bezier import bernstein, project
 
-# Of the shorter edge's length, and of the patches' width across it: two free edges that run so
-# close were meant to be one seam (9 mm at an edge of 9 cm). The width tells the two long sides of a
-# narrow strip, which are as far apart as the strip is wide, from two sides of a seam.
+# Part of the shorter edge's length, and of the patches' width across it: two free edges that run so
+# close were meant to be one seam (9 mm at an edge of 9 cm). The width distinguishes the two long
+# sides of a narrow strip, which are as far apart as the strip is wide, from two sides of a seam.
 NEAR = 0.1
-# Of an edge's length: an edge that another's end touches fits it far better than that, by intent.
+# Part of an edge's length: an end that is meant to touch the edge lies far closer to it.
 TOUCHES = 0.01
 # Points along an edge at which two are compared: cubics that agree at four agree everywhere, and
-# of higher degrees hardly less.
+# curves of higher degrees nearly so.
 _ALONG = np.linspace(0.0, 1.0, 9)
 # Segments of an edge when a point's distance to it is taken; on a quarter circle their error is
 # 2e-4 of its length, well under TOUCHES.
 _SEGMENTS = 32
-# The same where rational edges are compared, whose points may crowd at one end.
+# Segments of a rational edge that is compared, whose points may crowd at one end.
 _FINE = 512
 # Pairs whose distance is taken at once, which bounds the memory where many edges crowd together.
 _BLOCK = 10_000
@@ -37,12 +37,12 @@ class FreeEdges(NamedTuple):
     Parameters
     ----------
     patch, side : ndarray of int, shape (edges,)
-        Whose they are; sides in the order of `EDGES`.
+        The patch and the side of each edge; sides are in the order of `EDGES`.
     control_index : ndarray of int, shape (edges, degree + 1)
     control_points : ndarray, shape (edges, degree + 1, 3)
-        Of rational patches, with their weights: (edges, degree + 1, 4).
+        Those of rational patches have their weights: (edges, degree + 1, 4).
     length, width : ndarray, shape (edges,)
-        Of the control polygon, and of the patch across the side.
+        Length of the control polygon, and width of the patch across the side.
     """
 
     patch: Ints
@@ -59,7 +59,7 @@ class NearSeams(NamedTuple):
     Parameters
     ----------
     first, second : ndarray of int, shape (pairs,)
-        Which free edges.
+        Numbers of the free edges.
     distance : ndarray, shape (pairs,)
         Largest distance of points at equal parameters.
     coincide : ndarray of bool, shape (pairs,)
@@ -80,7 +80,7 @@ def free_edges(
     index: Ints,
     collapsed: Bools,
 ) -> FreeEdges:
-    """Sides with one patch only, without the `collapsed` ones (patches, 4)."""
+    """Return the sides with one patch only, without the `collapsed` ones (patches, 4)."""
     table = edge_table(index)
     patch, side = np.nonzero((table.sides[table.edge] == 1) & ~collapsed)
     points = sides_of(control_points)[patch, side]
@@ -94,7 +94,7 @@ def free_edges(
 
 
 def near_seams(edges: FreeEdges) -> NearSeams:
-    """Pairs of free edges that run close together along their whole length."""
+    """Return the pairs of free edges that run close together along their whole length."""
     first, second = _neighbors(edges)
     curves = _compared_points(edges.control_points, _ALONG)
     reach = NEAR * np.minimum(edges.length, edges.width)
@@ -134,7 +134,7 @@ def _neighbors(edges: FreeEdges) -> tuple[Ints, Ints]:
 
 
 def welded_index(index: Ints, edges: FreeEdges, seams: NearSeams) -> Ints:
-    """The index as it would be if edges that coincide were joined."""
+    """Return the index as it would be if edges that coincide were joined."""
     forwards = edges.control_index
     first = forwards[seams.first[seams.coincide]]
     second = forwards[seams.second[seams.coincide]]
@@ -144,7 +144,7 @@ def welded_index(index: Ints, edges: FreeEdges, seams: NearSeams) -> Ints:
 
 
 def t_junctions(edges: FreeEdges) -> tuple[Ints, Ints]:
-    """Ends of free edges that lie inside another free edge.
+    """Return the ends of free edges that lie inside another free edge.
 
     Returns
     -------
@@ -198,9 +198,9 @@ def _points(curves: Array, t: Array) -> Array:
 
 
 def _compared_points(curves: Array, t: Array) -> Array:
-    """Points by which two edges are compared: at t, or, of rational ones, at parts t of the length.
+    """Return the points at which edges are compared: at t, or at parts t of a rational length.
 
-    By their weights, one curve may be run along at many speeds.
+    With different weights, one curve may be run along at many speeds.
     """
     if curves.shape[-1] == 3:
         return _points(curves, t)

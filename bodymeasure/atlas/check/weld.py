@@ -13,24 +13,24 @@ from bodymeasure.atlas.size import require_size
 def weld(
     control_points: Array, tolerance: float | None = None, *, weights: Array | None = None
 ) -> tuple[Array, Ints]:
-    """Join patches by their edges, in either direction.
+    """Join patches along edges that coincide, in either direction.
 
     Parameters
     ----------
     control_points : ndarray, shape (patches, degree + 1, degree + 1, 3)
-        Finite, in space: of rational patches, without their weights.
+        Finite positions in space; those of rational patches come without their weights.
     tolerance : float, optional
         Edges that run no farther apart than this are joined too, if that is little beside their
-        length and their patches' width (`gaps.NEAR`). Without it, those are whose control points
-        differ by no more than rounding (`degeneracy.SAME_PLACE` of the edge's length).
+        length and their patches' width (`gaps.NEAR`). Without it, edges are joined whose control
+        points differ by no more than rounding (`degeneracy.SAME_PLACE` of the edge's length).
     weights : ndarray, shape (patches, degree + 1, degree + 1), optional
-        Of rational patches. Edges along which they are not proportional are not joined: at equal
-        parameters their points differ.
+        The weights of rational patches. Edges along which they are not proportional are not joined:
+        their points at equal parameters differ.
 
     Returns
     -------
     points : ndarray, shape (n, 3)
-        Of control points that are joined, the place of the first.
+        Control points that are joined are at the place of the first of them.
     index : ndarray of int, shape (patches, degree + 1, degree + 1)
 
     Raises
@@ -40,8 +40,8 @@ def weld(
 
     Notes
     -----
-    Of an edge that is a single point, the control points become one. T-junctions and wider
-    gaps stay as they are: `check_atlas` tells of them.
+    The control points of an edge that is a single point become one. T-junctions and wider gaps stay
+    as they are: `check_atlas` reports them.
     """
     require_size(control_points.reshape(-1, 3))
     shape = control_points.shape[:-1]
@@ -61,14 +61,14 @@ def weld(
     near = near._replace(coincide=near.coincide & ~weights_differ(first, second))
     index = welded_index(index, free._replace(control_index=numbers), near)
     _, first, index = np.unique(index, return_index=True, return_inverse=True)
-    # In the order in which patches first name them.
+    # Points are numbered in the order in which patches first name them.
     rank = np.empty_like(first)
     rank[np.argsort(first)] = np.arange(len(first))
     return control_points.reshape(-1, 3)[np.sort(first)], rank[index].reshape(own.shape)
 
 
 def same_places(points: Array) -> Ints:
-    """A number for each point, the same for those whose coordinates are; shape (n,)."""
+    """Number points (n, 3) so that those with the same coordinates have the same number."""
     number = np.zeros(len(points), dtype=np.int64)
     for axis in range(points.shape[1]):
         values, rank = np.unique(points[:, axis], return_inverse=True)
@@ -77,7 +77,7 @@ def same_places(points: Array) -> Ints:
 
 
 def _join_same(own: Ints, table: EdgeTable, collapsed: Bools, weights: Array) -> Ints:
-    """The index with sides joined that lie on one edge, and collapsed sides made one point."""
+    """Return the index with sides on one edge joined, and collapsed sides made one point."""
     rows = edge_table(own).control_index.reshape(-1, own.shape[-1])
     backwards = table.reversed.reshape(-1, 1)
     along = np.where(backwards, rows[:, ::-1], rows)

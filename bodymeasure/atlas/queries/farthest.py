@@ -12,9 +12,11 @@ from bodymeasure.errors import InputError
 
 # Halvings of a patch before Newton's method takes over, on a thousandth of the patch.
 HALVINGS = 10
-# Of the atlas's size: what lies farther by less is as far. Mirror images differ by their rounding.
+# Part of the atlas's size: points whose distances differ by less are equally far. Mirror images
+# differ by their rounding.
 TIE = 1e-9
-# Rectangles that may hold the farthest point. It takes a few dozen; more where it is no point.
+# Rectangles at most that may hold the farthest point. A point takes a few dozen; a curve or an area
+# takes more.
 MOST = 4000
 # Newton doubles its digits in each step.
 STEPS = 20
@@ -32,7 +34,7 @@ class Farthest(NamedTuple):
     Parameters
     ----------
     points : tuple of AtlasPoint
-        May hold a point several times, from each patch that it belongs to.
+        It may hold a point several times, once for each patch that it belongs to.
     at_limit : bool
         Whether something that lies as far may be just where the limits of height cut the surface.
     """
@@ -47,7 +49,7 @@ def farthest_on_patches(
     direction: Array,
     limits: tuple[float, float] = (-np.inf, np.inf),
 ) -> Farthest:
-    """Points of some patches that lie farthest in a direction, between two heights.
+    """Return the points of some patches that lie farthest in a direction, between two heights.
 
     Parameters
     ----------
@@ -61,8 +63,8 @@ def farthest_on_patches(
     Returns
     -------
     Farthest
-        Of the points at which the surface itself turns back. Where a limit cuts the surface off
-        before it does, they are not the farthest: see `Farthest.at_limit`.
+        The points at which the surface itself turns back. Where a limit cuts the surface off before
+        it does, they are not the farthest: see `Farthest.at_limit`.
 
     Raises
     ------
@@ -144,9 +146,9 @@ _FLAT = (
     "the surface is flat there across the direction, so that many points are equally far; choose "
     "another rule, or pick the point"
 )
-# Points more than which are no mirror images of one another, but a curve or an area.
+# The most distinct points that mirror images give; more of them are a curve or an area.
 DISTINCT = 8
-# Of the atlas's size: points closer than that are one. Newton's method ends far below.
+# Part of the atlas's size: points closer than that are one. Newton's method ends far below.
 SAME = 1e-6
 
 

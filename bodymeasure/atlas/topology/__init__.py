@@ -1,1 +1,1 @@
-"""What lies beyond an edge or a corner of a patch."""
+"""How the patches of an atlas meet at their edges and corners."""

@@ -11,15 +11,15 @@ from bodymeasure.atlas.seams import AXIS, EDGES, VALUE, EdgeTable
 
 # Points along a seam at which the normals of both sides are compared, with its ends.
 _ALONG = np.linspace(0.0, 1.0, 9)
-# Of the longest normal along a side: shorter ones are rounding, as at the pole of a sphere.
+# Part of the longest normal along a side: shorter normals are rounding, as at a sphere's pole.
 NO_NORMAL = 1e-9
-# A round of the patch keeps its inside on the left: it runs with u along v = 0 and with v along
-# u = 1, and against them along v = 1 and u = 0. Sides in the order of EDGES.
+# The way round a patch that has the patch on its left runs with u along v = 0 and with v along
+# u = 1, and against them along v = 1 and u = 0. The sides are in the order of EDGES.
 _WITH_THE_ROUND = np.array([False, True, True, False])
 
 
 def round_of_side(side: Ints) -> Bools:
-    """Whether sides, numbered as in `EDGES`, run with the round that has the patch on its left."""
+    """Whether sides, numbered as in `EDGES`, run so that the patch is on their left."""
     return _WITH_THE_ROUND[side]
 
 
@@ -43,8 +43,8 @@ class Seams(NamedTuple):
 
 
 def seams_of(table: EdgeTable, collapsed: Bools) -> Seams:
-    """The edges that two sides share, without the `collapsed` sides (patches, 4)."""
-    # Neither side of an edge of which one belongs to a patch without area.
+    """Return the edges that two sides share, without the `collapsed` sides (patches, 4)."""
+    # An edge is left out if one of its sides belongs to a patch without area.
     single = np.zeros(len(table.sides), dtype=np.bool_)
     single[table.edge[collapsed]] = True
     shared = np.flatnonzero((table.sides[table.edge] == 2) & ~single[table.edge])
@@ -57,19 +57,19 @@ def seams_of(table: EdgeTable, collapsed: Bools) -> Seams:
 
 
 def turned_patches(seams: Seams, count: int) -> tuple[Ints, list[Ints]]:
-    """Patches that face against the others of their part.
+    """Return the patches that face against the others of their part.
 
     Returns
     -------
     turned : ndarray of int
-        Those to turn round, the fewer of each part.
+        The patches to turn round, which are the smaller number of each part.
     one_sided : list of ndarray of int
         Parts that cannot be made to face one way, such as a Moebius band.
 
     Notes
     -----
-    On the atlas's double cover, a node for each patch and each way it may face: a part with two
-    sides falls in two, a part with one side does not.
+    The atlas's double cover has a node for each patch and each way it may face. There, a part with
+    two sides falls in two, and a part with one side does not.
     """
     first, second = seams.patch.T
     other = np.where(seams.consistent, 0, count)
@@ -90,15 +90,15 @@ def turned_patches(seams: Seams, count: int) -> tuple[Ints, list[Ints]]:
 
 
 def parts(seams: Seams, count: int) -> Ints:
-    """Number of the connected part that each patch belongs to, shape (patches,)."""
+    """Return the number of the connected part of each patch, shape (patches,)."""
     first, second = seams.patch.T
     return connected_components(first, second, count)
 
 
 def kink_angles(control_points: Array, seams: Seams) -> Array:
-    """Largest angle in degrees by which the normal jumps across each seam, shape (seams,).
+    """Return the largest angle in degrees by which the normal jumps across each seam.
 
-    Zero where either side has no normal.
+    Its shape is (seams,); it is zero where either side has no normal.
     """
     patch = seams.patch
     nets = control_points[patch]
@@ -116,12 +116,15 @@ def kink_angles(control_points: Array, seams: Seams) -> Array:
     left, right = normals[:, 0], normals[:, 1]
     sine = np.linalg.norm(np.cross(left, right), axis=-1)
     cosine = np.einsum("skc,skc->sk", left, right)
-    # Also where one side has no normal: both are zero then, and so is the angle.
+    # Where one side has no normal, both are zero, and so is the angle.
     return np.asarray(np.degrees(np.arctan2(sine, cosine)).max(axis=-1, initial=0.0))
 
 
 def over_sides(table: EdgeTable) -> tuple[Ints, Ints, Bools]:
-    """Patch and side over each side (patches, 4), -1 on a boundary, and whether it runs against."""
+    """Return the patch and the side over each side, and whether that side runs against it.
+
+    All have the shape (patches, 4); patch and side are -1 on a boundary.
+    """
     to_patch = np.full(table.edge.shape, -1, dtype=np.int64)
     to_side = np.full(table.edge.shape, -1, dtype=np.int64)
     flipped = np.zeros(table.edge.shape, dtype=np.bool_)

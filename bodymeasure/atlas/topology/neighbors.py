@@ -1,4 +1,4 @@
-"""Which places of an atlas are one: steps over seams, and the ways round a corner."""
+"""The ways in which one point of an atlas can be written: steps over seams and round corners."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -9,8 +9,8 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, edge_table
 
-# Digits to which the parameters of two places must agree to be the same: they are added up from
-# few numbers in [0, 1].
+# Digits to which the parameters of two places must agree to be the same. They are sums of a few
+# numbers in [0, 1].
 DIGITS = 9
 
 
@@ -53,7 +53,7 @@ class Step(NamedTuple):
 
 
 def on_side(side: int, along: float) -> tuple[float, float]:
-    """(u, v) of a point of a patch's side."""
+    """Return (u, v) of a point of a patch's side."""
     edge = EDGES[side]
     return (edge.fixed_value, along) if edge.fixed_axis == 0 else (along, edge.fixed_value)
 
@@ -83,7 +83,7 @@ class Neighbors:
                 )
 
     def steps(self, place: AtlasPoint) -> Iterator[Step]:
-        """All steps over a seam at a place; from a pole, at both ends of its collapsed side."""
+        """Yield all steps over a seam at a place; at a pole, from both ends of its side."""
         side = self.pole_side(place)
         if side is None:
             yield from self._steps(place)
@@ -92,7 +92,7 @@ class Neighbors:
             yield from self._steps(AtlasPoint(place.patch, *on_side(side, along)))
 
     def pole_side(self, place: AtlasPoint) -> int | None:
-        """The side on which a place lies that is collapsed to a point, if any."""
+        """Return the collapsed side on which a place lies, if any."""
         for side, edge in enumerate(EDGES):
             if self.collapsed[place.patch, side] and place[1 + edge.fixed_axis] == edge.fixed_value:
                 return side
@@ -110,7 +110,7 @@ class Neighbors:
                 yield Step(crossing, along, to)
 
     def same(self, place: AtlasPoint) -> list[AtlasPoint]:
-        """All places that are the same point of the atlas, this one first."""
+        """Return all places that are the same point of the atlas, this one first."""
         found = {self._key(place): place}
         queue = [place]
         while queue:
@@ -125,9 +125,9 @@ class Neighbors:
         return self._key(other) in {self._key(same) for same in self.same(place)}
 
     def ways(self, start: AtlasPoint, end: AtlasPoint) -> list[tuple[Step, ...]]:
-        """The ways from one place to another that is the same point, fewest steps first.
+        """Return the ways from one place to another that is the same point, the shortest first.
 
-        One over a seam; two about a corner, or one where the boundary is between.
+        There is one way over a seam, and two round a corner, or one where the boundary is between.
         """
         found: list[tuple[Step, ...]] = []
 
@@ -143,7 +143,7 @@ class Neighbors:
         return sorted(found, key=len)
 
     def _key(self, place: AtlasPoint) -> AtlasPoint:
-        """The same for places of a patch that are the same point."""
+        """Return a key that all places of a patch at one point share."""
         side = self.pole_side(place)
         if side is not None:
             return AtlasPoint(place.patch, *on_side(side, 0.0))

@@ -8,9 +8,9 @@ import numpy as np
 
 from bodymeasure._typing import Array
 
-# Of a face's range in u or v: edges that run so close to its border bound all of it.
+# Part of a face's range in u or v: edges that run so close to its border bound all of it.
 ON_BORDER = 1e-6
-# Points along an edge at which that is asked.
+# Points along an edge at which its distance to the border is taken.
 ALONG = 9
 
 
@@ -92,7 +92,7 @@ def _surface(face: Any) -> tuple[Any, bool]:
 def _covered(surface: Any, bounds: tuple[float, ...]) -> Array:
     """A face's range in u and v, put on its surface's own borders where it is beside them.
 
-    Of more than a full turn, be it by rounding, Open CASCADE converts nothing at all.
+    Open CASCADE converts nothing of a range of more than a full turn, even if by rounding alone.
     """
     own, covered = np.array(surface.Bounds()), np.array(bounds)
     near = np.abs(covered - own) <= ON_BORDER * max(1.0, np.abs(covered).max())

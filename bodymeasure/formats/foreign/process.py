@@ -56,7 +56,7 @@ def surfaces_of_file(content: bytes, source: str, reader: Reader) -> tuple[str, 
     with tempfile.TemporaryDirectory() as folder:
         given, found = Path(folder, f"file.{reader.kind}"), Path(folder, "surfaces.npz")
         given.write_bytes(content)
-        # By its path, since it needs nothing of the package, which takes a second to import.
+        # Run by its path: it needs nothing of the package, which takes a second to import.
         longest = reader.longest * (1 + len(content) // CHUNK)
         worker = str(Path(__file__).with_name(reader.script))
         try:

@@ -14,8 +14,8 @@ MEMORY = 4 * 2**30
 ALONG = 5
 # Segments of a surface's sides for that; their sag on a half circle is 1e-4 of its radius.
 SEGMENTS = 256
-# Of a surface's size: edges that run so close to its sides are those, the face is not trimmed.
-# Rhino's own edges follow within 1e-5 or so.
+# Part of a surface's size: if its edges run so close to its sides, the face is not trimmed. Rhino's
+# own edges follow within 1e-5 or so.
 ON_SIDE = 1e-3
 
 

@@ -11,7 +11,7 @@ from bodymeasure.errors import InputError
 from bodymeasure.formats.text import TextFile, Words, quoted, whole_number
 
 # All that the format's description names and that has no bearing on shape: display, materials,
-# curves' and points' data, and how surfaces join, which their edges tell.
+# curves' and points' data, and how surfaces join, which their edges show.
 IGNORED = frozenset(
     {"vt", "vn", "vp", "p", "l", "sp", "con", "s", "mg", "bevel", "c_interp", "d_interp"}
     | {"lod", "usemtl", "mtllib", "shadow_obj", "trace_obj", "ctech", "stech", "maplib", "usemap"}
@@ -58,7 +58,7 @@ class ObjFile:
         The statements that occur.
     text : TextFile
     lines, vertices : list of int
-        Of each statement its line and how many vertices came before.
+        The line of each statement, and how many vertices came before.
     """
 
     points: Array
@@ -145,8 +145,8 @@ def _vertices(words: Words, source: str) -> tuple[Array, Array]:
 def vertex_numbers(statement: Statement, words: Sequence[bytes], count: int, source: str) -> Ints:
     """The vertices that a statement refers to, from 0.
 
-    Of ``v/vt/vn`` the first counts. Numbers are from 1, or negative and count back from the
-    vertices that came before the statement.
+    The first number of ``v/vt/vn`` counts. Numbers are from 1, or negative; these count back from
+    the vertices that came before the statement.
 
     Raises
     ------

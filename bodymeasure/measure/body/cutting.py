@@ -1,4 +1,4 @@
-"""Loops cut at the armpits: what lies between two vertical planes, bridged straight."""
+"""Loops cut at the armpits by two vertical planes, their gaps bridged by straight lines."""
 
 import numpy as np
 
@@ -10,25 +10,25 @@ from bodymeasure.section import BridgedLoop, SectionLoop, part, sign_changes
 def cut_loop(
     loop: SectionLoop, left: Array, bounds: tuple[float, float]
 ) -> SectionLoop | BridgedLoop:
-    """What of a closed loop lies between two planes, its gaps bridged straight.
+    """Return what lies of a closed loop between two planes, its gaps bridged by straight lines.
 
     Parameters
     ----------
     loop : SectionLoop
     left : ndarray, shape (3,)
-        To the wearer's left: the planes' normal.
+        The direction to the wearer's left, which is the planes' normal.
     bounds : tuple of two float
         Where the left and the right plane cut this direction.
 
     Returns
     -------
     SectionLoop or BridgedLoop
-        The loop itself where it lies between the planes as it is.
+        The loop itself, if it lies between the planes as it is.
 
     Raises
     ------
     InputError
-        If the loop is open, or lies beyond a plane or reaches beyond one only.
+        If the loop is open, lies beyond a plane, or reaches beyond one of them only.
     """
     if not loop.closed:
         raise InputError(

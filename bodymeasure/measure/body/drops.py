@@ -26,10 +26,10 @@ from bodymeasure.section import (
 )
 from bodymeasure.wording import result_line
 
-# Of the difference of heights: a way down that rises by more first leads over something, such as
-# the head; one that rises by less only starts on a slope, such as a shoulder's.
+# Part of the difference of heights: a way down that first rises by more leads over something, such
+# as the head; one that rises by less only starts on a slope, such as a shoulder's.
 RISE = 0.1
-# Of the same: an open boundary that misses the level by so little lies at it.
+# Part of the same difference: an open boundary that misses the level by so little lies at it.
 ROUNDING = 1e-12
 
 
@@ -45,7 +45,7 @@ class Drop:
         The shortest way outside the body between the same two points, in the plane. Never above
         `contact`.
     error_estimate : float
-        Of either.
+        Estimated error of either length, in `unit`.
     arc : SectionLoop
         The part of the section, from its start.
     hull : Hull
@@ -126,7 +126,7 @@ def vertical_drop(
     forth, word = np.sign(rise) * up, "up" if rise > 0.0 else "down"
     arc, curve = _direct_way(section, first, last, forth, word)
     turn = _turn(section, arc, 0.5 * (first + last), forth)
-    # Where the atlas is open at the middle height, what the curve goes round tells.
+    # Where the atlas is open at the middle height, the way in which the whole curve turns decides.
     turn = signed_area(curve.positions @ curve.plane.frame().T) if turn is None else turn
     hull = outer_hull(arc, turn)
     return Drop(arc.length, hull.length, hull.error_estimate, arc, hull, atlas.unit)

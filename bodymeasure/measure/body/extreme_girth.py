@@ -17,7 +17,8 @@ from bodymeasure.section import Plane, SectionLoop, convex_hull
 # Planes tried before Brent's method narrows down between the best one's neighbors: bodies have one
 # bulge or hollow a sixteenth of any stretch that a tape is drawn over.
 SAMPLES = 17
-# Of the stretch: how closely the place is found. The girth is flat there, and so exact to rounding.
+# Part of the stretch: how closely the place is found. The girth is flat there, and so exact to
+# rounding.
 TOLERANCE = 1e-7
 
 
@@ -37,9 +38,9 @@ class ExtremeGirth:
     ----------
     girth : Girth
     fraction : float
-        Of the way from the start of the stretch to its end.
+        Fraction of the way from the start of the stretch to its end.
     height : float
-        Of the plane's point along the atlas's way up, in the atlas's unit.
+        Height of the plane's point along the atlas's way up, in the atlas's unit.
     status : Extremum
     """
 

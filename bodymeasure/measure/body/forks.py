@@ -15,21 +15,21 @@ from bodymeasure.section import Plane, PlaneSection, SectionLoop, plane_section
 
 # Heights at which the two parts' common stretch is tried first: some two centimeters apart.
 LEVELS = 16
-# Of the stretch: how closely the height of the fork is enclosed before the surface itself tells.
-# Two saddles closer together than this are not told apart.
+# Part of the stretch: how closely the height of the fork is enclosed before the saddle of the
+# surface is looked for. Two saddles closer together than this are not distinguished.
 ENCLOSED = 1e-5
-# Of the atlas's size: by how much a height is moved off one where the plane touches the surface.
+# Part of the atlas's size by which a height is moved where the plane touches the surface.
 ASIDE = 1e-7
 
 
 class _Level(NamedTuple):
-    """What a horizontal plane tells.
+    """The loops of two parts in a horizontal plane.
 
     Parameters
     ----------
     height : float
     loops : tuple of two SectionLoop
-        Those that hold most of the one and of the other part.
+        The loops that hold most of the one and of the other part.
     """
 
     height: float

@@ -15,12 +15,12 @@ from bodymeasure.measure.body.taut_places import TautPlaces
 from bodymeasure.section import DRAWN, Curve, DrawnTape, nearest_place
 from bodymeasure.wording import result_line
 
-# Of the girth: parts whose middles lie less far apart from front to back lie beside one another.
-# Those of a circle's halves lie 0.2 of it apart.
+# Part of the girth: parts whose middles lie less far apart from front to back lie beside one
+# another. The middles of a circle's halves lie 0.2 of it apart.
 BESIDE = 0.01
-# Of the girth: places closer than this are one, as far as a body is known.
+# Part of the girth: places closer than this are one, as far as a body is known.
 ONE_PLACE = 1e-6
-# Distances to the nearest place tell places apart only down to the square root of their rounding.
+# Distances to the nearest place distinguish places only down to the square root of their rounding.
 UNSETTLED = 4e-8
 
 
@@ -36,7 +36,7 @@ class GirthArc:
         Along the girth's taut tape. Where that spans a hollow in which the part ends, it ends
         square across from there. Not above `contact`, but for rounding.
     error_estimate : float
-        Of either: the whole girth's, and what its ends are uncertain by.
+        Estimated error of either length: the whole girth's, and the uncertainty of its ends.
     contact_tape, taut_tape : DrawnTape
     length_by_region : mapping of str to float
         Contact length inside each body region.
@@ -74,7 +74,7 @@ def girth_arc(
     front : array_like, shape (3,)
         Unit vector to the front.
     side : {"front", "back"}
-        Of the two parts, the one whose middle (as of a thin wire) lies farther that way.
+        The part whose middle (the center of mass of a thin wire) lies farther that way is meant.
 
     Raises
     ------

@@ -35,16 +35,16 @@ class Girth:
     taut : float
         Perimeter of its convex hull: a tape that bridges hollows. Never above `contact`.
     error_estimate : float
-        Of either.
+        Estimated error of either length, in `unit`.
     loop : SectionLoop
-        The section's loop, whole.
+        The whole loop of the section.
     tape : SectionLoop or BridgedLoop
         What is measured: the loop, or what cuts leave of it.
     hull : Hull
         Where the taut tape leaves it.
     unit : Unit
     remark : str
-        What was not judged; empty if nothing.
+        What was not checked; empty if nothing.
     """
 
     contact: float
@@ -122,7 +122,7 @@ def plane_girth(atlas: Atlas, plane: Plane, at: Location, *, limb: bool = False)
 
 
 def section_loop(atlas: Atlas, plane: Plane, at: Location, *, limb: bool = False) -> SectionLoop:
-    """The loop that `plane_girth` measures."""
+    """Return the loop that `plane_girth` measures."""
     section = plane_section(atlas, plane)
     loop = section.nearest(position_of(atlas, at))
     refuse_merged(section, loop, limb=limb)
@@ -130,7 +130,7 @@ def section_loop(atlas: Atlas, plane: Plane, at: Location, *, limb: bool = False
 
 
 def girth_of_loop(loop: SectionLoop, tape: SectionLoop | BridgedLoop | None = None) -> Girth:
-    """Contact and taut length of a closed loop, or of what is left of it."""
+    """Return the girth of a closed loop, or of what is left of it."""
     tape = loop if tape is None else tape
     hull = convex_hull(tape)
     remark = "" if any(loop.regions) else UNJUDGED
@@ -227,7 +227,7 @@ def limb_girth(
 
 
 def limb_axis(first: Array, last: Array) -> Array:
-    """Direction from one position to another, refused where they coincide."""
+    """Return the direction from one position to another; refuse positions that coincide."""
     if np.array_equal(first, last):
         raise InputError("the limb's axis starts and ends at one place; expected two places")
     return last - first

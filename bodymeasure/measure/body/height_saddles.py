@@ -10,36 +10,36 @@ from bodymeasure.atlas import EDGES, Atlas, AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors, on_side
 from bodymeasure.bezier import derivatives, project
 
-# Newton's method starts from so many points a side of each patch.
+# Points along a side of each patch from which Newton's method starts.
 STARTS = 5
-# Steps along each seam that tell its level places apart; a cubic has two.
+# Steps along each seam that separate the places where it is level; a cubic has two.
 SAMPLES = 16
 STEPS = 30
-# In (u, v): at rest. Newton's error is squared by each step, so only rounding is left.
+# The last step in (u, v): Newton's error is squared by each step, so that only rounding is left.
 REST = 1e-12
-# In (u, v): so far outside its patch a stationary point may be by rounding.
+# How far outside its patch, in (u, v), rounding may put a stationary point.
 OUTSIDE = 1e-9
-# Of the height's largest derivatives: slopes that small have no sign.
+# Part of the height's largest derivatives: the sign of slopes that small is rounding.
 LEVEL = 1e-9
-# Of the atlas's size: saddles this close together are one.
+# Part of the atlas's size: saddles this close together are one.
 SAME = 1e-7
 
 
 def saddles_between(atlas: Atlas, low: float, high: float, near: Array) -> list[AtlasPoint]:
-    """Saddles of the height between two heights, the nearest to a position first.
+    """Return the saddles of the height between two heights, the nearest to a position first.
 
     Parameters
     ----------
     atlas : Atlas
     low, high : float
-        Along the atlas's way up.
+        Heights along the atlas's way up.
     near : ndarray, shape (3,)
 
     Returns
     -------
     list of AtlasPoint
-        Each once. Inside patches, or on seams; corners of patches between the two heights if there
-        is neither.
+        Each saddle once. They lie inside patches or on seams; without any, corners of patches
+        between the two heights are returned.
     """
     up = atlas.axes.up_vector
     heights = project(atlas.control_points) @ up
@@ -63,7 +63,7 @@ def saddles_between(atlas: Atlas, low: float, high: float, near: Array) -> list[
 
 
 def _in_patches(atlas: Atlas, patches: Ints) -> Iterator[AtlasPoint]:
-    """Where a patch's height has no gradient and an indefinite Hessian."""
+    """Yield the points in patches where the height has no gradient and an indefinite Hessian."""
     side = (np.arange(STARTS) + 0.5) / STARTS
     grid = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
     row = np.repeat(patches, len(grid))
@@ -73,7 +73,7 @@ def _in_patches(atlas: Atlas, patches: Ints) -> Iterator[AtlasPoint]:
         determinant = bend[:, 0, 0] * bend[:, 1, 1] - bend[:, 0, 1] ** 2
         bend[determinant == 0.0] = np.eye(2)
         step = np.linalg.solve(bend, slope[..., None])[..., 0]
-        # No further than a patch's width, so that none is lost for good.
+        # Steps are no longer than a patch's width, so that no search is lost for good.
         step *= np.minimum(1.0, 0.5 / np.maximum(np.abs(step).max(axis=1), 1e-300))[:, None]
         place = np.clip(place - step, -1.0, 2.0)
     slope, bend = _slopes(atlas, row, place)
@@ -86,14 +86,14 @@ def _in_patches(atlas: Atlas, patches: Ints) -> Iterator[AtlasPoint]:
 
 
 def _slopes(atlas: Atlas, patch: Ints, place: Array) -> tuple[Array, Array]:
-    """Gradients (k, 2) and Hessians (k, 2, 2) of the height by (u, v)."""
+    """Return the gradients (k, 2) and the Hessians (k, 2, 2) of the height by (u, v)."""
     s = derivatives(atlas.control_points[patch], place, order=2) @ atlas.axes.up_vector
     bend = np.stack([s[:, 2, 0], s[:, 1, 1], s[:, 1, 1], s[:, 0, 2]], axis=1).reshape(-1, 2, 2)
     return np.stack([s[:, 1, 0], s[:, 0, 1]], axis=1), bend
 
 
 def _on_seams(atlas: Atlas, patches: Ints) -> Iterator[AtlasPoint]:
-    """Where the height is least along a seam and falls to both sides, or the other way round."""
+    """Yield points where the height is least along a seam and falls to both sides, or reversed."""
     neighbors = Neighbors(atlas)
     for (patch, side), crossings in neighbors.over.items():
         if patch not in patches or len(crossings) != 1:
@@ -120,7 +120,7 @@ def _on_seams(atlas: Atlas, patches: Ints) -> Iterator[AtlasPoint]:
 
 
 def _level_places(atlas: Atlas, patch: int, side: int) -> Array:
-    """Where the height has no slope along a side of a patch, as parameters inside (0, 1)."""
+    """Return the parameters in (0, 1) at which the height has no slope along a side of a patch."""
     axis = EDGES[side].fixed_axis
 
     def slope(along: Array) -> Array:

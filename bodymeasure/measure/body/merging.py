@@ -7,12 +7,13 @@ from bodymeasure.section import PlaneSection, SectionLoop
 ARM = ("upper arm", "elbow", "forearm", "wrist", "hand")
 TRUNK = ("torso", "hip", "crotch")
 SIDES = ("left", "right")
-# Of the arm's own loop: what the trunk's loop may have of the arm's patches. Just below the armpits
-# of the sample bodies it has up to 0.31; one that goes round the arm, about as much as that loop.
+# How much of the arm's patches the trunk's loop may cross, as a part of the arm's own loop. Just
+# below the armpits of the sample bodies it is up to 0.31; a loop that goes round the arm, too, has
+# about as much as the arm's.
 TOUCHED = 0.4
 
 UNJUDGED = (
-    "whether the loop goes round more than one part of the body was not judged, since the atlas "
+    "whether the loop goes round more than one part of the body was not checked, since the atlas "
     "names no regions"
 )
 
@@ -20,7 +21,7 @@ UNJUDGED = (
 def refuse_merged(section: PlaneSection, loop: SectionLoop, *, limb: bool) -> None:
     """Refuse a loop that goes round the trunk and an arm, or, for a limb, round both sides.
 
-    Judged by the names of the patches' regions; an atlas without regions cannot be judged, and its
+    The names of the patches' regions decide; an atlas without regions cannot be checked, and its
     girths say so (`Girth.remark`).
 
     Parameters
@@ -34,13 +35,13 @@ def refuse_merged(section: PlaneSection, loop: SectionLoop, *, limb: bool) -> No
     Raises
     ------
     InputError
-        Naming the regions and the remedy.
+        The message names the regions and the remedy.
 
     Notes
     -----
     Just below the armpit a loop of the trunk may cross patches that belong to the arm, but only a
     little beside the arm's own loop. A tilted plane may cut the arm a second time, farther down:
-    that there is another loop of it does not tell.
+    that it has another loop proves nothing.
     """
     reason = merged(section, loop, limb=limb)
     if reason is not None:
@@ -48,7 +49,7 @@ def refuse_merged(section: PlaneSection, loop: SectionLoop, *, limb: bool) -> No
 
 
 def merged(section: PlaneSection, loop: SectionLoop, *, limb: bool) -> str | None:
-    """Why `refuse_merged` refuses a loop, with the remedy; None if it does not."""
+    """Say why `refuse_merged` refuses a loop, with the remedy; None if it does not."""
     for side in SIDES:
         arm, trunk = _length(loop, ARM, side), _length(loop, TRUNK)
         if arm == 0.0 or trunk == 0.0 or (limb and arm > trunk):

@@ -8,7 +8,7 @@ from bodymeasure.section import Curve, extent
 
 
 def height(atlas: Atlas, at: Location, *, floor: float = 0.0) -> float:
-    """Height of a place above the floor, along the atlas's way up, in the atlas's unit.
+    """Return the height of a place above the floor, along the atlas's way up, in its unit.
 
     Parameters
     ----------
@@ -22,15 +22,15 @@ def height(atlas: Atlas, at: Location, *, floor: float = 0.0) -> float:
 
 
 def chord(atlas: Atlas, start: Location, end: Location) -> float:
-    """Straight distance between two places, in the atlas's unit."""
+    """Return the straight distance between two places, in the atlas's unit."""
     return float(np.linalg.norm(position_of(atlas, end) - position_of(atlas, start)))
 
 
 def breadth(atlas: Atlas, loop: Curve) -> float:
-    """How wide a loop is from the wearer's left to right, in the loop's unit."""
+    """Return the width of a loop from the wearer's left to right, in the loop's unit."""
     return extent(loop, atlas.axes.left_vector)
 
 
 def depth(atlas: Atlas, loop: Curve) -> float:
-    """How deep a loop is from front to back, in the loop's unit."""
+    """Return the depth of a loop from front to back, in the loop's unit."""
     return extent(loop, atlas.axes.front_vector)

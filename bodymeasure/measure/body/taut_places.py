@@ -1,4 +1,4 @@
-"""Where the places of a closed curve come to lie on the taut tape round it."""
+"""The places of a closed curve on the taut tape around it."""
 
 from dataclasses import dataclass
 
@@ -10,18 +10,18 @@ from bodymeasure.section import Curve, DrawnTape, Hull
 
 @dataclass(frozen=True, eq=False)
 class TautPlaces:
-    """A taut tape round a closed curve, by the places of the curve.
+    """A taut tape around a closed curve, addressed by the places of the curve.
 
-    A place on the tape is itself; one in a hollow goes square across to the straight part that
-    spans it, or to that part's end.
+    A place on the tape stays where it is; one in a hollow goes perpendicularly to the straight part
+    that spans it, or to that part's end.
 
     Parameters
     ----------
     curve : Curve
     hull : Hull
-        Of the curve.
+        Length of the curve.
     start, width : ndarray, shape (k,)
-        Of each span along the curve, from the first one's start on.
+        Start and width of each span along the curve, counted from the start of the first.
     origin : float
         Length along the curve at which the first span starts.
     """
@@ -34,30 +34,30 @@ class TautPlaces:
 
     @classmethod
     def on(cls, curve: Curve, hull: Hull) -> "TautPlaces":
-        """Of a curve and its hull."""
+        """The places of a curve and its hull."""
         ends = curve.arc_length_at(hull.spans.ravel()).reshape(-1, 2)
         origin = float(ends[0, 0]) if len(ends) else 0.0
         start = (ends[:, 0] - origin) % curve.length
         return cls(curve, hull, start, (ends[:, 1] - ends[:, 0]) % curve.length, origin)
 
     def run(self, first: float, last: float) -> float:
-        """Length of the tape from one place forwards to another; with that back, all of it."""
+        """Return the length of the tape from one place forwards to another; twice the same, all."""
         begin, end = (self._along(place) for place in (first, last))
         return end - begin if end >= begin else self.hull.length - (begin - end)
 
     def drawn(self, places: Array) -> DrawnTape:
-        """The tape at places in order; in between them straight, as over hollows.
+        """Return the tape at places in order; it is straight between them, as over hollows.
 
         Parameters
         ----------
         places : ndarray, shape (n,)
-            Those in hollows are left out but for the first and the last.
+            Places in hollows, except the first and the last, are left out.
         """
         spans = np.array([self._span(float(place)) for place in places])
         inner = np.concatenate([[False], spans[1:-1] < 0, [False]])
         kept = [places[inner]]
         rank = np.flatnonzero(inner).astype(np.float64)
-        # The ends of spans that the tape passes, each before and after what is left out there.
+        # The ends of spans that the tape passes come before and after what is left out there.
         for change in np.flatnonzero(np.diff(spans)):
             crossed = [
                 self.hull.spans[span, end]
@@ -84,21 +84,21 @@ class TautPlaces:
         return DrawnTape(foot[None], np.array([-1]), np.full((1, 2), np.nan))
 
     def _span(self, place: float) -> int:
-        """Which span a place lies inside, -1 if none."""
+        """Return the span inside which a place lies, -1 if none."""
         first, last = self.hull.spans.T
         after, before = place > first, place < last
         inside = np.where(first < last, after & before, after | before)
         return int(np.flatnonzero(inside)[0]) if inside.any() else -1
 
     def _across(self, place: float, span: int) -> float:
-        """The fraction of a straight part that a place in its hollow lies across from."""
+        """Return the fraction of a straight part that is opposite to a place in its hollow."""
         one, other = self.hull.bridges[span]
         chord = other - one
         point = self.curve.positions_at(np.array([place]))[0]
         return float(np.clip((point - one) @ chord / (chord @ chord), 0.0, 1.0))
 
     def _along(self, place: float) -> float:
-        """Length along the tape from the first span's start to a place."""
+        """Return the length along the tape from the first span's start to a place."""
         chords = np.linalg.norm(self.hull.bridges[:, 1] - self.hull.bridges[:, 0], axis=1)
         saved, span = self.width - chords, self._span(place)
         if span >= 0:
@@ -107,6 +107,6 @@ class TautPlaces:
             return before + self._across(place, span) * float(chords[span])
         length = float(self.curve.arc_length_at(np.array([place]))[0] - self.origin)
         length %= self.curve.length
-        # One that ends there has been passed, whatever rounding makes of its end.
+        # A span that ends there has been passed, whatever rounding makes of its end.
         passed = self.start + 0.5 * self.width < length
         return length - float(saved[passed].sum())

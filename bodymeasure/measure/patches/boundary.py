@@ -10,12 +10,12 @@ from bodymeasure.bezier import bernstein
 
 # Gauss points on each part of a curve; parts are halved until two results agree.
 POINTS = 16
-# Relative agreement that is asked for: what rounding leaves of a sum of this kind.
+# Relative agreement that is required: the rounding of a sum of this kind.
 AGREEMENT = 1e-14
-# Halvings at most. Only a cusp inside an edge needs more, and its error estimate says so.
+# Halvings at most. Only a cusp inside an edge needs more, which its error estimate shows.
 MAX_HALVINGS = 10
-# At a cusp the error depends on where in its part it lies, and jumps from one division to the next:
-# what is left may be several times the last change.
+# The error at a cusp depends on where in its part it lies, and jumps from one division to the next:
+# it may be several times the last change.
 CUSP_SAFETY = 10.0
 # Relative rounding error of a sum of some dozens of positive terms.
 ROUNDING = 4e-16
@@ -44,8 +44,9 @@ class BoundaryLengths:
 def boundary_lengths(atlas: Atlas) -> BoundaryLengths:
     """Return the arc lengths of the boundary curves of all patches.
 
-    Gauss-Legendre quadrature of the speed on ever smaller parts of each curve, until two results
-    agree to rounding. The paper's section 6.3 makes the same lengths equal to the physical ones.
+    The speed is integrated by Gauss and Legendre's rule on ever smaller parts of each curve, until
+    two results agree to rounding. The paper's section 6.3 makes the same lengths equal to the
+    physical ones.
 
     Returns
     -------
@@ -65,12 +66,12 @@ def boundary_lengths(atlas: Atlas) -> BoundaryLengths:
 
 
 def curve_lengths(control_points: Array) -> tuple[Array, Array]:
-    """Arc lengths of Bezier curves, and estimates of their errors.
+    """Return the arc lengths of Bezier curves, and estimates of their errors.
 
     Parameters
     ----------
     control_points : ndarray, shape (curves, degree + 1, 3)
-        With a last axis of 4, those of rational curves.
+        Those of rational curves have a last axis of 4.
 
     Returns
     -------
@@ -80,8 +81,8 @@ def curve_lengths(control_points: Array) -> tuple[Array, Array]:
     error = np.full_like(length, np.inf)
     rest = np.arange(len(control_points))
     for halvings in range(1, MAX_HALVINGS + 1):
-        # Odd, so that two divisions share no inner end: next to a shared one, both would agree on
-        # passing over a cusp.
+        # The number is odd, so that two divisions share no inner end: next to a shared one, both
+        # would miss a cusp alike.
         finer = _composite(control_points[rest], parts=2**halvings + 1)
         error[rest] = np.abs(finer - length[rest]) + ROUNDING * finer
         length[rest] = finer

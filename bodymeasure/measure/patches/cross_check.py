@@ -1,4 +1,4 @@
-"""Lengths held against libigl's on meshes of the patches."""
+"""Lengths compared with libigl's distances on meshes of the patches."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -14,23 +14,23 @@ from bodymeasure.geodesic import GeodesicSolution, Status
 from bodymeasure.oracle import LEVELS, mesh_distances
 
 # The mesh distance's own uncertainty covers its error for 99.4 to 99.9 % of pairs of points
-# (tests/benchmarks/patches/oracle_levels.py): of a body's 752 diagonals, some would be called wrong
-# by chance. So a difference counts from three times that, and never below a millionth, which is as
-# far as meshes of this size can tell.
-DOUBT = 3.0
+# (tests/benchmarks/patches/oracle_levels.py), so that some of a body's 752 diagonals would be
+# called wrong by chance. A difference counts from three times that, and never below a millionth,
+# which is as far as meshes of this size can show.
+SAFETY = 3.0
 RESOLUTION = 1e-6
 
 
 class Verdict(Enum):
     """How a length compares with the mesh's; each value is a sentence for the user."""
 
-    AGREES = "The length and the mesh distance agree, as far as the meshes can tell."
+    AGREES = "The length and the mesh distance agree, as far as the meshes can show."
     LONGER = (
-        "The mesh knows a path that is shorter by more than the meshes' doubt: the geodesic is "
+        "The mesh has a path that is shorter by more than the meshes' uncertainty: the geodesic is "
         "probably not the shortest on its patch."
     )
     SHORTER = (
-        "The length is below the mesh distance by more than the meshes' doubt, which cannot be: "
+        "The length is below the mesh distance by more than the uncertainty, which cannot be: "
         "one of the two is wrong, and the length should not be used."
     )
     NOT_COMPARED = (
@@ -113,17 +113,18 @@ def cross_check(
         progress=progress,
     )
     difference = solution.length - mesh.exact
-    doubt = np.maximum(DOUBT * mesh.exact_uncertainty, RESOLUTION * mesh.exact)
+    uncertainty = np.maximum(SAFETY * mesh.exact_uncertainty, RESOLUTION * mesh.exact)
     # Along an edge of the patch the meshes converge more slowly than the extrapolation assumes: all
-    # that it adds to the finest mesh's distance is in doubt there.
+    # that it adds to the finest mesh's distance is uncertain there.
     added = np.abs(mesh.exact - mesh.by_level[..., -1])
-    doubt = np.where(_along_an_edge(solution), np.maximum(doubt, added), doubt)
-    allowed = doubt + solution.error_estimate
+    along = _along_an_edge(solution)
+    uncertainty = np.where(along, np.maximum(uncertainty, added), uncertainty)
+    allowed = uncertainty + solution.error_estimate
     verdict = np.full(solution.shape, Verdict.AGREES, dtype=object)
     verdict[difference > allowed] = Verdict.LONGER
     verdict[difference < -allowed] = Verdict.SHORTER
     verdict[~np.isfinite(difference)] = Verdict.NOT_COMPARED
-    # Of two points at the same place, the distance is 0: their difference is given as it is.
+    # Two points at the same place have the distance 0: their difference is given as it is.
     with np.errstate(divide="ignore", invalid="ignore"):
         relative = np.where(mesh.exact > 0.0, difference / mesh.exact, difference)
     return CrossCheck(
@@ -139,7 +140,7 @@ def cross_check(
 
 
 def _along_an_edge(solution: GeodesicSolution) -> Bools:
-    """Which paths run along an edge of their patch, or may do so because both ends lie on it."""
+    """Whether paths run along an edge of their patch, or may, since both ends lie on it."""
     start, end = solution.start, solution.end
     common = (start == end) & ((start == 0.0) | (start == 1.0))
     return np.asarray(common.any(axis=-1) | (solution.status == Status.ON_BOUNDARY))

@@ -35,7 +35,7 @@ def diagonals(
     Returns
     -------
     GeodesicSolution
-        Of shape (patches, 2): ``[:, 0]`` runs from (0, 0) to (1, 1), ``[:, 1]`` from (1, 0) to
+        Its shape is (patches, 2): ``[:, 0]`` runs from (0, 0) to (1, 1), ``[:, 1]`` from (1, 0) to
         (0, 1). Lengths are in the atlas's unit.
 
     Raises

@@ -1,4 +1,4 @@
-"""A mannequin measured: everything that a report, a picture or a viewer shows."""
+"""The survey of an atlas: everything that a report, a picture or a viewer shows."""
 
 import importlib.metadata
 import platform
@@ -23,7 +23,7 @@ PACKAGES = ("bodymeasure", "numpy", "scipy", "libigl", "pyvista", "vtk", "matplo
 
 @dataclass(frozen=True, eq=False)
 class Survey:
-    """All that is measured on an atlas. Reports, scenes and viewers compute no geometry again.
+    """All that is measured on an atlas, so that reports, scenes and viewers compute no geometry.
 
     Parameters
     ----------
@@ -35,9 +35,9 @@ class Survey:
     findings : tuple of Finding
         What `check_atlas` noticed.
     settings, versions : mapping of str to str
-        How it was computed, in words, and with what.
+        How it was computed, in words, and the versions of the packages in use.
     seconds : mapping of str to float
-        What each step took.
+        How long each step took.
     """
 
     atlas: Atlas
@@ -132,7 +132,7 @@ def _timed(seconds: dict[str, float], step: str) -> Iterator[None]:
 
 
 def package_versions(packages: Sequence[str]) -> dict[str, str]:
-    """Versions of Python and of those packages that are installed."""
+    """Return the versions of Python and of the packages that are installed."""
     versions = {"Python": platform.python_version()}
     for package in packages:
         try:
