@@ -70,7 +70,7 @@ ORDERS = {
 MOST_FILES = 15
 LEVEL = {layer: level for level, layers in enumerate(LAYERS) for layer in layers}
 
-# Who may import what is heavy, optional or talks to the user.
+# Packages that are heavy, optional or talk to the user, with the layers that may import them.
 RESERVED = {
     "igl": {"oracle"},
     "OCP": {"formats"},

@@ -142,7 +142,7 @@ def test_a_folder_that_cannot_be_made_is_reported(tmp_path: Path) -> None:
 
 
 def fail_in(folder: Path, fault: type[BaseException], leave: str = "") -> None:
-    """Have work fail for which a folder was made, with something left in it or not."""
+    """Fail during work for which a folder was made, and leave a file in it or not."""
     with output_folder(folder):
         assert folder.is_dir()
         if leave:

@@ -1,4 +1,4 @@
-"""The reference that lengths are held against, itself held against closed forms and solve_bvp."""
+"""The reference for lengths, compared itself with closed forms and its own limits."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ def test_it_finds_the_lengths_that_are_known(surface: Surface) -> None:
 
 
 def test_it_gives_no_length_that_it_does_not_know() -> None:
-    # A fold along u = const: no smooth path crosses it.
+    # The surface has a fold along u = const, which no smooth path crosses.
     u, v = np.meshgrid([0.0, 2.0, -1.0, 1.0], np.linspace(0.0, 1.0, 4), indexing="ij")
     folded = np.stack([u, v, np.zeros_like(u)], axis=-1)
     assert np.isnan(reference_lengths(folded[None], (0.0, 0.0), (1.0, 1.0)))

@@ -1,4 +1,4 @@
-"""The samples that ship with bodymeasure, and the known lengths that tests lean on."""
+"""The samples that come with bodymeasure, and the known lengths on which tests rely."""
 
 import importlib
 import re
@@ -97,7 +97,7 @@ def test_regions_lie_where_they_say(mannequin: Atlas) -> None:
     elbow = mannequin.position(mannequin.landmarks["elbow point left"])[0]
     z = {region: centers[_numbers(mannequin, region), 2] for region in set(mannequin.regions)}
     assert z["neck left"].min() > neck
-    # The waist's ring of seams is not level: its landmarks are some centimetres apart in height.
+    # The waist's ring of seams is not level: its landmarks differ in height by some centimeters.
     for aspect, point in (("front", ""), ("side", " left"), ("back", "")):
         waist = mannequin.position(mannequin.landmarks[f"{aspect} waist point{point}"])[2]
         torso, hip = z[f"torso {aspect} left"], z[f"hip {aspect} left"]
@@ -110,7 +110,7 @@ def test_regions_lie_where_they_say(mannequin: Atlas) -> None:
     assert x["upper arm left"].max() < elbow + 0.03
     assert x["forearm left"].min() > x["upper arm left"].min()
     assert x["forearm left"].mean() > elbow
-    # Front, side and back of each row, from the front (-y) to the back.
+    # The front, side and back of each row follow one another from the front (-y) to the back.
     for part in ("torso", "hip"):
         front, side, back = (
             centers[_numbers(mannequin, f"{part} {aspect} left"), 1].mean()
@@ -127,7 +127,7 @@ def test_rows_run_downwards_and_columns_outwards(mannequin: Atlas) -> None:
             match = re.search(r"(\d+)-(\d+)$", mannequin.patch_names[i])
             if match:
                 place[int(match[1]), int(match[2])] = centers[i]
-        # Round the side the columns turn inwards again; next to the center line they cannot.
+        # Around the side the columns turn inwards again; next to the center line they cannot.
         for (row, column), center in place.items():
             if column == 1:
                 assert center[0] <= min(c[0] for (r, _), c in place.items() if r == row)
@@ -169,7 +169,7 @@ def test_all_mannequins_share_layout_and_names() -> None:
         assert other.digest != first.digest
 
 
-def test_landmarks_lie_within_a_millimetre_of_the_body_and_are_symmetric(mannequin: Atlas) -> None:
+def test_landmarks_lie_within_a_millimeter_of_the_body_and_are_symmetric(mannequin: Atlas) -> None:
     distances = dict(
         re.findall(r"([a-z ]+) ([\d.]+) mm", mannequin.provenance["landmark distances"])
     )
@@ -190,7 +190,7 @@ def test_samples_name_no_path_outside_the_project() -> None:
 
 def test_the_limit_mask_is_where_subdivision_leads() -> None:
     control_mesh = importlib.import_module("bodymeasure.sample_patches.control_mesh")
-    # A box: all vertices have valence 3; after one step, 3 and 4.
+    # All vertices of a box have valence 3; after one step they have 3 and 4.
     corners = np.array([[x, y, z] for x in (0.0, 2.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
     corners[7] += 0.5
     quads = np.array(
@@ -209,7 +209,7 @@ def test_the_limit_mask_is_where_subdivision_leads() -> None:
 
 
 def _catmull_clark(control_mesh: Any, mesh: Any) -> Any:
-    """One step of Catmull-Clark subdivision, vertex points first."""
+    """Do one step of Catmull-Clark subdivision, with vertex points first."""
     vertices, quads = mesh.vertices, mesh.quads
     count = len(vertices)
     faces = vertices[quads].mean(axis=1)

@@ -125,7 +125,7 @@ def test_the_digest_is_of_geometry_and_unit_alone() -> None:
     atlas = Atlas(POINTS, INDEX, Unit.CM)
     assert len(atlas.digest) == 64
     assert atlas.digest == replace(atlas, name="other", patch_names=("x",)).digest
-    # Numbered another way, the same patches.
+    # These are the same patches with another numbering.
     assert atlas.digest == Atlas(POINTS[::-1], 15 - INDEX, Unit.CM).digest
     assert atlas.digest != replace(atlas, unit=Unit.MM).digest
     nudged = POINTS.copy()

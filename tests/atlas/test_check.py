@@ -29,7 +29,7 @@ ARC = 4 / 3 * (np.sqrt(2) - 1)
 
 
 def quarter(start: Array, corner: Array, end: Array) -> Array:
-    """Control points of the usual cubic quarter circle round `start + end - corner`."""
+    """Control points of the usual cubic quarter circle around `start + end - corner`."""
     return np.stack([start, start + ARC * (corner - start), end + ARC * (corner - end), end])
 
 
@@ -42,7 +42,7 @@ def half_cylinder(radius: float = 1.0, height: float = 2.0) -> Array:
 
 
 def lid() -> Array:
-    """A quarter of a dome, its edge u = 0 collapsed to the tip."""
+    """A quarter of a dome, whose edge u = 0 is collapsed to the tip."""
     rim = quarter(np.array([1.0, 0, 0]), np.array([1.0, 1, 0]), np.array([0.0, 1, 0]))
     radius, height = np.array([0.0, ARC, 1.0, 1.0]), np.array([1.0, 1.0, ARC, 0.0])
     return np.asarray(
@@ -70,7 +70,7 @@ def moved(atlas: Atlas, patch: int, i: int, j: int, offset: Array) -> Atlas:
 
 
 def separated(atlas: Atlas, patch: int, offset: float = 0.0) -> Atlas:
-    """The patch with control points of its own, moved up."""
+    """The patch moved up, with control points of its own."""
     own = atlas.control_points[patch].reshape(-1, 3) + np.array([0.0, 0.0, offset])
     index = atlas.index.copy()
     index[patch] = len(atlas.points) + np.arange(16).reshape(4, 4)
@@ -106,7 +106,8 @@ def test_a_smooth_surface_of_many_patches_is_sound(seed: int, scale: float) -> N
     a, b = rng.normal(size=2)
 
     def place(x: Array, y: Array) -> Array:
-        # Quadratics in each variable: control points on a lattice of thirds join with one tangent.
+        # The surface is quadratic in each variable: control points on a lattice of thirds join
+        # smoothly.
         return scale * np.stack([x, y, 0.2 * (a * x + b * y)], axis=-1)
 
     assert check_atlas(grid_atlas(3, 4, place)) == ()
@@ -236,7 +237,7 @@ def test_a_patch_that_runs_back_over_itself_is_folded(
 ) -> None:
     x = np.array([0.0, crest, crest, end])
     net = flat(*np.meshgrid(x, np.arange(4.0) / 3, indexing="ij"))
-    # However slightly it rises, and so never is without a normal.
+    # However slightly the surface rises, it has a normal everywhere.
     net[..., 2] = lift * np.arange(4)[:, None]
     net = net.swapaxes(0, 1) if swap else net
     findings = check_atlas(Atlas.from_control_points(net * 10.0**exponent, "cm"))
@@ -268,7 +269,7 @@ def test_flat_patches_are_folded_exactly_where_their_area_changes_sign(seed: int
     x_u, y_u, _ = np.moveaxis(np.einsum("ai,bj,ijc->abc", slope, basis, net), -1, 0)
     x_v, y_v, _ = np.moveaxis(np.einsum("ai,bj,ijc->abc", basis, slope, net), -1, 0)
     area = x_u * y_v - x_v * y_u
-    # Differences err by 1e-3; patches that close to the verge are left out.
+    # Differences are off by 1e-3; patches this close to the limit are left out.
     assume(area.min() * area.max() < 0 or abs(area).min() > 0.02)
     assume(min(-area.min(), area.max()) > 0.02 or abs(area).min() > 0.02)
     folded = area.min() * area.max() < 0
@@ -408,7 +409,7 @@ def test_a_kinked_seam_is_reported_with_its_angle(angle: float, reverse: bool) -
 
 
 def test_an_edge_met_in_its_middle_is_a_t_junction() -> None:
-    # One patch of side 2 below, two of side 1 above it.
+    # There is one patch of side 2 below, and two of side 1 above it.
     left, right = grid_atlas(2, 1).control_points + np.array([0.0, 1.0, 0.0])
     below = grid_atlas(1, 1).control_points[0] * [2.0, 1.0, 1.0]
     findings = check_atlas(Atlas.from_control_points([below, left, right], "cm"))
@@ -496,7 +497,7 @@ def test_a_factor_of_a_patchs_weights_changes_nothing(
 
 
 def test_weights_of_many_magnitudes_are_joined() -> None:
-    """The same but for rounding, relative to each."""
+    """Check that numbers are the same but for rounding, relative to each."""
     weights = np.broadcast_to([1e-12, 1.0, 3.0, 1e-7], (2, 4, 4)).copy()
     weights[1] *= 0.3 * (1.0 + 2e-16 * np.array([1.0, -1.0, 1.0, 0.0]))
     nets = grid_atlas(2, 1).control_points

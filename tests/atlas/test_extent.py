@@ -23,7 +23,7 @@ def test_closed_forms(atlas: Atlas, size, rng: np.random.Generator) -> None:  # 
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     found = size_along(atlas, along)
     np.testing.assert_allclose(found, size(along), rtol=3e-7)
-    # From corners of parts of the surface, which lie on it.
+    # The values are those at corners of parts of the surface, which lie on it.
     assert (found <= size(along) * (1.0 + 1e-14)).all()
 
 

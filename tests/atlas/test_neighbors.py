@@ -10,7 +10,7 @@ from bodymeasure.bezier import evaluate
 
 @pytest.fixture
 def turned() -> Atlas:
-    """Six patches in a grid, two of them turned round."""
+    """Six patches in a grid, two of which are turned around."""
     atlas = grid_atlas(2, 3, lambda x, y: np.stack([x, y, np.sin(2 * x + y * y)], axis=-1))
     index = atlas.index.copy()
     index[1] = np.rot90(index[1])

@@ -29,7 +29,7 @@ def areas(mesh: Tessellation) -> NDArray[np.float64]:
 
 
 def torus(rows: int, columns: int) -> Atlas:
-    """Patches closed up both ways; the points are those of a torus, only roughly round."""
+    """Patches that close in both directions, like a torus that is only roughly round."""
     i, j = np.meshgrid(np.arange(3 * rows), np.arange(3 * columns), indexing="ij")
     a, b = 2 * np.pi * i / (3 * rows), 2 * np.pi * j / (3 * columns)
     points = np.stack(
@@ -44,7 +44,7 @@ def torus(rows: int, columns: int) -> Atlas:
 
 @pytest.fixture
 def bumpy() -> Atlas:
-    """Six patches in a grid, two of them turned round, so that seams run both ways."""
+    """Six patches in a grid, two of which are turned around, so that seams run both ways."""
     atlas = grid_atlas(2, 3, lambda x, y: np.stack([x, y, np.sin(2 * x + y * y)], axis=-1))
     index = atlas.index.copy()
     index[1] = np.rot90(index[1])
@@ -90,7 +90,7 @@ def test_faces_lie_on_their_patch_and_face_its_way(bumpy: Atlas) -> None:
         faces = mesh.faces[mesh.face_patch == patch]
         grid = np.stack(np.meshgrid(*2 * [np.arange(5) / 4], indexing="ij"), axis=-1).reshape(-1, 2)
         positions = evaluate(net, grid)
-        # Find the corners on this patch: a seam's vertices may be owned by a neighbour.
+        # Find the corners on this patch, since a neighbor may own the vertices of a seam.
         apart = np.linalg.norm(mesh.vertices[faces][..., None, :] - positions, axis=-1)
         assert apart.min(axis=-1).max() < 1e-14
         uv = grid[apart.argmin(axis=-1)]

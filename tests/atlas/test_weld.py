@@ -27,7 +27,7 @@ def kinds(atlas: Atlas) -> set[FindingKind]:
 
 
 def turned(nets: Array, rng: np.random.Generator) -> Array:
-    """Each patch with its parameters swapped or reversed at random."""
+    """The patches with their parameters swapped or reversed at random."""
     result = nets.copy()
     for net in result:
         net[:] = np.rot90(net, int(rng.integers(4)))
@@ -93,7 +93,7 @@ def test_t_junctions_stay_and_are_reported() -> None:
 
 
 def cap(count: int) -> Array:
-    """Sectors of a dome: the edge u = 0 of each is its top."""
+    """Sectors of a dome, whose top is the edge u = 0 of each."""
     angle = 2.0 * np.pi * np.arange(3 * count + 1) / (3 * count)
     # Seams agree to the last bit.
     circle = np.stack([np.cos(angle), np.sin(angle), 0.0 * angle], axis=-1)
@@ -135,7 +135,7 @@ def test_patches_that_touch_at_a_corner_alone_stay_apart() -> None:
 def test_many_copies_of_one_patch_are_one_place() -> None:
     nets = np.repeat(GRID.control_points[:1], 3000, axis=0)
     atlas = welded(nets)
-    # All but the four inner control points.
+    # These are all but the four inner control points.
     assert len(atlas.points) == 12 + 4 * 3000
 
 
@@ -150,7 +150,7 @@ def test_edges_with_other_weights_stay_apart(nudge: float, rng: np.random.Genera
     nets[1] += nudge
     lattice = rng.uniform(0.5, 2.0, (4, 10))
     weights = np.stack([lattice[:, 3 * k : 3 * k + 4] for k in range(3)])
-    # Turned as the nets are: found by their places.
+    # The weights are turned as the nets are, and found by their positions.
     for net, own in zip(nets, weights, strict=True):
         at = np.round(3.0 * net[..., :2]).astype(np.int64)
         own[:] = lattice[at[..., 0], at[..., 1]]
@@ -159,7 +159,7 @@ def test_edges_with_other_weights_stay_apart(nudge: float, rng: np.random.Genera
     points, index = weld(nets, weights=weights)
     assert len(points) == 40
     Atlas(points, index, Unit.CM, weights=weights)
-    # Another weight on the seam between the last two.
+    # There is another weight on the seam between the last two.
     weights[2][np.isclose(nets[2, ..., :2], [2 / 3, 2.0]).all(axis=-1)] *= 1.1
     points, index = weld(nets, weights=weights)
     assert len(points) == 28 + 16

@@ -45,14 +45,14 @@ def ends(draw: st.DrawFn) -> Ends:
     start = draw(corners | parameters)
     if draw(st.booleans()):
         return start, draw(corners | parameters)
-    # Close by.
+    # The end is close to the start.
     step = 10.0 ** -draw(st.integers(1, 12))
     u, v = (min(1.0, x + step) for x in start)
     return start, (u, v)
 
 
 def solved(net: Array, points: Ends) -> GeodesicSolution | None:
-    """None if the patch is collapsed, and refused for it."""
+    """The solution, or None if the patch is refused because it is collapsed."""
     if np.ptp(net, axis=(0, 1)).max() == 0.0:
         with pytest.raises(InputError, match="degenerate"):
             solve_geodesic(net, *points)
@@ -65,15 +65,15 @@ def solved(net: Array, points: Ends) -> GeodesicSolution | None:
 
 
 def doubt(net: Array, solution: GeodesicSolution) -> float:
-    """How far a length may be off: the estimate, with room, and rounding of the coordinates.
+    """The allowed error of a length: several times its estimate, and the coordinates' rounding.
 
-    The estimate is one of leading order: where it misses at all, it does so by small factors.
+    The estimate is of leading order: where it is too small, it is so by a small factor.
     """
     return float(10.0 * solution.error_estimate + 1e-14 * np.abs(net).max())
 
 
 def assert_length_fits(net: Array, points: Ends, solution: GeodesicSolution) -> None:
-    """No less than the chord, and no less than a polygon in the path."""
+    """Check that a length is no less than the chord, nor than a polygon inscribed in the path."""
     first, last = evaluate(net, np.array(points))
     assert solution.length >= np.linalg.norm(last - first) - doubt(net, solution)
     polygon = evaluate(net, solution.path(np.linspace(0.0, 1.0, 17)))
@@ -108,7 +108,7 @@ def test_no_patch_breaks_the_default_settings(
     assert path.min() >= -1e-9
     assert path.max() <= 1.0 + 1e-9
     assert_length_fits(net, points, solution)
-    # The correction makes it shorter by a small part at most.
+    # The correction makes the length shorter by a small part at most.
     excess = abs(solution.raw_length - solution.length)
     assert excess <= 1.1e-4 * solution.raw_length
 
@@ -134,7 +134,7 @@ def test_lengths_on_adversarial_patches_are_those_of_another_solver(
 
 
 def straight_length(net: Array, points: Ends, pieces: int) -> float:
-    """Length on the patch of the straight line in (u, v)."""
+    """The length on the patch of the straight line in (u, v)."""
     nodes, weights = np.polynomial.legendre.leggauss(8)
     times = (np.arange(pieces)[:, None] + (nodes + 1.0) / 2.0).ravel() / pieces
     start, end = np.array(points)
@@ -161,7 +161,7 @@ def test_no_patch_breaks_the_search(
     solution = solve_geodesic(net, *points, on_failure="status")
     path = solution.path(np.linspace(0.0, 1.0, 65))
     places, ends_of_path = (evaluate(net, np.array(each)) for each in (points, path[[0, -1]]))
-    # On a collapsed edge other parameters are the same place.
+    # On a collapsed edge different parameters give the same point.
     np.testing.assert_allclose(ends_of_path, places, rtol=0.0, atol=1e-14 * np.abs(net).max())
     assert solution.converged == Status(solution.status).has_length == np.isfinite(solution.length)
     assert not alone.converged or solution.converged

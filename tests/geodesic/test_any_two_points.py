@@ -1,4 +1,4 @@
-"""Any two points of any patch: near ones, corners, one place twice, patches of all sizes."""
+"""Any two points of any patch: close ones, corners, coincident ones, on patches of all sizes."""
 
 import itertools
 import math
@@ -18,13 +18,13 @@ from bodymeasure._typing import Array
 from bodymeasure.bezier import derivatives
 from bodymeasure.geodesic import PolynomialCollocation, Ritz, Status, solve_geodesic
 
-# Distances in u and v, down to where few numbers lie between.
+# Distances in u and v, down to those between which there are only a few floating-point numbers.
 DISTANCES = 10.0 ** -np.arange(0.0, 17.0)
 PLACES = np.array([(0.0, 0.0), (0.3, 0.7), (1.0, 1.0), (0.0, 0.6), (1.0, 0.2), (1e-9, 0.5)])
 
 
 def pairs(distance: float, rng: np.random.Generator) -> tuple[Array, Array]:
-    """Points, and others at a distance in random directions, in the patch."""
+    """Random points of the patch, and others at a distance in random directions."""
     start = np.repeat(PLACES, 4, axis=0)
     way = rng.normal(size=start.shape)
     end = np.clip(start + distance * way / np.abs(way).max(axis=1, keepdims=True), 0.0, 1.0)
@@ -33,7 +33,7 @@ def pairs(distance: float, rng: np.random.Generator) -> tuple[Array, Array]:
 
 
 def unrolled(start: Array, end: Array) -> Array:
-    """Lengths on `PH_CYLINDER`, every difference of parameters taken at once."""
+    """Lengths on `PH_CYLINDER` from differences of parameters, without cancellation."""
     (u, _), (w, _) = start.T, end.T
     du, dv = (end - start).T
     return np.asarray(np.hypot(du * (3.0 + u * u + u * w + w * w), 3.0 * dv))
@@ -55,7 +55,7 @@ def test_near_points_of_a_cylinder(distance: float, rng: np.random.Generator) ->
 def test_points_next_to_a_corner_that_hardly_differ(distance: float) -> None:
     start, end = np.zeros(2), np.array([distance, distance / 2])
     solution = solve_geodesic(PH_CYLINDER, start, end)
-    # The smallest number is this much from the next.
+    # This is the smallest distance between two floating-point numbers.
     assert solution.length == pytest.approx(3.0 * np.hypot(*end), rel=1e-14, abs=5e-324)
     assert solution.error_estimate <= 1e-12 * solution.length + 5e-323
 
@@ -64,7 +64,7 @@ def test_points_next_to_a_corner_that_hardly_differ(distance: float) -> None:
 def test_near_points_of_a_sphere(distance: float, rng: np.random.Generator) -> None:
     sphere = Torus(0.0, 2.5, span_u=1.0, span_v=1.0, begin_v=-0.5)
     start, end = pairs(distance, rng)
-    # Longitude and latitude; the haversine formula.
+    # This is the haversine formula in longitude and latitude.
     middle = 0.5 * (start + end)[:, 1] - 0.5
     longitude, latitude = np.abs(end - start).T
     low, high = middle - latitude / 2.0, middle + latitude / 2.0
@@ -95,7 +95,7 @@ def crowded(gap: float) -> Array:
 
 
 def chord(net: Array, start: Array, end: Array) -> float:
-    """The straight distance between two points of a patch, of the numbers as they are."""
+    """The straight distance between two points of a patch, in exact arithmetic."""
 
     def position(point: Array, axis: int) -> Fraction:
         u, v = (Fraction(float(x)) for x in point)
@@ -121,10 +121,10 @@ def chord(net: Array, start: Array, end: Array) -> float:
 @pytest.mark.parametrize("place", [0.0, 5e3])
 def test_where_control_points_crowd(gap: float, place: float) -> None:
     net = crowded(gap)
-    # So that adding the place rounds nothing.
+    # Control points are rounded, so that moving them by `place` rounds nothing more.
     net = np.round(net * 2.0**60) / 2.0**60 if place == 0.0 else net
     net[..., 1] += place
-    # Further from the edge, u grows as the cube root of the way, and is no polynomial.
+    # Farther from the edge, u grows as the cube root of the distance, and is no polynomial.
     start, near = np.array([0.0, 0.5]), math.sqrt(gap)
     ways = [(1e-9, 0.0), (1e-3, 0.0), (0.1, 0.0), (1e-3, 1e-3), (0.1, 0.01), (1e-6, 0.1)]
     for end in start + near * np.array(ways):
@@ -132,7 +132,7 @@ def test_where_control_points_crowd(gap: float, place: float) -> None:
         exact = chord(net, start, end)
         assert abs(solution.length - exact) <= solution.error_estimate
         assert solution.error_estimate <= 1e-10 * exact
-    # Away from the edge.
+    # These points are away from the edge.
     start, end = np.array([0.3, 0.1]), np.array([0.9, 0.8])
     solution = solve_geodesic(net, start, end)
     assert solution.length == pytest.approx(chord(net, start, end), rel=1e-12)
@@ -159,7 +159,7 @@ def test_patches_of_all_sizes(size: float, distance: float) -> None:
 
 @pytest.mark.parametrize("place", [1e3, 1e6, 1e9])
 def test_far_from_the_origin(place: float) -> None:
-    # Control points that can be moved so far without being rounded.
+    # These control points can be moved so far without being rounded.
     nets = np.round(NETS * 2.0**20) / 2.0**20
     solution = solve_geodesic(nets, STARTS, ENDS)
     away = solve_geodesic(nets + place, STARTS, ENDS)
@@ -185,7 +185,7 @@ def test_long_patches(aspect: float) -> None:
 
 
 def length_as_graph(net: Array, start: Array, end: Array) -> float:
-    """Of the geodesic as v(u), which `solve_bvp` finds with Christoffel symbols."""
+    """The length of the geodesic v(u) that `solve_bvp` finds with Christoffel symbols."""
 
     def jets(u: Array, v: Array) -> Array:
         return np.moveaxis(derivatives(net, np.stack([u, v], axis=-1), order=2), 0, -1)
@@ -232,7 +232,7 @@ def test_all_pairs_of_corners_edges_and_inner_points() -> None:
     there = solution.length.reshape(9, 9)
     np.testing.assert_array_equal(np.diag(there), 0.0)
     np.testing.assert_allclose(there, there.T, rtol=1e-12)
-    # The shortest way is no longer than over a third point.
+    # The triangle inequality holds.
     assert (there[:, :, None] <= (there[:, None] + there.T[None]) * (1 + 1e-12)).all()
     apart = np.flatnonzero((start != end).any(axis=1) & (solution.status == Status.CONVERGED))
     assert len(apart) > 50
@@ -250,7 +250,7 @@ def test_a_point_twice(point: tuple[float, float]) -> None:
 
 
 def triangle(edge: int) -> Array:
-    """A patch one edge of which is a point: u = 0, u = 1, v = 0 or v = 1."""
+    """A patch with one edge (u = 0, u = 1, v = 0 or v = 1) that is collapsed to a point."""
     net = ENNEPER + 3.0
     axis, last = divmod(edge, 2)
     net = np.moveaxis(net, axis, 0).copy()
@@ -267,7 +267,7 @@ def test_two_points_of_one_collapsed_edge_are_one_place(edge: int) -> None:
     assert solution.error_estimate < 1e-14
     assert solution.index == 0
     np.testing.assert_array_equal(solution.path([0.0, 1.0]), [start, end])
-    # Elsewhere the same way has a length.
+    # Elsewhere on the patch a path of the same kind has a length.
     start[axis] = end[axis] = 0.5
     assert solve_geodesic(triangle(edge), start, end).length > 0.1
 

@@ -1,4 +1,4 @@
-"""Mistakes in what is given: each message names it, what was expected and what to do."""
+"""Wrong arguments: each message names the argument, what was expected and the remedy."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""What must not change a length, and what must change it in a known way."""
+"""Changes that must not affect a length, and changes that must affect it in a known way."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ def known() -> GeodesicSolution:
 
 
 def agrees(solution: GeodesicSolution, known: GeodesicSolution, scale: float = 1.0) -> None:
-    """To rounding, and to what the two estimates say."""
+    """Check that lengths agree to rounding and to their two estimates."""
     np.testing.assert_allclose(solution.length / scale, known.length, rtol=2e-14)
     assert solution.converged.all()
 
@@ -51,8 +51,8 @@ def test_scale(known: GeodesicSolution, scale: float) -> None:
     solution = solve_geodesic(NETS * scale, STARTS, ENDS)
     agrees(solution, known, scale)
     np.testing.assert_allclose(solution.raw_length / scale, known.raw_length, rtol=1e-13)
-    # Estimates are rough, but have the unit of the length; parts that are rounding errors have that
-    # of the patch's size, which is only known to a factor of 2.
+    # Estimates are rough, but scale with the length; their parts due to rounding scale with the
+    # patch's size, which is only known to a factor of 2.
     np.testing.assert_allclose(solution.error_estimate / scale, known.error_estimate, rtol=0.5)
     np.testing.assert_allclose(solution.residual, known.residual, rtol=1e-3, atol=1e-12)
 
@@ -85,11 +85,11 @@ def test_a_part_of_a_patch(known: GeodesicSolution) -> None:
 
 
 def test_pieces_of_a_geodesic_add_up(known: GeodesicSolution) -> None:
-    # Between points on a geodesic runs the same geodesic: the length of the whole is the sum.
+    # The geodesic between points on a geodesic is a part of it, so that the lengths add up.
     middle = np.clip(known.path(0.37), 0.0, 1.0)
     first = solve_geodesic(NETS, STARTS, middle)
     second = solve_geodesic(NETS, middle, ENDS)
-    # A path found to 1e-6 or so: a point beside the geodesic makes a detour of its square.
+    # A path is found to some 1e-6; a point beside the geodesic makes a detour of its square.
     np.testing.assert_allclose(first.length + second.length, known.length, rtol=1e-8)
     np.testing.assert_allclose(first.length, 0.37 * known.length, rtol=1e-3)
 
@@ -130,7 +130,7 @@ def test_a_batch_is_its_problems_one_by_one(known: GeodesicSolution) -> None:
 
 
 def test_more_problems_than_are_solved_at_once(known: GeodesicSolution) -> None:
-    # On three numbers of functions, so that each problem moves through several batches.
+    # With three numbers of functions each problem moves through several batches.
     count = 1203
     which = np.arange(count) % len(NETS)
     method = RBFCollocation(functions=(5, 8, 12))
@@ -141,7 +141,7 @@ def test_more_problems_than_are_solved_at_once(known: GeodesicSolution) -> None:
     np.testing.assert_array_equal(many.functions, few.functions[which])
     np.testing.assert_allclose(many.path(T), few.path(T)[which], atol=1e-13)
     np.testing.assert_allclose(many.length, known.length[which], rtol=1e-10)
-    # Every problem is on exactly one batch.
+    # Every problem is in exactly one batch.
     listed = np.concatenate([batch.problems for batch in many.batches])
     np.testing.assert_array_equal(np.sort(listed), np.arange(count))
 
@@ -172,7 +172,7 @@ def test_shapes_broadcast() -> None:
         one = solve_geodesic(nets[i], starts[j], ends[k])
         assert solution.length[i, j, k] == pytest.approx(one.length, rel=1e-14)
     np.testing.assert_allclose(solution.length[3], 2.0 * solution.length[2], rtol=1e-14)
-    # One patch, many points, as lists.
+    # One patch with many points, given as lists.
     assert solve_geodesic(PLANE.tolist(), [0, 0], [[1, 1], [1, 0]]).shape == (2,)
 
 

@@ -1,4 +1,4 @@
-"""Control points of another array library, at the one entry."""
+"""Control points from another array library, at the only function that takes them."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ torch = pytest.importorskip("torch")
 
 @pytest.fixture
 def nets(rng: np.random.Generator) -> NDArray[np.float64]:
-    # Wild ones too: these go on to the search, which is numpy's.
+    # Some patches are wild, too: these go on to the search, which works with numpy's arrays.
     mild = reference.mild_patches(rng, 12, 0.3)
     return np.concatenate([7.0 * mild, reference.wild_patches(rng, 4, 1.0)])
 

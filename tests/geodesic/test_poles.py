@@ -9,7 +9,7 @@ from bodymeasure.bezier import evaluate
 from bodymeasure.oracle import mesh_distances
 
 PARAMETERS = [((0.0, 0.9), (1.0, 0.3)), ((0.0, 0.0), (1.0, 0.5)), ((0.0, 0.5), (0.7, 0.2))]
-# Corners of a triangle in the plane; the first is the pole.
+# The corners of a triangle in the plane, the first of which is the pole.
 TRIANGLE = np.array([(0.2, -0.1), (1.1, 0.1), (0.4, 0.9)])
 
 
@@ -20,7 +20,7 @@ def biquadratic(points: Array) -> Array:
 
 
 def over_triangle(bend: float) -> Array:
-    """Control points of z = bend (x^2 + y^2) over the triangle, the edge u = 0 collapsed."""
+    """Control points of z = bend (x^2 + y^2) over the triangle, with the edge u = 0 collapsed."""
     u, v = np.meshgrid(*2 * [np.array([0.0, 0.5, 1.0])], indexing="ij")
     pole, left, right = TRIANGLE
     xy = pole + u[..., None] * (
@@ -31,7 +31,7 @@ def over_triangle(bend: float) -> Array:
 
 
 def over_square(bend: float) -> Array:
-    """The same surface over the square from -1 to 2, by x and y themselves."""
+    """The same surface over the square from -1 to 2, with x and y as its parameters."""
     x, y = np.meshgrid(*2 * [np.array([-1.0, 0.5, 2.0])], indexing="ij")
     return biquadratic(np.stack([x, y, bend * (x * x + y * y)], axis=-1))
 
@@ -56,7 +56,7 @@ def test_on_a_flat_triangle_the_way_is_straight(
     for solution in (there, back):
         assert solution.status is bm.Status.CONVERGED
         assert solution.length == pytest.approx(np.linalg.norm(last - first), rel=1e-14)
-    # It leaves the pole along the ray to its end.
+    # The path leaves the pole along the ray to its end.
     assert there.path(0.0) == pytest.approx([0.0, end[1]], abs=1e-9)
 
 
@@ -86,7 +86,7 @@ def test_it_does_not_matter_by_which_parameter_the_pole_is_told() -> None:
 
 
 def test_from_pole_to_pole() -> None:
-    # A lens: both edges u = 0 and u = 1 are points, and the edges v = 0 and 1 are bent.
+    # The patch is a lens: the edges u = 0 and u = 1 are points, and v = 0 and v = 1 are bent.
     u, v = np.meshgrid(*2 * [np.linspace(0.0, 1.0, 4)], indexing="ij")
     net = np.stack([u, 4.0 * u * (1.0 - u) * (v - 0.5), 0.0 * u], axis=-1)
     net[0], net[-1] = net[0, :1], net[-1, :1]
@@ -108,8 +108,8 @@ def bent_triangles(rng: np.random.Generator, count: int) -> Array:
 def test_bent_patches_against_meshes(rng: np.random.Generator) -> None:
     count = 6
     nets = bent_triangles(rng, count)
-    # From the pole to inner points, to the far corner, and to points on an edge, along which the
-    # way lies for some.
+    # The ends are inner points, the far corner, and points on an edge, along which some of the
+    # paths run.
     starts = np.stack([np.zeros((3, count)), rng.random((3, count))], axis=-1)
     ends = np.stack([rng.uniform(0.3, 1.0, (count, 2)), np.ones((count, 2)), np.zeros((count, 2))])
     ends[2, :, 0] = 0.8
@@ -131,7 +131,7 @@ def test_an_edge_that_is_shorter_than_errors_is_a_pole(
     collapsed = bm.solve_geodesic(exact, starts, ends)
     nearly = bm.solve_geodesic(nets, starts, ends)
     assert (np.abs(nearly.length - collapsed.length) <= nearly.error_estimate).all()
-    # From which of its points a path starts is told by the error.
+    # The error covers the choice of the point of the narrow edge from which a path starts.
     assert (nearly.error_estimate >= width).all()
 
 
@@ -143,7 +143,7 @@ def test_a_narrow_edge_is_a_pole_to_who_asks_for_less(
     start, ends = (0.0, 0.3), np.array([[1.0, 1.0], [0.8, 0.4], [0.8, 0.0]])
     collapsed = bm.solve_geodesic(nets, start, ends)
     nets[:, 0, :, 1] += width * np.linspace(-0.5, 0.5, 4)
-    # The way bends within a width of the edge, where hardly any polynomial follows it.
+    # The path bends close to the edge, where hardly any polynomial follows it.
     narrow = bm.solve_geodesic(nets, start, ends, on_failure="status")
     solved = narrow.converged
     assert not solved.all()

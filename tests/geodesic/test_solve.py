@@ -1,4 +1,4 @@
-"""Lengths in closed form, what a solution holds, and the paper's equations at its points."""
+"""Lengths in closed form, the content of a solution, and the paper's equations at its points."""
 
 from typing import Any
 
@@ -58,8 +58,9 @@ def test_ends_of_paths(surface: Surface) -> None:
 @all_surfaces
 @pytest.mark.parametrize("kernel", [WU_C2, WU_C10], ids=lambda kernel: kernel.name)
 def test_the_papers_equations_hold(surface: Surface, kernel: Kernel) -> None:
-    # (7) to (10): the ends; (11) and (12): the geodesic equations (1) and (2), with Christoffel
-    # symbols, at the collocation points; u and v written with the coefficients of (5) and (6).
+    # Equations (7) to (10) are the ends; (11) and (12) the geodesic equations (1) and (2), with
+    # Christoffel symbols, at the collocation points; u and v written with the coefficients of (5)
+    # and (6).
     method = RBFCollocation(kernel, functions=6, tolerance=1e-2, form="full")
     (batch,) = on(surface, method).batches
     nodes = batch.space.nodes
@@ -136,7 +137,7 @@ def test_a_path_has_the_length_that_is_given(rng: np.random.Generator) -> None:
     points = evaluate(HYPERBOLIC_PARABOLOID, solution.path(np.linspace(0.0, 1.0, 2001)))
     steps = np.linalg.norm(np.diff(points, axis=1), axis=-1)
     np.testing.assert_allclose(steps.sum(axis=1), solution.length, rtol=1e-6)
-    # It is run through at constant speed.
+    # Its speed is constant.
     assert (steps.max(axis=1) / steps.min(axis=1) < 1.0 + 1e-4).all()
 
 
@@ -160,12 +161,12 @@ def test_an_empty_batch() -> None:
 @pytest.mark.parametrize("distance", [1e-3, 1e-6, 1e-9, 1e-11])
 @pytest.mark.parametrize("towards", [(1.0, 0.5), (1.0, 0.0), (0.0, -1.0)])
 def test_ends_close_together(distance: float, towards: tuple[float, float]) -> None:
-    # Exact binary fractions, so that the plane's chord is known to all digits.
+    # These are exact binary fractions, so that the plane's chord is known to all digits.
     start = np.array([0.375, 0.4375])
     end = start + 2.0 ** np.round(np.log2(distance)) * np.array(towards)
     solution = solve_geodesic(PLANE, start, end)
     step = end - start
-    # The chord by the middle's derivative: the rest is of third order in the distance.
+    # This is the chord by the derivative at the middle; the rest is of third order in the distance.
     if distance > 1e-4:
         expected = plane_length(tuple(start), tuple(end))
     else:
@@ -184,7 +185,7 @@ def test_ends_on_one_edge_and_lines_of_constant_parameter() -> None:
     s = np.array([1.0 + 1.0 / 3.0, 0.9 + 0.9**3 / 3 - 0.2 - 0.2**3 / 3, 1.0 + 1.0 / 3.0])
     np.testing.assert_allclose(solution.length, s, rtol=1e-13)
     assert np.abs(solution[:2].path(np.linspace(0, 1, 9))[..., 1]).max() < 1e-15
-    # Rulings of the hyperbolic paraboloid are straight: from (0.3, 0) to (0.3, 1).
+    # Rulings of the hyperbolic paraboloid are straight, such as the one from (0.3, 0) to (0.3, 1).
     ruling = solve_geodesic(HYPERBOLIC_PARABOLOID, (0.3, 0.0), (0.3, 1.0))
     assert ruling.length == pytest.approx(np.hypot(1.0, 0.3), rel=1e-14)
 
@@ -209,7 +210,7 @@ INDICES = {
 
 @pytest.fixture(scope="module")
 def batch() -> GeodesicSolution:
-    # On two numbers of functions, and with a problem whose ends coincide.
+    # There are two numbers of functions, and one problem has coincident ends.
     nets = np.stack([ENNEPER, HYPERBOLIC_PARABOLOID, PLANE, PLANE])[:, None]
     nets = nets * np.array([1.0, 1.0, 1.0, 0.5])[:, None, None, None, None]
     starts = np.array([[0.1, 0.2], [0.9, 0.1]])
@@ -239,7 +240,7 @@ def test_indexing_a_solution_indexes_all_it_holds(batch: GeodesicSolution, index
     ):
         np.testing.assert_array_equal(getattr(part, name), getattr(batch, name)[index])
     assert (np.asarray(part.status) == np.asarray(np.asarray(batch.status)[index])).all()
-    # The last axis holds u and v: an index must not reach into it.
+    # The last axis holds u and v, which an index must not reach.
     numbers = np.arange(8).reshape(4, 2)[index]
     for name in ("start", "end"):
         np.testing.assert_array_equal(

@@ -1,4 +1,4 @@
-"""Problems that have no length to trust, and how they say so."""
+"""Problems without a length that can be trusted, and their statuses."""
 
 from typing import Any
 
@@ -19,9 +19,9 @@ from bodymeasure.geodesic import (
     solve_geodesic,
 )
 
-# In the plane z = 0, a moon: y = v + 3u (1 - u) / 2, so that its lower edge bulges into it by 3/8.
+# A patch in the plane z = 0: y = v + 3u (1 - u) / 2, so that its lower edge bulges into it by 3/8.
 MOON = bicubic({(1, 0): 2}, {(0, 1): 1, (1, 0): 1.5, (2, 0): -1.5}, {})  # type: ignore[dict-item]
-# A plane whose x runs forth, back and forth again: x' changes sign twice.
+# A plane whose x runs forwards, backwards and forwards again, so that x' changes sign twice.
 FOLDED = bicubic({(1, 0): 6, (2, 0): -15, (3, 0): 10}, {(0, 1): 1}, {})
 
 
@@ -36,7 +36,7 @@ def status_of(net: Array, start: object, end: object, **settings: Any) -> Geodes
 
 
 def failed(solution: GeodesicSolution, status: Status) -> None:
-    """No number that could be taken for a length comes with a failure."""
+    """Check that no number that could be taken for a length comes with a failure."""
     assert solution.status is status
     assert not solution.converged
     assert np.isnan(solution.length)
@@ -64,7 +64,7 @@ def test_leaving_is_told_from_staying(v: float) -> None:
 
 
 def test_a_geodesic_along_the_edge_stays() -> None:
-    # Straight edges of a plane, and Enneper's symmetry curves: rounding must not throw them out.
+    # Straight edges of a plane and Enneper's symmetry curves must not be rejected by rounding.
     flat = bicubic({(1, 0): 2, (2, 0): 1}, {(0, 1): 3}, {(1, 0): 1})
     ends = [((0, 0), (1, 0)), ((0, 0), (0, 1)), ((1, 0), (1, 1)), ((0.2, 1), (0.9, 1))]
     for start, end in ends:
@@ -155,13 +155,13 @@ def test_statuses_are_sentences() -> None:
         assert status.sentence == status.value
         assert status.sentence.endswith(".")
         assert status.sentence[0].isupper()
-    # What is wrong is followed by what to do.
+    # The fault is followed by the remedy.
     for status in set(Status) - {Status.CONVERGED}:
         assert ";" in status.sentence or "," in status.sentence
 
 
 def test_a_kernel_that_is_not_smooth_enough_is_no_trap() -> None:
-    # (1 - r)_+ has no second derivative: the equations of collocation say nothing.
+    # (1 - r)_+ has no second derivative, so that the equations of collocation say nothing.
     hat = Kernel("hat", 1, (1,), 0)
     solution = status_of(ENNEPER, (0.1, 0.3), (1, 0.5), kernel=hat, centers=(0.2, 0.5, 0.8))
     assert not solution.converged
@@ -181,7 +181,7 @@ def test_very_few_functions_are_honest(functions: int) -> None:
 
 
 def test_a_path_that_turns_sharply_between_its_nodes_is_not_trusted() -> None:
-    # A plane patch, nearly with a cusp, and folded. With 12 functions all formulas agreed on a
+    # This plane patch is folded and nearly has a cusp. With 12 functions all formulas agreed on a
     # length below the distance of the ends; the path turned by 5 on a way as long as itself.
     net = np.zeros((4, 4, 3))
     net[..., 0] = np.array([0.0, 0.1, 2.0, 3.0])[:, None]

@@ -15,14 +15,14 @@ from bodymeasure.geodesic.across.routes.graph import patch_graph
 from bodymeasure.geodesic.across.routes.straightened import along_way, pulled_way
 from bodymeasure.geodesic.across.routes.via_pairs import via_pairs
 
-# There are no wheels of it for the latest versions of Python.
+# The latest versions of Python have no wheels of it.
 pytest.importorskip("pygeodesic")
 
 PARTS = np.linspace(0.0, 1.0, 33)
 
 
 def arc(u: float) -> float:
-    """Of a quarter of the tube's ring, from its start."""
+    """The arc length of a quarter of the tube's ring, from its start to u."""
     x, weights = np.polynomial.legendre.leggauss(40)
     velocity = bernstein(3, 0.5 * u * (1.0 + x), order=1)[:, 1] @ QUARTER
     return float(0.5 * u * weights @ np.linalg.norm(velocity, axis=1))
@@ -38,7 +38,7 @@ def test_helices_about_a_tube_are_told_apart_by_side_and_winding() -> None:
     for path in paths:
         assert path.status is bm.Status.CONVERGED
         assert path.points == (start, end)
-    # Which way round they start: x grows with u only if they go back.
+    # The sign shows the direction in which they start: x grows with u only if they go back.
     x = [path.position(0.01)[0] - atlas.position(start)[0] for path in paths]
     np.testing.assert_array_equal(np.sign(x), [-1, 1, -1])
 
@@ -88,7 +88,7 @@ def test_left_and_right_round_a_bump() -> None:
     left, right, *_ = bm.geodesic_alternatives(
         atlas, AtlasPoint(1, 0.0, 0.5), AtlasPoint(7, 1.0, 0.5)
     )
-    # Symmetric: as long as each other, on either side.
+    # The bump is symmetric, so that the paths on either side are equally long.
     assert left.length == pytest.approx(right.length, rel=1e-8)
     middles = sorted(path.position(0.5)[1] for path in (left, right))
     assert middles[0] < 1.2
@@ -141,7 +141,7 @@ def test_ways_on_both_sides_of_a_tube_are_among_the_pairs() -> None:
 
 def test_a_way_is_pulled_straight_but_not_over_to_the_other_side() -> None:
     atlas, ring = tube((1.0, 1.0, 1.0, 1.0)), ring_length()
-    # The long way from patch 0 to patch 1, through points up and down.
+    # The points lead up and down the long way from patch 0 to patch 1.
     places = [
         AtlasPoint(0, 0.5, 0.5),
         AtlasPoint(3, 0.5, 0.9),
@@ -159,7 +159,8 @@ def test_a_way_is_pulled_straight_but_not_over_to_the_other_side() -> None:
 @pytest.mark.parametrize(
     ("start", "end", "axis"),
     [
-        # Round the left and the right of the neck, and round the front and the back of the waist.
+        # The paths lead around either side of the neck, and around the front and the back of the
+        # waist.
         ("back neck point", "front neck point", 0),
         ("side waist point left", "side waist point right", 1),
     ],

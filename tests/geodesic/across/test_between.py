@@ -28,7 +28,7 @@ import bodymeasure as bm
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 from bodymeasure.bezier import evaluate
 
-# There are no wheels of it for the latest versions of Python.
+# The latest versions of Python have no wheels of it.
 pytest.importorskip("pygeodesic")
 
 CUTS: dict[str, tuple[tuple[float, ...], tuple[float, ...]]] = {
@@ -75,7 +75,7 @@ def test_lines_on_a_plane_with_curved_kinked_seams(rng: np.random.Generator) -> 
         assert path.length == pytest.approx(chord, rel=1e-9)
         assert abs(path.length - chord) <= path.error_estimate
         crossed += len(path.crossings)
-        # The path itself is straight, and at constant speed.
+        # The path itself is straight, and its speed is constant.
         t = np.linspace(0.0, 1.0, 21)[:, None]
         line = (1.0 - t) * atlas.position(start) + t * atlas.position(end)
         np.testing.assert_allclose(path.position(t[:, 0]), line, atol=2e-4)
@@ -146,7 +146,7 @@ def test_an_end_on_a_seam_or_corner_may_be_given_on_any_of_its_patches() -> None
         for path in paths:
             assert path.length == pytest.approx(paths[0].length, rel=1e-12)
             assert min(piece.length for piece in path.pieces) > 0.0
-            # Trimmed to the patch that the path really starts on.
+            # The path is trimmed to the patch on which it really starts.
             assert path.patches == paths[0].patches
 
 

@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation
 
 import bodymeasure as bm
 
-# There are no wheels of it for the latest versions of Python.
+# The latest versions of Python have no wheels of it.
 pytest.importorskip("pygeodesic")
 
 

@@ -45,7 +45,7 @@ def welded(nets: Array) -> Atlas:
 
 
 def split(atlas: Atlas, us: tuple[float, ...], vs: tuple[float, ...]) -> Atlas:
-    """Every patch cut along parameter lines."""
+    """The atlas with every patch cut along parameter lines."""
     u, v = (0.0, *us, 1.0), (0.0, *vs, 1.0)
     return welded(
         np.array(
@@ -60,7 +60,7 @@ def split(atlas: Atlas, us: tuple[float, ...], vs: tuple[float, ...]) -> Atlas:
 
 
 def dented(rng: np.random.Generator) -> Atlas:
-    """A waisted tube without symmetry, its seams smooth or kinked as it comes."""
+    """A waisted tube without symmetry, whose seams are smooth or kinked at random."""
     atlas = tube(WAISTED)
     points = atlas.points.copy()
     inner = (points[:, 2] > 0.0) & (points[:, 2] < 3.0)
@@ -103,7 +103,8 @@ def hyperboloid(neck: float, width: float) -> Atlas:
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         ends = [(math.cosh(t), math.sinh(t)) for t in (low, high)]
         apex = (math.cosh(middle), math.sinh(middle))
-        # Weighted by cosh(half), which its distance from the center is divided by.
+        # The middle point has the weight cosh(half), by which its distance from the center is
+        # divided.
         profile = np.array([[*ends[0], 1.0], [*apex, math.cosh(half)], [*ends[1], 1.0]])
         nets += [revolved(profile * (neck, 1.0, 1.0), number) for number in range(4)]
     return joined(np.array(nets))
@@ -139,7 +140,7 @@ def test_one_of_a_family_says_so() -> None:
 
 def test_a_loop_that_only_balances_is_no_minimum() -> None:
     atlas = joined(torus_nets(2.0, 0.5))
-    # Exactly on the outer circle, rounding decides whether it stays.
+    # If the loop starts exactly on the outer circle, rounding decides whether it stays.
     outer = section(atlas, at(2.5, 0.0, 0.0), at(0.0, 0.0, 1.0))
     path = contracted_loop(atlas, outer, on_failure="status")
     if path.status is Status.NOT_A_MINIMUM:
@@ -207,7 +208,7 @@ def test_splits_change_nothing(
 
 
 def edge_flip_loop(atlas: Atlas, segments: int) -> float:
-    """Length of the loop that edge flips contract a ring of mesh edges to."""
+    """The length of the loop to which edge flips contract a ring of mesh edges."""
     mesh = tessellate(atlas, segments)
     near = [
         int(np.argmin(np.linalg.norm(mesh.vertices - at(x, y, 1.5), axis=1)))
@@ -247,11 +248,11 @@ def test_a_loop_round_nothing_is_refused() -> None:
     atlas = tube(WAISTED)
     with pytest.raises(InputError, match=r"contracts to a point.*round the trunk or a limb"):
         contracted_loop(atlas, [AtlasPoint(0, *uv) for uv in ((0.2, 0.3), (0.4, 0.3), (0.3, 0.5))])
-    # Over a seam and back.
+    # This loop goes over a seam and back.
     places = [(0, 0.9, 0.3), (0, 1.0, 0.3), (1, 0.1, 0.35), (1, 0.0, 0.4), (0, 0.9, 0.4)]
     with pytest.raises(InputError, match="contracts to a point"):
         contracted_loop(atlas, [AtlasPoint(*place) for place in places])
-    # About a corner of four patches.
+    # This loop goes around a corner of four patches.
     parts = split(atlas, (0.5,), (0.5,))
     places = [(0, 0.9, 0.9), (0, 1.0, 0.9), (2, 0.1, 0.9), (2, 0.1, 1.0), (3, 0.1, 0.1)]
     places += [(3, 0.0, 0.1), (1, 0.9, 0.1), (1, 0.9, 0.0)]

@@ -1,4 +1,4 @@
-"""Paths laid end to end are the path through all their points."""
+"""Concatenated paths are the path through all their points."""
 
 from dataclasses import replace
 from itertools import pairwise

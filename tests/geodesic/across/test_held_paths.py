@@ -1,4 +1,4 @@
-"""What paths are made of that edges hold for a part."""
+"""The parts of paths that run along edges for a while."""
 
 import numpy as np
 import pytest
@@ -27,7 +27,7 @@ def test_polygons_are_straight_between_their_nodes() -> None:
 
 
 def over_the_bulge() -> tuple[Atlas, Neighbors, Route]:
-    """Along the lower edge of two patches that bulges into them."""
+    """A path along the lower edge of two patches, which bulges into them."""
     x, y = np.meshgrid(np.arange(4) / 3, np.arange(4) / 3, indexing="ij")
     net = np.stack([3 * x, y + 3 * (1 - y) * x * (1 - x), 0 * x], axis=-1)
     atlas = cut(net, (0.5,), (), turn=False)
@@ -75,7 +75,8 @@ def test_nothing_holds_a_path_that_would_rather_take_a_neighbor() -> None:
 
 
 def test_routes_along_seams_are_put_on_either_side() -> None:
-    # Along x = 1 over three squares, on the left, on the right, and on the left again.
+    # The path runs along x = 1 over three squares, on the left, on the right, and on the left
+    # again.
     atlas = grid_atlas(2, 3)
     neighbors = Neighbors(atlas)
     corners = [AtlasPoint(0, 1.0, 1.0), AtlasPoint(4, 0.0, 1.0)]

@@ -10,7 +10,7 @@ from bodymeasure.atlas import AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.geodesic.across.routes.mesh import at_weights, whole_mesh
 
-# There are no wheels of it for the latest versions of Python.
+# The latest versions of Python have no wheels of it.
 pytest.importorskip("pygeodesic")
 
 
@@ -21,7 +21,7 @@ def test_chords_of_a_flat_disc_of_four_patches_about_a_pole(rng: np.random.Gener
         start, end = random_point(rng, disc), random_point(rng, disc)
         chord = np.linalg.norm(disc.position(end) - disc.position(start))
         path = bm.geodesic_between(disc, start, end, on_failure="status")
-        # Those that pass close by the pole may be too much for polynomials, and say so.
+        # Paths that pass close to the pole may be too much for polynomials, and say so.
         assert path.status in (bm.Status.CONVERGED, bm.Status.NOT_CONVERGED)
         if path.converged:
             good += 1
@@ -34,7 +34,7 @@ def test_chords_of_a_flat_disc_of_four_patches_about_a_pole(rng: np.random.Gener
 def test_rulings_of_a_cone_from_its_tip(height: float, rng: np.random.Generator) -> None:
     atlas = cone(height)
     for _ in range(6):
-        # The tip is on all patches, at any v.
+        # The tip is a point of all patches, at any v.
         tip = AtlasPoint(int(rng.integers(4)), 0.0, float(rng.random()))
         other = random_point(rng, atlas)
         chord = np.linalg.norm(atlas.position(other) - atlas.position(tip))

@@ -1,4 +1,4 @@
-"""What `geodesic_between` is made of, each against what is known without it."""
+"""The parts of `geodesic_between`, each against values that are known without it."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ from bodymeasure.geodesic.numerics.banded import banded_product, solve_free
 from bodymeasure.geodesic.numerics.box_newton import SecondOrder, minimize_in_box
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 
-# There are no wheels of it for the latest versions of Python.
+# The latest versions of Python have no wheels of it.
 pytest.importorskip("pygeodesic")
 
 
@@ -47,12 +47,12 @@ def test_points_are_inserted_by_splitting_faces(
     mesh, number = inserted(whole, atlas, place)
     assert len(mesh.faces) == len(whole.faces) + faces
     np.testing.assert_allclose(mesh.vertices[number], atlas.position(place), atol=1e-14)
-    # Split along a curved edge, the faces still cover the plane, none of them turned over.
+    # After a split along a curved edge the faces still cover the plane, and none is turned over.
     a, b, c = np.moveaxis(mesh.vertices[mesh.faces], 1, 0)
     area = 0.5 * np.cross(b - a, c - a)[:, 2]
     assert area.min() > 0.0
     assert area.sum() == pytest.approx(9.0, rel=1e-12)
-    # Of every use of the vertex, the parameters are those of its point.
+    # Wherever the vertex is used, its parameters are those of its point.
     uses = mesh.faces == number
     for patch, uv in zip(np.nonzero(uses)[0], mesh.face_parameters[uses], strict=True):
         there = atlas.position(AtlasPoint(int(mesh.face_patch[patch]), *uv.tolist()))

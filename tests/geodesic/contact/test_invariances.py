@@ -1,4 +1,4 @@
-"""What must not change a path along edges, and what must change it in a known way."""
+"""Changes that must not affect a path along edges, or must affect it in a known way."""
 
 from functools import cache
 
@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 import bodymeasure as bm
 from bodymeasure._typing import Array
 
-# Edge's axis and value, and where the arc begins and ends along it.
+# The axis and value of an edge, and the parameters at which the arc begins and ends along it.
 Arc = tuple[int, float, float, float]
 
 # Heights in fifths, over a square of side 0.6: an arc on each of two edges, one of them between
@@ -42,14 +42,14 @@ def arcs(solution: bm.GeodesicSolution) -> list[Arc]:
 
 
 def agrees(found: bm.GeodesicSolution, name: str, moved: list[Arc], scale: float = 1.0) -> None:
-    """Lengths to their estimates; the same arcs in the same order."""
+    """Check that lengths agree to their estimates, and that arcs are the same in the same order."""
     before = known(name)
     assert found.status is bm.Status.ON_BOUNDARY
     estimates = before.error_estimate + found.error_estimate / scale
     assert abs(found.length / scale - before.length) <= estimates
     assert estimates <= 2e-10 * before.length
     assert [arc[:2] for arc in arcs(found)] == [arc[:2] for arc in moved]
-    # A length known to 1e-10 leaves the joints, of which it is a third power, a thousandth.
+    # The length depends on the joints by a third power: if it is known to 1e-10, they are to 1e-3.
     places = [arc[2:] for arc in arcs(found)]
     np.testing.assert_allclose(places, [arc[2:] for arc in moved], atol=1e-3)
 

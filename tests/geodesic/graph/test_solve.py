@@ -1,4 +1,4 @@
-"""The form with one unknown function: held against calculus and against the other form."""
+"""The form with one unknown function, compared with calculus and with the other form."""
 
 from itertools import pairwise
 from typing import Any
@@ -70,7 +70,7 @@ def test_the_geometry_is_that_of_the_path_in_u_and_v(rng: np.random.Generator) -
     there = path_geometry(BezierSurfaces(nets), *sides)
     np.testing.assert_allclose(here.speed, there.speed, rtol=1e-12)
     np.testing.assert_allclose(here.gaussian_curvature, there.gaussian_curvature, rtol=1e-9)
-    # The sign says only which side is which.
+    # The sign depends only on the choice of the sides.
     np.testing.assert_allclose(
         np.abs(here.geodesic_curvature), np.abs(there.geodesic_curvature), rtol=1e-9
     )
@@ -84,7 +84,7 @@ def lengths(result: MethodResult, count: int) -> Array:
     length = np.full(count, np.nan)
     for batch in result.batches:
         length[batch.problems] = batch.length.corrected
-        # Only what has been judged good comes out, or what is far outside the patch.
+        # Only lengths that can be trusted are returned, or paths that are far outside the patch.
         inside = ~batch.space.leaves_patch(batch.values, 0.02)
         assert batch.converged[inside].all()
     return length
@@ -138,14 +138,14 @@ def test_both_forms_agree(surface: Any) -> None:
     full = bm.solve_geodesic(*problem, method=bm.PolynomialCollocation(28, form="full"))
     assert abs(fast.length - full.length) <= 1e-14 * surface.length
     parts = np.linspace(0.0, 1.0, 33)
-    # A path is off by about the square root of what its raw length is.
+    # The error of a path is about the square root of that of its raw length.
     assert np.abs(fast.path(parts) - full.path(parts)).max() < 1e-4
 
 
 def test_paths_run_at_constant_speed() -> None:
     solution = bm.solve_geodesic(PH_CYLINDER, (0.0, 0.0), (1.0, 1.0))
     assert solution.batches[0].speed is not None
-    # On the cylinder, at constant speed: 3 u + u^3 = 4 t, v = t.
+    # On the cylinder, at constant speed, 3 u + u^3 = 4 t and v = t.
     t = np.linspace(0.0, 1.0, 41)
     path = solution.path(t)
     np.testing.assert_allclose(3.0 * path[:, 0] + path[:, 0] ** 3, 4.0 * t, atol=1e-5)
@@ -161,7 +161,7 @@ def test_the_path_that_is_told_is_the_one_that_was_measured(
     nets = reference.mild_patches(rng, 20, 0.3)
     solution = bm.solve_geodesic(nets, (0.05, 0.1), (0.9, 1.0), method=method)
     assert all(batch.speed is not None for batch in solution.batches)
-    # Enough is left to correct that another path would have another length.
+    # The correction is large enough that another path would have another length.
     assert np.median(solution.raw_length / solution.length - 1.0) > 1e-10
     places = evaluate(nets, solution.path(np.linspace(0.0, 1.0, 1025)))
     polygons = [

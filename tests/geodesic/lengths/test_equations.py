@@ -47,7 +47,7 @@ def test_the_jacobian_is_the_derivative_of_the_residual(rng: np.random.Generator
                 moved[1, :, coordinate, node + 1] -= step
                 ahead, behind = (residual_and_jacobian(SURFACES, trial, m)[0] for m in moved)
                 by_step.append((ahead - behind) / (2 * step))
-            # Richardson: fourth order
+            # Richardson extrapolation gives fourth order
             difference = (4 * by_step[0] - by_step[1]) / 3
             scale = np.abs(jacobian).max(axis=(1, 2, 3, 4))[:, None, None]
             error = np.abs(jacobian[:, :, :, coordinate, node] - difference) / scale

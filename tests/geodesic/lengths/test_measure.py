@@ -25,7 +25,7 @@ FINE = RBFCollocation(functions=20, tolerance=1e-9)
 
 
 def geodesic(surface: Surface) -> Array:
-    """Nodal values of a geodesic that is resolved to rounding."""
+    """The nodal values of a geodesic that is resolved to rounding."""
     (batch,) = solve_geodesic(
         surface.control_points, surface.start, surface.end, method=FINE
     ).batches
@@ -33,7 +33,7 @@ def geodesic(surface: Surface) -> Array:
 
 
 def bows(count: int, rng: np.random.Generator) -> Array:
-    """Smooth changes of size one that leave the ends where they are, (count, 2, nodes)."""
+    """Smooth variations of size one that keep the ends, shape (count, 2, nodes)."""
     t = SPACE.nodes
     shapes = np.stack([np.sin(k * np.pi * t) / k for k in range(1, 4)])
     random = rng.normal(size=(count, 2, 3)) @ shapes
@@ -82,7 +82,7 @@ def test_a_geodesic_needs_no_correction(surface: Surface) -> None:
 
 
 def test_the_residual_is_geodesic_curvature_times_length() -> None:
-    # A circle's arc of radius 1/2 over an angle of one radian, in a plane.
+    # The path is an arc in a plane, of radius 1/2 over an angle of one radian.
     plane = bicubic({(1, 0): 1}, {(0, 1): 1}, {})
     angle = 0.3 + SPACE.nodes
     arc = 0.5 + 0.5 * np.stack([np.cos(angle), np.sin(angle)])
@@ -118,7 +118,7 @@ def test_a_path_that_stands_still_has_an_infinite_error() -> None:
     result = measured(ENNEPER, values)
     assert np.isinf(result.error[0])
     assert not result.minimal[0]
-    # The other problem of the batch does not notice.
+    # The other problem of the batch is not affected.
     assert result.error[1] < 1e-10
     assert result.minimal[1]
 
@@ -134,14 +134,14 @@ def test_a_path_of_nans_has_an_infinite_error() -> None:
 def jacobi_eigenvalue(net: Array, values: Array) -> tuple[float, float]:
     """Smallest eigenvalue of -psi'' - K psi with zero ends, by differences, in units of (pi / L)^2.
 
-    And L times the integral of the positive part of K.
+    The second value is L times the integral of the positive part of K.
     """
     n = 150
     t = (np.arange(1, n)) / n
     place, velocity, second = (values @ rows.T for rows in SPACE.matrices(t))
     geometry = path_geometry(BezierSurfaces(net[None]), place[None], velocity[None], second[None])
     speed, curvature = geometry.speed[:, 0], geometry.gaussian_curvature[:, 0]
-    # Constant speed, to a small part: then s = t L.
+    # The speed is nearly constant, so that s = t L.
     length = float(speed.mean())
     matrix = np.diag(2.0 * n * n / length**2 - curvature)
     off = -n * n / length**2 * np.ones(n - 2)
@@ -164,7 +164,7 @@ def test_a_minimum_is_what_the_second_variation_says() -> None:
         (batch,) = solution.batches
         if not np.isfinite(solution.error_estimate) or solution.residual > 1e-3:
             continue
-        # By symmetry the way straight over the top is a geodesic.
+        # By symmetry the path straight over the top is a geodesic.
         assert np.abs(batch.values[0, 1] - 0.5).max() < 1e-9
         eigenvalue, positive = jacobi_eigenvalue(net, batch.values[0])
         if abs(eigenvalue) < 0.02:
@@ -187,7 +187,7 @@ def test_a_saddle_is_a_minimum_however_long(rng: np.random.Generator) -> None:
 
 
 def test_what_is_cut_off_is_counted() -> None:
-    # On few functions, the shift that would lead to the geodesic has parts beyond the modes.
+    # With few functions, the shift that would lead to the geodesic has parts beyond the modes.
     for functions in (3, 4, 5, 6, 7, 8):
         for net, start, end in (
             (TANGENT_DEVELOPABLE, (0.0, 1.0), (1.0, 0.3)),
@@ -208,7 +208,7 @@ def test_what_is_cut_off_is_counted() -> None:
 def test_many_modes_are_assembled_as_few_are(
     monkeypatch: pytest.MonkeyPatch, rng: np.random.Generator
 ) -> None:
-    # Of many modes no products of all pairs are kept; the systems are the same.
+    # With many modes the products of all pairs are not kept; the systems are the same.
     values = geodesic(CURVED[0]) + 0.01 * bows(3, rng)
     few = measured(CURVED[0].control_points, values)
     monkeypatch.setattr("bodymeasure.geodesic.lengths.jacobi.MOST_IN_ONE_PRODUCT", 1)

@@ -34,7 +34,7 @@ def on_cylinder(method: RBFCollocation) -> GeodesicSolution:
 
 
 def errors(methods: list[RBFCollocation]) -> tuple[np.ndarray, np.ndarray]:
-    """Of the path, and of its uncorrected length."""
+    """The errors of the path and of its uncorrected length."""
     solutions = [on_cylinder(method) for method in methods]
     path = [float(np.abs(s.path(T) - exact_path()).max()) for s in solutions]
     return np.array(path), np.array([abs(s.raw_length / LENGTH - 1.0) for s in solutions])
@@ -71,8 +71,8 @@ def test_centers_inside_converge_algebraically(
     path, length = errors(methods)
     rate = order(counts, path)
     assert least < rate < most
-    # Length is stationary at a geodesic: its error is that of the path squared. Less where the
-    # error lies in the highest frequencies, whose slopes are large.
+    # Length is stationary at a geodesic, so that its error is that of the path squared, less where
+    # the error lies in the highest frequencies, whose slopes are large.
     assert order(counts, length) > 1.4 * rate
     assert (length < 40.0 * path**1.5).all()
 

@@ -1,4 +1,4 @@
-"""All methods under one contract, their rates of convergence, and their agreement."""
+"""The common contract of all methods, their rates of convergence and their agreement."""
 
 import math
 from collections.abc import Callable
@@ -36,7 +36,7 @@ METHODS: dict[str, Method] = {
 every_method = pytest.mark.parametrize("method", METHODS.values(), ids=METHODS)
 # On the tangent developable, the geodesic is no polynomial and its parameters are far from linear.
 CURVED = next(surface for surface in SURFACES if surface.name == "tangent_developable")
-# A tolerance that no length meets: the method does all it can.
+# No length meets this tolerance, so that the method does all it can.
 NEVER = 1e-300
 ANY = 1.0
 
@@ -50,7 +50,7 @@ def mild_patches(rng: np.random.Generator, count: int) -> Array:
 
 
 def solved(method: Method, surface: Surface) -> PathBatch:
-    """What the method itself finds, before any search for a shorter path."""
+    """The solution of the method itself, without a search for a shorter path."""
     ends = (np.array([end], dtype=np.float64) for end in (surface.start, surface.end))
     (batch,) = method.solve(BezierSurfaces(surface.control_points[None]), *ends).batches
     return batch
@@ -115,7 +115,7 @@ def test_lengths_do_not_depend_on_direction_place_and_unit(
 
 
 class _Sphere:
-    """Of radius 1; u is the longitude and v - 1/2 the latitude, in radians."""
+    """The unit sphere; u is the longitude and v - 1/2 the latitude, in radians."""
 
     def derivatives(self, parameters: Array) -> Array:
         u, v = parameters[..., 0], parameters[..., 1] - 0.5
@@ -190,13 +190,13 @@ def test_polynomials_converge_exponentially(make: Callable[[int], Method]) -> No
     errors = np.array([max(raw_error(make(int(n)), CURVED), 1e-15) for n in degrees])
     rate = np.polyfit(degrees, np.log10(errors), 1)[0]
     assert -1.2 < rate < -0.6
-    # The same factor for each two degrees more, down to rounding, unlike a power of the degree.
+    # Each two degrees more give the same factor down to rounding, unlike a power of the degree.
     assert errors[-1] < 1e-12
     assert raw_error(make(24), CURVED) < 3e-15
 
 
 def test_more_terms_of_v_of_u_give_no_longer_path() -> None:
-    # Each space holds the one before, and the least length over it is what Ritz's method wants.
+    # Each space contains the one before, and Ritz's method seeks the least length over it.
     orders = range(2, 13)
     lengths = [
         solved(bm.Ritz(n, parametrization="u", tolerance=ANY), CURVED).length.raw[0] for n in orders
@@ -206,7 +206,7 @@ def test_more_terms_of_v_of_u_give_no_longer_path() -> None:
 
 
 def test_relaxed_paths_are_of_second_order_and_their_lengths_of_fourth() -> None:
-    # Mesh points of all the meshes.
+    # These are mesh points of all the meshes.
     t = np.arange(9) / 8.0
     exact = solved(bm.PolynomialCollocation(28, form="full"), CURVED)
     there = exact.values @ exact.space.matrices(t)[0].T
@@ -224,7 +224,7 @@ def test_shooting_follows_its_tolerance() -> None:
     exact = solved(bm.PolynomialCollocation(28, form="full"), CURVED)
     t = np.linspace(0.1, 0.9, 9)
     there = exact.values @ exact.space.matrices(t)[0].T
-    # Polynomials of degree 12, through which the path is put, leave 1.4e-6.
+    # The polynomials of degree 12 that represent the path leave 1.4e-6.
     for rtol in (1e-2, 1e-3, 1e-4):
         batch = solved(Shooting(rtol=rtol, tolerance=NEVER), CURVED)
         error = np.abs(batch.values @ batch.space.matrices(t)[0].T - there).max()
@@ -264,7 +264,7 @@ def test_derivatives_of_functionals(
 
 
 def test_a_path_that_turns_back_in_u_is_no_function_of_u() -> None:
-    # A plane on which u runs to and fro along the straight line.
+    # On this plane u runs forwards and backwards along the straight line.
     net = bicubic({(1, 0): 1, (0, 1): 2, (0, 2): -2}, {(0, 1): 1}, {})
     surface = Surface("sheared", net, (0.8, 0.0), (0.9, 1.0), math.hypot(0.1, 1.0))
     assert not solved(bm.Ritz(parametrization="u"), surface).converged[0]

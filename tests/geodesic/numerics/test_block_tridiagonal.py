@@ -1,4 +1,4 @@
-"""Odd-even reduction against dense linear algebra."""
+"""Odd-even reduction, compared with dense linear algebra."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ SYSTEMS = 20
 
 
 def dense(diagonal: Array, lower: Array) -> Array:
-    """The same matrices, shape (systems, 2 k, 2 k), a row's two entries side by side."""
+    """The same matrices as dense ones, shape (systems, 2 k, 2 k)."""
     rows, systems = diagonal.shape[2:]
     result = np.zeros((systems, rows, 2, rows, 2))
     i = np.arange(rows)
@@ -34,7 +34,7 @@ def test_solutions_and_inertia(rng: np.random.Generator, rows: int, shift: float
     flat = right.transpose(2, 1, 0).reshape(SYSTEMS, -1, 1)
     expected = np.linalg.solve(matrix, flat)[..., 0]
     solution = solve(factors, right).transpose(2, 1, 0).reshape(SYSTEMS, -1)
-    # Without pivoting, what is lost depends on the pivots of the indefinite ones.
+    # Without pivoting, the loss of digits depends on the pivots of the indefinite systems.
     condition = np.abs(eigenvalues).max(axis=1) / np.abs(eigenvalues).min(axis=1)
     error = np.abs(solution - expected).max(axis=1) / np.abs(expected).max(axis=1)
     definite = eigenvalues[:, 0] > 0.0

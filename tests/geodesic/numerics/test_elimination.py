@@ -21,11 +21,11 @@ def test_many_systems_at_once(rng: np.random.Generator) -> None:
 
 
 def lower_triangle(matrix: Array) -> Array:
-    """Column by column, the batch last."""
+    """The systems column by column, with the batch axis last."""
     return np.concatenate([matrix[:, j:, j] for j in range(matrix.shape[1])], axis=1).T
 
 
-# Few and many are eliminated in different ways.
+# Few and many systems are eliminated in different ways.
 @pytest.mark.parametrize("count", [7, FEW + 1])
 def test_symmetric_systems_and_the_signs_of_their_eigenvalues(
     rng: np.random.Generator, count: int
@@ -44,7 +44,7 @@ def test_symmetric_systems_and_the_signs_of_their_eigenvalues(
 
 
 def test_large_systems_one_by_one(rng: np.random.Generator) -> None:
-    # Definite ones by another way than the others, and none minds its neighbors.
+    # Definite systems are solved in another way, and no system affects its neighbors.
     size = LARGE + 5
     root = rng.normal(size=(4, size, size)) / np.sqrt(size)
     matrix = root @ root.transpose(0, 2, 1) + np.eye(size)

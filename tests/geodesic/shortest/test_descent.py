@@ -1,4 +1,4 @@
-"""Polygons that slide down to rest in the box, and off saddles."""
+"""Polygons that descend to rest in the box, and leave saddles."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ START, END = np.zeros(2), np.ones(2)
 
 
 def heights(z: Array) -> BezierSurfaces:
-    """Patches over the unit square, of heights (patches, 4, 4)."""
+    """Patches over the unit square with heights (patches, 4, 4)."""
     line = np.linspace(0.0, 1.0, 4)
     x, y = np.broadcast_arrays(line[:, None], line, subok=False)
     return BezierSurfaces(np.stack([np.broadcast_to(each, z.shape) for each in (x, y, z)], axis=-1))
@@ -95,7 +95,7 @@ def test_a_saddle_is_known_and_left_across_the_ridge() -> None:
     saddles, direction = descent_directions(ridge(), over)
     assert saddles.tolist() == [0]
     assert np.abs(direction).max() == pytest.approx(1.0)
-    # Off the ridge's top is to the side: u one way, v the other.
+    # The direction off the ridge is to the side: u one way, v the other.
     assert direction[0, 16, 0] == pytest.approx(-direction[0, 16, 1], rel=1e-3)
     top = polygon_lengths(ridge(), over)
     for sign in (-1.0, 1.0):
@@ -109,7 +109,8 @@ def test_a_minimum_is_no_saddle(rng: np.random.Generator) -> None:
     saddles, direction = descent_directions(flat, descend(flat, lines(3)))
     assert len(saddles) == 0
     assert direction.shape == (0, 33, 2)
-    # Held by the edge u = 0 against a pull outwards: at rest, though its Hessian may be indefinite.
+    # The edge u = 0 holds it against a pull outwards: it is at rest, even if the Hessian is
+    # indefinite.
     mild = heights(0.3 * rng.random((10, 4, 4)))
     along_edge = lines(10) * (0.0, 1.0)
     assert len(descent_directions(mild, descend(mild, along_edge))[0]) == 0

@@ -10,7 +10,7 @@ from bodymeasure.geodesic.shortest.rough_paths import MOST_PATHS, rough_paths
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.geodesic.surfaces.custom import CustomSurface
 
-# In 16 directions, a way over the grid is longer than the straight one by at most this part.
+# With 16 directions, a path over the grid is longer than the straight one by at most this part.
 WORST_DETOUR = 1.0 / np.cos(0.5 * np.arctan(1.0 / 3.0))
 
 
@@ -72,7 +72,7 @@ def test_polygons_run_from_start_to_end_in_equal_steps(rng: np.random.Generator)
     assert (rough.points[:, -1] == ends[1, rough.problems]).all()
     positions = surface.take(rough.problems).jet(rough.points, 0)[0]
     steps = np.linalg.norm(np.diff(positions, axis=-1), axis=0)
-    # Equal but for what is cut off where a polygon turns or the surface bends.
+    # The lengths are equal but for what is cut off where a polygon turns or the surface bends.
     assert (steps.max(axis=1) < 1.2 * np.median(steps, axis=1)).all()
 
 

@@ -54,8 +54,8 @@ def test_a_flat_patch_with_an_edge_in_the_way() -> None:
 
 
 def test_tangent_to_an_arc_and_away_from_it() -> None:
-    # From the corner (0, 0) along the bulging edge, then straight, tangentially, to (0.3, 1): the
-    # hull of the obstacle, which elementary geometry gives.
+    # The path leads from (0, 0) along the bulging edge, then straight and tangentially to (0.3, 1):
+    # the hull of the obstacle, which elementary geometry gives.
     net = bent_plane()
     solution = bm.solve_geodesic(net, (0.0, 0.0), (0.3, 1.0))
     assert solution.status is bm.Status.ON_BOUNDARY
@@ -86,7 +86,7 @@ def test_tangent_to_an_arc_and_away_from_it() -> None:
 
 
 def test_contact_between_two_free_pieces() -> None:
-    # Between points off the edge on both sides of the bulge: free, along it, free.
+    # Between points off the edge on both sides of the bulge the path is free, along it, and free.
     net = bent_plane()
     start, end = (0.1, 0.05), (0.1, 0.95)
     there = bm.solve_geodesic(net, start, end)
@@ -194,7 +194,7 @@ def test_an_arc_of_one_point_does_not_run_backwards(x: float, clear: bool) -> No
     path = solve_contact_path(BezierSurfaces(net[None]), polygon, (None, None), 1e-9)
     assert path is not None
     if clear:
-        # The pattern was read anew, and the chord found.
+        # The pattern was read again, and the chord was found.
         assert path.contacts == ()
         assert path.length.corrected[0] == pytest.approx(0.4, rel=1e-9)
     else:
@@ -220,7 +220,8 @@ def test_a_shorter_way_that_cannot_be_made_exact_is_not_kept_quiet(
 LEVELS = {
     "a long arc and a sharp bend": [[0, 2, 2, 2], [1, 5, 4, 0], [4, 5, 4, 0], [1, 0, 0, 5]],
     "an arc into the far corner": [[0, 2, 5, 3], [5, 3, 3, 2], [5, 3, 0, 3], [1, 0, 0, 5]],
-    # Less than a thousandth of the edge: no polygon shows it, the free path leaves the patch.
+    # The arc is shorter than a thousandth of the edge: no polygon shows it, and the free path
+    # leaves.
     "an arc too short for polygons": [[0, 2, 2, 5], [1, 0, 4, 5], [0, 2, 3, 2], [0, 5, 0, 5]],
     "a short arc and a sharp bend": [[0, 4, 0, 0], [5, 0, 0, 1], [2, 1, 0, 4], [4, 0, 0, 5]],
 }
@@ -241,7 +242,7 @@ def test_paths_along_edges_of_wild_patches(levels: list[list[int]]) -> None:
     assert solution.error_estimate < 1e-9
     back = bm.solve_geodesic(net, END, START)
     assert back.length == pytest.approx(solution.length, rel=1e-9)
-    # A polygon on it is shorter by the square of its edges.
+    # A polygon on it is shorter by a part of the order of its edges squared.
     points = solution.path(np.linspace(0.0, 1.0, 129))
     edges = np.linalg.norm(np.diff(evaluate(net, points), axis=0), axis=1).sum()
     assert 0.0 < solution.length - edges < 3e-3

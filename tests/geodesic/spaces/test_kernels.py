@@ -121,7 +121,7 @@ def test_values_have_the_shape_of_the_distances() -> None:
 
 
 def is_positive_definite(matrix: list[list[Fraction]]) -> bool:
-    """Whether all pivots of elimination without exchanges are positive; exact."""
+    """Whether all pivots of exact elimination without exchanges are positive."""
     rows = [list(row) for row in matrix]
     for k in range(len(rows)):
         if rows[k][k] <= 0:
@@ -133,7 +133,7 @@ def is_positive_definite(matrix: list[list[Fraction]]) -> bool:
 
 
 def gram(kernel: Kernel, points: list[tuple[int, ...]], radius: int) -> list[list[Fraction]]:
-    """Kernel values at pairwise distances; of points on one line, so that they are rational."""
+    """Kernel values at the pairwise distances of points on a line, which are rational."""
 
     def value(r: Fraction) -> Fraction:
         if r >= 1:
@@ -154,7 +154,8 @@ def gram(kernel: Kernel, points: list[tuple[int, ...]], radius: int) -> list[lis
 def test_gram_matrices_are_positive_definite(
     kernel: Kernel, radius: int, rng: np.random.Generator
 ) -> None:
-    # Exact, since their eigenvalues are far below the rounding errors of their entries.
+    # The arithmetic is exact, since the eigenvalues are far below the rounding errors of the
+    # entries.
     places = rng.choice(100, size=12, replace=False).tolist()
     assert is_positive_definite(gram(kernel, [(place,) for place in places], radius))
 
@@ -170,6 +171,6 @@ def test_gram_matrices_are_positive_definite_in_space(
 
 
 def test_a_function_that_is_not_positive_definite_is_told_apart() -> None:
-    # The test above is worth something: a truncated parabola fails it.
+    # A truncated parabola fails the test above, which shows that it is a test.
     parabola = Kernel("1 - r^2", 1, (1, 1), 0)
     assert not is_positive_definite(gram(parabola, [(i,) for i in range(12)], 5))

@@ -52,7 +52,7 @@ def test_many_functions_at_once() -> None:
 def test_its_error_estimate_is_close_above_the_error(
     count: int, pieces: int, rng: np.random.Generator
 ) -> None:
-    # Speeds: square roots of polynomials, whose complex roots lie beside [0, 1], near and far.
+    # Speeds are square roots of polynomials, whose complex roots lie beside [0, 1], near and far.
     centers, beside = rng.uniform(-0.1, 1.1, 4000), 10.0 ** rng.uniform(-2.5, 0.5, 4000)
     rule = Quadrature(np.linspace(0.0, 1.0, pieces + 1), count)
     speed = np.hypot(rule.points[:, None] - centers, beside)

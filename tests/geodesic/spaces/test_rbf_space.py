@@ -42,7 +42,7 @@ def expansion(
     t: float,
     order: int,
 ) -> Fraction:
-    """A derivative of a_0 + sum a_i phi(|t - c_i| / r); exact."""
+    """The exact value of a derivative of a_0 + sum a_i phi(|t - c_i| / r)."""
     polynomial = [Fraction(c) for c in kernel.coefficients]
     for _ in range(order):
         polynomial = [q * c for q, c in enumerate(polynomial)][1:]
@@ -99,7 +99,7 @@ def test_an_expansion_and_its_derivatives_come_back_from_its_nodal_values(
     matrices = trial.matrices(POINTS)
     for order in range(3):
         expected = np.array([exact(t, order) for t in POINTS.tolist()])
-        # What the rounding of the nodal values can come to.
+        # This is the largest effect of rounding the nodal values.
         reach = 4e-16 * np.abs(matrices[order]) @ np.abs(nodal)
         error = np.abs(matrices[order] @ nodal - expected)
         assert (error <= reach + 1e-14 * np.abs(expected).max()).all()
@@ -215,7 +215,7 @@ def test_coefficients_are_those_of_the_papers_equations(
         for t in (0.0, 0.17, 0.5, 0.93, 1.0):
             expected = (trial.matrices([t])[0] @ nodal[:, column])[0]
             value = float(expansion(WU_C2, centers, radius, a, t, 0))
-            # The coefficients are exact to rounding; what they cancel is theirs.
+            # The coefficients are exact to rounding, but their terms may cancel.
             assert value == pytest.approx(expected, abs=2e-15 * size + 1e-14)
 
 
@@ -256,7 +256,7 @@ def test_breaks_that_differ_by_rounding_are_one() -> None:
 def test_too_many_functions_are_refused_for_what_they_do_to_rounding_errors(count: int) -> None:
     with pytest.raises(InputError, match=r"rounding errors would grow .*choose fewer functions"):
         list(RBFCollocation(functions=count).spaces)
-    # As the message says.
+    # This is the remedy that the message names.
     for better in (RBFCollocation(functions=30), RBFCollocation(functions=count, support_radius=1)):
         assert len(list(better.spaces)) == 1
 
@@ -306,7 +306,7 @@ def test_lines_can_be_put_into_a_space(kernel: Kernel, rng: np.random.Generator)
     np.testing.assert_allclose(there[0] @ values, line, rtol=0.0, atol=1e-14)
     np.testing.assert_allclose(there[1] @ values, -1.7, rtol=1e-12)
     np.testing.assert_allclose(there[2] @ values, 0.0, atol=1e-10)
-    # What vanishes at the ends is what it was.
+    # Functions that vanish at the ends are unchanged.
     offset = rng.normal(size=len(space.nodes))
     offset[[0, -1]] = 0.0
     np.testing.assert_allclose(there @ offset, here @ offset, rtol=1e-12, atol=1e-12)

@@ -1,4 +1,4 @@
-"""Surfaces of the user's own, on which geodesics are known: sphere, torus, cylinders."""
+"""The user's own surfaces with known geodesics: sphere, torus and cylinders."""
 
 import math
 from typing import Any
@@ -21,7 +21,7 @@ def sphere_angle(sphere: Torus, start: Array, end: Array) -> Array:
 
 def test_great_circles(rng: np.random.Generator) -> None:
     sphere = Torus(0.0, 2.5, span_u=2.0, span_v=1.6, begin_v=-0.8)
-    # Longitudes close enough that great circles do not go over the patch's upper edge.
+    # The longitudes are so close that great circles do not cross the patch's upper edge.
     start, end = rng.uniform(0.2, 0.8, (2, 40, 2))
     solution = from_straight_line(sphere, start, end, on_failure="status")
     inside = solution.converged
@@ -35,7 +35,7 @@ def test_great_circles(rng: np.random.Generator) -> None:
 
 @pytest.mark.parametrize("angle", [0.5, 0.9, 0.99, 0.999, 1.001, 1.01, 1.1, 1.4])
 def test_past_the_antipodal_point_a_great_circle_is_no_shortest_path(angle: float) -> None:
-    # Along the equator, `angle` in units of pi.
+    # The path runs along the equator; `angle` is in units of pi.
     sphere = Torus(0.0, 1.0, span_u=1.5 * math.pi, span_v=2.0, begin_v=-1.0)
     end = (angle / 1.5, 0.5)
     solution = from_straight_line(sphere, (0.0, 0.5), end, on_failure="status")
@@ -59,7 +59,7 @@ def equator(ends: Array) -> GeodesicSolution:
     """Arcs of a great circle, to `ends` in units of pi, up to two turns and a half."""
     sphere = Torus(0.0, 1.0, span_u=5.0 * math.pi, span_v=2.0, begin_v=-1.0)
     to = np.stack([ends / 5.0, np.full_like(ends, 0.5)], axis=-1)
-    # Straight in (u, v) is the geodesic: what is asked is what becomes of it.
+    # The geodesic is straight in (u, v); the question is which status it gets.
     return from_straight_line(sphere, (0.0, 0.5), to, on_failure="status")
 
 
@@ -70,7 +70,7 @@ def test_the_index_counts_the_antipodal_points_on_the_way() -> None:
     np.testing.assert_array_equal(solution.local_minimum, solution.index == 0)
     np.testing.assert_allclose(solution.raw_length, ends * math.pi, rtol=1e-12)
     assert (np.asarray(solution.status)[3:] == Status.NOT_A_MINIMUM).all()
-    # The same from the other end, and of one problem a plain number.
+    # The result is the same from the other end, and one problem gives a plain number.
     sphere = Torus(0.0, 1.0, span_u=5.0 * math.pi, span_v=2.0, begin_v=-1.0)
     back = from_straight_line(sphere, (0.54, 0.5), (0.0, 0.5), on_failure="status")
     assert back.index == 2
@@ -108,7 +108,7 @@ def test_where_no_geodesic_was_found_the_index_is_not_known() -> None:
     assert not solution.converged
     assert solution.index == -1
     assert not solution.local_minimum
-    # From a point to itself there is nothing to shorten.
+    # A path from a point to itself cannot be shortened.
     assert solve_geodesic(ENNEPER, (0.1, 0.2), (0.1, 0.2)).index == 0
 
 
@@ -130,7 +130,7 @@ def test_meridians_and_the_outer_and_inner_equator_of_a_torus() -> None:
 
 
 class Cylinder:
-    """Radius 2, height 3, a third of a turn; its geodesics are helices."""
+    """A third of a cylinder of radius 2 and height 3, whose geodesics are helices."""
 
     def derivatives(self, parameters: Array) -> Array:
         u, v = parameters[..., 0], parameters[..., 1]

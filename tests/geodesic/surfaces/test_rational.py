@@ -1,4 +1,4 @@
-"""Rational patches: quadrics and tori, whose geodesics are known."""
+"""Rational patches of quadrics and tori, whose geodesics are known."""
 
 import numpy as np
 import pytest
@@ -52,7 +52,7 @@ def test_great_circles_over_the_seams_of_a_whole_sphere(
     for _ in range(20):
         ends = [near_the_equator(rng) for _ in range(2)]
         exact = float(angle_between(*(sphere.position(point) for point in ends)))
-        # Not so far that the path comes near a pole.
+        # The points are not so far apart that the path comes near a pole.
         if exact < 1.5:
             assert bm.geodesic_between(sphere, ends[0], ends[1]).length == pytest.approx(
                 exact, rel=1e-10
@@ -63,7 +63,7 @@ def test_great_circles_over_the_seams_of_a_whole_sphere(
 def test_a_meridian_from_the_pole_is_left_in_any_direction(degree: int) -> None:
     pytest.importorskip("pygeodesic")
     sphere = joined(sphere_nets(), degree)
-    # The pole, named at another longitude than that of the way from it.
+    # The pole is given at another longitude than that of the path from it.
     pole, end = bm.AtlasPoint(0, 0.2, 1.0), bm.AtlasPoint(0, 0.7, 0.3)
     exact = float(angle_between(sphere.position(pole), sphere.position(end)))
     assert bm.geodesic_between(sphere, pole, end).length == pytest.approx(exact, rel=1e-10)
@@ -109,7 +109,7 @@ def test_a_cone_unrolls(rng: np.random.Generator) -> None:
 
 def test_clairauts_relation_on_a_torus() -> None:
     patch = revolved(quarter_arc(3.0, 1.0))
-    # With so many functions that the path is as good as its length.
+    # There are so many functions that the path is as accurate as its length.
     method = bm.RBFCollocation(functions=20)
     found = bm.solve_geodesic(patch, (0.3, 0.1), (0.7, 0.8), method=method)
     t = 0.5 - 0.5 * np.cos(np.pi * np.arange(31) / 30)
@@ -117,7 +117,8 @@ def test_clairauts_relation_on_a_torus() -> None:
     positions = evaluate(patch, parameters)
     radius = np.hypot(positions[:, 0], positions[:, 1])
     turn = np.arctan2(positions[:, 1], positions[:, 0])
-    # The radius times the cosine of the angle to the parallel: r^2 dphi/ds.
+    # By Clairaut the radius times the cosine of the angle to the parallel, r^2 dphi/ds, is
+    # constant.
     slope = scipy.interpolate.BarycentricInterpolator(t, turn).derivative(t[5:25])
     constant = radius[5:25] ** 2 * slope / found.length
     np.testing.assert_allclose(constant, constant.mean(), rtol=1e-7)
@@ -125,7 +126,7 @@ def test_clairauts_relation_on_a_torus() -> None:
 
 
 def test_the_length_on_a_torus_by_clairauts_integrals() -> None:
-    """Of the geodesic with the constant c: turn and length are integrals over the profile."""
+    """Turn and length of the geodesic with Clairaut's constant c, as integrals over the profile."""
     large, small, c = 3.0, 1.0, 2.2
     low, high = 0.2, 1.3
 
@@ -151,12 +152,12 @@ def test_the_length_on_a_torus_by_clairauts_integrals() -> None:
 
 
 def test_karneys_geodesic_on_the_earths_ellipsoid() -> None:
-    """C. Karney, Algorithms for geodesics, J. Geodesy 87 (2013), table 2, on WGS84."""
+    """Agree with C. Karney, Algorithms for geodesics, J. Geodesy 87 (2013), table 2, on WGS84."""
     pytest.importorskip("pygeodesic")
     semi_major, flattening = 6378137.0, 1.0 / 298.257223563
     semi_minor = semi_major * (1.0 - flattening)
     earth = joined(stretched(sphere_nets(), (1.0, 1.0, 1.0 - flattening)))
-    # In units of the semi-major axis, so that nine digits tell control points apart.
+    # The unit is the semi-major axis, so that nine digits distinguish control points.
     ends: list[bm.AtlasPoint] = []
     for latitude, longitude in ((40.0, 0.0), (41.79331020506, 137.84490004377)):
         reduced = np.arctan(semi_minor / semi_major * np.tan(np.radians(latitude)))
@@ -235,7 +236,7 @@ def test_an_edge_that_is_run_along_at_two_speeds_is_told(ratio: float) -> None:
     from bodymeasure.bezier import elevate, project
 
     nets = elevate(sphere_nets(), 3, 3)
-    # The same points everywhere on the patch, and on its edges, at other parameters.
+    # The same points, anywhere on the patch and on its edges, have other parameters.
     nets[0] *= (ratio ** np.arange(4))[:, None, None]
     points, index = weld(project(nets), weights=nets[..., 3])
     atlas = bm.Atlas(points, index, bm.Unit.M, weights=nets[..., 3])
