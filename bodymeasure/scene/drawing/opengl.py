@@ -53,6 +53,8 @@ class _Session:
         self.window = plotter.render_window
         self.surface: Surface | None = None
         self.actors = [_unlit(plotter) for _ in range(2)]
+        # Tubes are closed, and their triangles face outwards: half of them are hidden.
+        self.actors[1].prop.culling = "back"
 
     def draw(self, picture: Picture) -> NDArray[np.uint8]:
         """Draw a picture; only what differs from the last one is made anew."""

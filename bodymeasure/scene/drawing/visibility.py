@@ -1,21 +1,23 @@
-"""Which points of a body can be seen from a side."""
+"""Which parts of a body can be seen from a side."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools
+from bodymeasure.atlas.queries.outside import outward_sign_of_mesh
 from bodymeasure.scene.camera import View
-from bodymeasure.scene.drawing.raster import rasterize
+from bodymeasure.scene.drawing.raster import DepthBuffer, rasterize
 from bodymeasure.scene.model import Surface
 
-# Height of the depth buffer that visibility is read from; on a mannequin a pixel is 2 mm.
+# Height in pixels of the depth buffer that visibility is read from; on a mannequin, a pixel is
+# 2 mm.
 PIXELS = 700
-# By so many pixels may a point lie behind the surface in its pixel and still be seen: it lies on
-# that surface, which slopes inside the pixel.
+# How many pixels a point may lie behind the surface in its pixel and still count as seen: it lies
+# on that surface, which slopes inside the pixel.
 SLOPE = 2.5
-# Where the surface is seen at a flatter angle than this (its cosine with the normal), a tape on it
-# is taken for hidden: it is about to go round the side.
+# A tape counts as hidden where the cosine between the surface's normal and the line of sight is
+# less than this: it is about to go round the side.
 GRAZING = 0.05
 
 
@@ -28,18 +30,21 @@ class Sight:
     view : View
     depth : ndarray, shape (height, width)
         Depth of the surface in each pixel, -inf where there is none.
+    surface : Surface
+        The patches that are seen; a picture of them is one of the whole surface.
     """
 
     view: View
-    depth: NDArray[np.float64]
+    depth: Array
+    surface: Surface
 
     @property
     def size(self) -> tuple[int, int]:
         """Width and height in pixels."""
         return self.depth.shape[1], self.depth.shape[0]
 
-    def seen(self, points: NDArray[np.float64], normals: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Whether points on or before the surface are seen.
+    def seen(self, points: Array, normals: Array) -> Bools:
+        """Find which points on or before the surface are seen.
 
         Parameters
         ----------
@@ -71,7 +76,17 @@ class Sight:
 
 
 def sight(surface: Surface, view: View, pixels: int = PIXELS) -> Sight:
-    """What is seen of a surface in a view, in a picture of that height."""
+    """Find what is seen of a surface in a view, by a picture that is `pixels` high."""
     size = view.size(pixels)
-    places, depth = view.project(surface.points, size)
-    return Sight(view, rasterize(places, depth, surface.triangles, size).depth)
+    buffer = rasterize(*view.project(surface.points, size), surface.triangles, size)
+    return Sight(view, buffer.depth, _seen_part(surface, view, buffer))
+
+
+def _seen_part(surface: Surface, view: View, buffer: DepthBuffer) -> Surface:
+    """The patches that face the viewer, and those that are seen from inside."""
+    sign = outward_sign_of_mesh(surface.points, surface.triangles)
+    facing = sign * (surface.normals @ view.towards) > 0.0
+    seen = np.asarray(facing[surface.triangles].any(axis=1))
+    seen[buffer.triangle[buffer.triangle >= 0]] = True
+    part = np.isin(surface.patch, surface.patch[seen])
+    return replace(surface, triangles=surface.triangles[part], patch=surface.patch[part])

@@ -45,7 +45,7 @@ def closeup(scene: TapeScene, key: str, side: Sight) -> Picture:
     number = Text(16.0, 12.0, str(lines[0].number), NUMBER_PIXELS, "left", "top")
     marks, texts = _names(scene.landmarks[key], view)
     return Picture(
-        scene.surface,
+        side.surface,
         view,
         SIZE,
         tubes=tape_mesh(lines, RADIUS * view.height, forward(scene, lines, view)),

@@ -220,7 +220,7 @@ def body_picture(
     columns = Columns(low - gap, high + gap, 0.0, size[1], LABEL_PIXELS)
     found, layout = numbered(drawn, numbers, side, size, columns)
     return Picture(
-        scene.surface,
+        side.surface,
         view,
         size,
         tubes=tape_mesh(drawn, RADIUS * scene.size, forward(scene, drawn, view)),

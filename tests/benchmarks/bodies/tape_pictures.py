@@ -20,7 +20,7 @@ from bodymeasure.scene.drawing.opengl_check import PYVISTA, SOFTWARE, opengl_tro
 
 
 def main(name: str) -> None:
-    """Measure a sample body, draw its chart, and print processor seconds."""
+    """Measure a sample body, draw its chart, and print seconds of the processor."""
     start = time.process_time()
     chart = measure_chart(bm.load_sample(name))
     print(f"{name}: {len(chart.measured)} measurements in {time.process_time() - start:.1f} s")
