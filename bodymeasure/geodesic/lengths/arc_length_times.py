@@ -1,4 +1,4 @@
-"""When a path that does not run at constant speed has gone a given part of its length."""
+"""The times at which paths of varying speed have covered given parts of their lengths."""
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -6,23 +6,24 @@ from numpy.polynomial import legendre
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.spaces.quadrature import Quadrature
 
-# Newton steps within a bracket that each step narrows; four are enough where speeds vary little.
+# The most Newton steps, within a bracket that each of them narrows; four are enough where speeds
+# vary little.
 STEPS = 50
 # From an arc length this close to the one that is sought, relative to the whole, one more step
-# leads to rounding errors.
+# reaches it to within rounding errors.
 CLOSE = 1e-9
 
 
 def times_at(quadrature: Quadrature, speed: Array, parts: Array) -> Array:
-    """Parameters at which paths have gone given parts of their lengths.
+    """Return the parameters at which paths have covered given parts of their lengths.
 
     Parameters
     ----------
     quadrature : Quadrature
     speed : ndarray, shape (problems, points)
-        At the quadrature's points; positive.
+        The speeds at the quadrature's points; positive.
     parts : ndarray, shape (k,)
-        In [0, 1].
+        The parts, in [0, 1].
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Points that are one place: equal ones, and those on one collapsed edge."""
+"""Points that coincide: equal ones, and those on one collapsed edge."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -7,18 +7,19 @@ from bodymeasure._typing import Array
 from bodymeasure.geodesic.lengths.measure import CANCELLATION
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# Points of a line at which its speed is looked at: a polynomial of a lower degree cannot vanish at
-# all of them without being zero.
+# The parameters at which the speed along a line is evaluated: a polynomial of a degree below their
+# number cannot vanish at all of them without being zero.
 TIMES = np.linspace(0.0, 1.0, 17)
 
 
 def distances_in_one_place(
     surfaces: Surface, surface_of: NDArray[np.int64], start: Array, end: Array
 ) -> Array:
-    """Bounds of the distances between points that cannot be told apart, infinite for all others.
+    """Return bounds of the distances between coincident points, and infinity for all others.
 
-    Zero for equal points. Along a line of u or of v the surface may stand still, as on the edge of
-    a patch that is collapsed to a point: then the distance is zero but for rounding errors.
+    The bound is zero for equal points. Along a line of u or of v the surface may stand still, as on
+    an edge of a patch that is collapsed to a point: then the distance is zero but for rounding
+    errors.
 
     Parameters
     ----------

@@ -12,18 +12,18 @@ _Pair = tuple[Array, Array]
 
 
 def dot(a: Array, b: Array) -> Array:
-    """Scalar product of vectors whose components run along axis 0."""
+    """Return the scalar products of vectors whose components run along axis 0."""
     product: Array = a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
     return product
 
 
 def acceleration(jet: Array, velocity: Array, second: Array) -> Array:
-    """Second derivative of S(u(t), v(t)) by t.
+    """Return the second derivative of S(u(t), v(t)) by t.
 
     Parameters
     ----------
     jet : ndarray, shape (>= 6, 3, ...)
-        Derivatives of the surface, in the order of `surface.JET`.
+        The derivatives of the surface, in the order of `surfaces.protocol.JET`.
     velocity, second : ndarray, shape (2, ...)
         (u', v') and (u'', v'').
 
@@ -56,7 +56,7 @@ class Linearization(NamedTuple):
 
 
 def linearization(jet: Array, velocity: Array, second: Array) -> Linearization:
-    """``S_u . a`` and ``S_v . a``, with a the `acceleration`, and their derivatives.
+    """Return ``S_u . a`` and ``S_v . a``, with a the `acceleration`, and their derivatives.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def linearization(jet: Array, velocity: Array, second: Array) -> Linearization:
 def residual_and_jacobian(
     surface: Surface, space: TrialSpace, values: Array, *, ends: bool = False
 ) -> tuple[Array, Array]:
-    """Tangential acceleration at the collocation points, and its derivative by the nodal values.
+    """Return the tangential acceleration at collocation points, and its derivative by nodal values.
 
     With a the acceleration of S(u(t), v(t)), the equations are ``S_u . a = 0 = S_v . a``: the
     paper's (1) and (2) multiplied by the metric. They need no Christoffel symbols and stay finite

@@ -22,14 +22,14 @@ from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 SAFETY = 5.0
 QUADRATURE_SAFETY = 3.0
 CURVATURE_VARIATION = 4.0
-# Rounding errors of a length, relative, a node: measured against 40-node solutions.
+# The relative rounding error of a length for each node, measured against 40-node solutions.
 ROUNDING = 2e-16
 # If the length times the integral of the positive part of K is below this, no conjugate point can
 # lie on the path: Lyapunov's inequality (P. Hartman, Ordinary Differential Equations, XI.5.1).
 LYAPUNOV_BOUND = 4.0
-# Of more modes than this the products of all pairs take too much memory, and problems are few.
+# For more modes than this the products of all pairs take too much memory, and problems are few.
 MOST_IN_ONE_PRODUCT = 48
-# On spaces of fewer functions two modes are not enough to tell what is left out.
+# On spaces of fewer functions, two modes are not enough to estimate what is left out.
 FEW = 6
 # An eigenvalue of the second variation that is this small, beside its others of about 1, is made of
 # rounding errors, and its sign says nothing.
@@ -74,11 +74,11 @@ def length_and_error(space: TrialSpace, along: PathGeometry, xp: Any) -> Length:
         left_out = left_out + _beyond(quadrature, along, modes, xp)
     left_out = left_out + _next_order(quadrature, along, (shift, slope), variation, xp)
     left_out = left_out + QUADRATURE_SAFETY * quadrature.error_estimate(speed, xp)
-    # Besides sums of many terms, what is left over of the solution of the collocation equations.
+    # The rounding errors of sums of many terms, and of the solution of the collocation equations.
     error = SAFETY * left_out + ROUNDING * (10.0 + space.size) * length
     # A system that could not be solved has a correction that is not finite, and an error too.
     known = xp.isfinite(error)
-    # K on the geodesic, beside the path, differs by this times the square of the length.
+    # On the geodesic, beside the path, K times the square of the length differs by this.
     uncertainty = variation * xp.max(xp.abs(shift), axis=0) * length * length / np.pi**2
     index = _index(quadrature, along, pivots, uncertainty, xp)
     correction = xp.sum(by_mode, axis=0)
@@ -96,12 +96,12 @@ def length_and_error(space: TrialSpace, along: PathGeometry, xp: Any) -> Length:
 def _index(
     quadrature: Quadrature, along: PathGeometry, pivots: Any, uncertainty: Any, xp: Any
 ) -> Any:
-    """How many eigenvalues of the second variation are negative.
+    """The number of negative eigenvalues of the second variation.
 
-    That is the number of conjugate points on the way (Morse's index theorem: M. do Carmo,
-    *Riemannian Geometry*, chapter 11), and Galerkin's method never counts too many. `UNKNOWN` where
-    an eigenvalue is so small that its sign is in doubt: all but that one are about the mean of
-    1 / speed, so that the determinant tells.
+    That is the number of conjugate points on the path (Morse's index theorem: M. do Carmo,
+    *Riemannian Geometry*, chapter 11), and Galerkin's method never counts too many. The index is
+    `UNKNOWN` where an eigenvalue is so small that its sign is uncertain. All others are about the
+    mean of 1 / speed, so that the determinant shows how small it is.
     """
     speed, _, curvature = along
     weights = constant(quadrature.weights, speed, xp)
@@ -109,12 +109,12 @@ def _index(
     negative = xp.sum(xp.where(pivots < 0.0, 1, 0), axis=0)
     clear = xp.abs(xp.prod(pivots / size, axis=0)) > uncertainty + EIGENVALUE_ROUNDING
     positive = weights @ (xp.where(curvature > 0.0, curvature, 0.0) * speed)
-    # The cheap test for none proves it without Galerkin's method.
+    # Lyapunov's inequality proves that there is none without Galerkin's method.
     return xp.where(positive * length < LYAPUNOV_BOUND, 0, xp.where(clear, negative, UNKNOWN))
 
 
 def _curvature_variation(quadrature: Quadrature, along: PathGeometry, xp: Any) -> Any:
-    """A size of the derivative of K across the path."""
+    """An estimate of the size of the derivative of K across the path."""
     speed, _, curvature = along
     steps = constant(np.diff(quadrature.points)[:, None], speed, xp)
     change = xp.abs(curvature[1:, :] - curvature[:-1, :]) / steps
@@ -125,10 +125,11 @@ def _curvature_variation(quadrature: Quadrature, along: PathGeometry, xp: Any) -
 
 
 def _beyond(quadrature: Quadrature, along: PathGeometry, modes: "_Modes", xp: Any) -> Any:
-    """What is left out of the correction with the modes that are left out, all together.
+    """The part of the correction that belongs to all modes that are left out.
 
-    Without K, which says little to so quick modes, psi' is the integral of the curvature along the
-    path, less its mean: what of it is no sum of the modes' slopes is known.
+    K hardly matters to modes that vary so quickly. Without it, psi' is the integral of the
+    curvature along the path, less its mean, and the part of that outside the span of the modes'
+    slopes is known.
     """
     speed, kappa, _ = along
     weights = constant(quadrature.weights, speed, xp)
@@ -174,7 +175,7 @@ class _Modes:
 
     @cached_property
     def products(self) -> Array:
-        """From the densities to the lower triangle of the Jacobi system, column by column.
+        """The map from the densities to the lower triangle of the Jacobi system, column by column.
 
         Shape (count * (count + 1) / 2, 2 * points).
         """
@@ -184,12 +185,12 @@ class _Modes:
         return np.ascontiguousarray(np.concatenate([stiffness, -mass]).T)
 
     def system(self, densities: Any, xp: Any) -> Any:
-        """The lower triangle of the Jacobi system, column by column.
+        """Return the lower triangle of the Jacobi system, column by column.
 
         Parameters
         ----------
         densities : array, shape (2 * points, problems)
-            Of stiffness and of mass.
+            The densities of stiffness, then those of mass.
         """
         if self.count > MOST_IN_ONE_PRODUCT:
             factors = np.concatenate([self.slopes, self.values])

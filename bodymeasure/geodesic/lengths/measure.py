@@ -1,8 +1,8 @@
-r"""The length of a computed path, how much too long it is, and how sure that is.
+r"""The length of a computed path, its excess over the geodesic's, and the error of both.
 
 A path :math:`\gamma` that is not quite a geodesic has a geodesic curvature :math:`\kappa_g`. Let
-:math:`\psi` be how far the geodesic between the same ends lies to its side. In coordinates of arc
-length s along the path and distance n from it, the metric is
+:math:`\psi` be the distance to its side at which the geodesic between the same ends lies. In
+coordinates of arc length s along the path and distance n from it, the metric is
 :math:`ds^2 (1 - 2 \kappa_g n + (\kappa_g^2 - K) n^2 + \dots) + dn^2`, so the length of the path
 shifted by :math:`\psi` is
 
@@ -10,23 +10,23 @@ shifted by :math:`\psi` is
 
 (K is the Gaussian curvature). It is stationary where :math:`-\psi'' - K \psi = \kappa_g`, the
 Jacobi equation with zero ends, and there :math:`L - L(\psi) = \tfrac12 \int \kappa_g \psi` to
-leading order. That excess is subtracted. What is left over is estimated by
+leading order. That excess is subtracted. The remaining error is estimated by
 
 - the last Galerkin modes of :math:`\psi`, for those that were left out. On few functions two modes
-  tell too little, and the curvature of piecewise polynomials has kinks, so that what modes take off
-  hardly falls from one to the next: there, all that they leave out of
+  say too little, and the curvature of piecewise polynomials has kinks, so that the contributions of
+  the modes hardly fall from one to the next: there, all that they leave out of
   :math:`\tfrac12 \int (\int \kappa_g)^2`, which is the excess without K, is counted too;
 - the next term of the expansion, :math:`\tfrac16 \int |\partial_n K| |\psi|^3`, with the
   derivative across the path taken to be of the size of that along it, and of 4 K / L;
 - the terms after it, :math:`\int |\kappa_g \psi| \psi'^2 / 2 + \psi'^4 / 8 + K^2 \psi^4`;
-- three times the error that the quadrature estimates of itself;
+- three times the quadrature's estimate of its own error;
 
 all times five, plus rounding. The factors were fixed by measurement
 (``tests/benchmarks/patches/error_estimate.py`` and ``adversarial.py``): on random and body patches
 the estimate covers the true error of the corrected length on more than 99.9 % of paths; with a
 factor of three some adversarial ones were off by 1.6 times the estimate. It is about a hundred
 times too large in the median where errors are above rounding, and some 1e-5 of what is corrected.
-It is leading order: callers trust it only where the correction is a small part of the length
+It is of leading order: callers trust it only where the correction is a small part of the length
 (`length.TRUSTED_CORRECTION`) and the path turns but little between its nodes
 (`length.TRUSTED_RESIDUAL`).
 """
@@ -46,12 +46,12 @@ from bodymeasure.geodesic.surfaces.protocol import Surface
 # rounding errors that `jacobi.ROUNDING` allows are made by a path that is not this part as long as
 # its way in u and v.
 STEEP = 0.2
-# Rounding errors of a derivative, relative to the terms that it is the sum of.
+# The rounding error of a derivative, relative to the terms that it is the sum of.
 CANCELLATION = 4e-16
 
 
 def measure_length(surface: Surface, space: TrialSpace, values: Array) -> Length:
-    """Length, leading-order correction and error estimate of paths.
+    """Return the lengths of paths, with their leading-order corrections and error estimates.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ def measure_length(surface: Surface, space: TrialSpace, values: Array) -> Length
         u and v at the nodes.
     """
     place, *slopes = space.at_quadrature
-    # As in `equations`: rounding of the sums that differentiate must not grow with the place.
+    # Differences from the start, so that rounding errors of derivatives do not grow with (u, v).
     moved = values - values[:, :, :1]
     geometry = path_geometry(surface, values @ place.T, *(moved @ rows.T for rows in slopes))
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
@@ -73,7 +73,7 @@ def measure_length(surface: Surface, space: TrialSpace, values: Array) -> Length
 
 
 def is_steep(length: Array, values: Array) -> NDArray[np.bool_]:
-    """Which paths are so short, for their way in u and v, that rounding errors count.
+    """Return which paths are so short, for their way in u and v, that rounding errors count.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def is_steep(length: Array, values: Array) -> NDArray[np.bool_]:
 
 
 def _cancellation(surface: Surface, space: TrialSpace, values: Array) -> Array:
-    """Rounding errors of lengths that are small beside what they are calculated from."""
+    """The rounding errors of lengths that are small beside what they are calculated from."""
     place, slopes, _ = space.at_quadrature
     velocity = np.abs((values - values[:, :, :1]) @ slopes.T)
     magnitude = surface.magnitude((values @ place.T).transpose(0, 2, 1))

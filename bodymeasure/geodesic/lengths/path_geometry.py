@@ -10,16 +10,16 @@ from bodymeasure.geodesic.surfaces.protocol import Surface
 
 
 class PathGeometry(NamedTuple):
-    """What paths look like on their surfaces at k points; arrays of shape (k, problems).
+    """The geometry of paths on their surfaces at k points; arrays of shape (k, problems).
 
     Parameters
     ----------
     speed : array
         ``|dx/dt|``.
     geodesic_curvature : array
-        How much the path bends within the surface: 0 along a geodesic.
+        The curvature of the path within the surface: 0 along a geodesic.
     gaussian_curvature : array
-        Of the surface.
+        The Gaussian curvature of the surface.
     """
 
     speed: Any
@@ -28,7 +28,7 @@ class PathGeometry(NamedTuple):
 
 
 def path_geometry(surface: Surface, values: Array, velocity: Array, second: Array) -> PathGeometry:
-    """The geometry of paths given by (u, v) and their two derivatives by t.
+    """Return the geometry of paths given by (u, v) and their two derivatives by t.
 
     Parameters
     ----------

@@ -10,20 +10,20 @@ from bodymeasure.geodesic.solving.newton import NewtonResult
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# Levenberg-Marquardt damping is relative to the metric's trace. It starts where a step that failed
-# is shortened to some half of itself, is multiplied and divided by these, and is zero below the
-# least.
+# Levenberg-Marquardt damping is relative to the trace of the metric. Its first value shortens a
+# step that failed to about half of itself; it is multiplied by the second after each failure,
+# divided by the third after each success, and zero below the last.
 FIRST_DAMPING = 0.1
 MORE_DAMPING = 4.0
 LESS_DAMPING = 10.0
 LEAST_DAMPING = 1e-4
-# With this much a step moves nothing: the minimum is not to be found.
+# With more damping than this a step moves nothing, and the minimum cannot be found.
 MOST_DAMPING = 1e6
-# A step is accepted if it lowers the functional by this part of what was foretold.
+# A step is accepted if it lowers the functional by this part of what was predicted.
 SUFFICIENT_DECREASE = 1e-3
-# Below this, in u and v, steps are rounding, however close the ends are.
+# Steps below this, in u and v, are rounding errors, however close the ends are.
 SMALL_STEP = 1e-15
-# What a functional may rise by rounding, relative.
+# The part of its value by which a functional may rise through rounding.
 ROUNDING = 1e-14
 
 
@@ -69,13 +69,13 @@ def minimize(
         direction[:, coordinates, 1:-1] = step.reshape(len(step), unknowns, base.shape[2] - 2)
         size = np.abs(step).max(axis=1, initial=0.0)
         slope = np.einsum("pi,pi->p", best.gradient, step)
-        foretold = slope + 0.5 * np.einsum("pi,pij,pj->p", step, best.hessian, step)
+        predicted = slope + 0.5 * np.einsum("pi,pij,pj->p", step, best.hessian, step)
         result.iterations[active] += 1
         good = solvable & (size <= LONGEST_STEP)
         moved = np.where(good[:, None, None], base + direction, base)
         there = functional(surface, space, moved)
-        allowed = best.value + SUFFICIENT_DECREASE * foretold + ROUNDING * best.value
-        accepted = good & (foretold <= 0.0) & (there.value <= allowed)
+        allowed = best.value + SUFFICIENT_DECREASE * predicted + ROUNDING * best.value
+        accepted = good & (predicted <= 0.0) & (there.value <= allowed)
         last = np.maximum(LAST_STEP * span[active], SMALL_STEP)
         converged = accepted & (damping == 0.0) & (size < last)
         base = np.where(accepted[:, None, None], moved, base)
@@ -99,7 +99,7 @@ def minimize(
 
 
 def _slope_products(space: TrialSpace, unknowns: int) -> Array:
-    """Scalar products of the slopes of the unknowns' cardinal functions: what damping adds."""
+    """The scalar products of the slopes of the cardinal functions, which damping adds."""
     slopes = space.at_quadrature[1][:, 1:-1]
     products = (slopes.T * space.quadrature.weights) @ slopes
     result: Array = np.kron(np.eye(unknowns), products)
@@ -109,7 +109,7 @@ def _slope_products(space: TrialSpace, unknowns: int) -> Array:
 def _damped_step(
     here: SecondOrder, metric: Array, damping: Array
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Steps, and which could be computed."""
+    """The steps, and which of them could be computed."""
     finite = np.asarray(
         np.isfinite(here.gradient).all(axis=1) & np.isfinite(here.hessian).all(axis=(1, 2))
     )
@@ -121,7 +121,7 @@ def _damped_step(
     try:
         step = np.linalg.solve(matrix, -gradient)[..., 0]
     except np.linalg.LinAlgError:
-        # One of the batch is exactly singular; this leaves out where nothing is known.
+        # A system of the batch is exactly singular; this gives the shortest of its solutions.
         step = (np.linalg.pinv(matrix, hermitian=True) @ -gradient)[..., 0]
     return np.where(finite[:, None], step, 0.0), finite
 

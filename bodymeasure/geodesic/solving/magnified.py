@@ -1,4 +1,4 @@
-"""Points that are close together: the same problem, seen through a magnifying glass.
+"""Problems between points that are close together, solved in magnified coordinates.
 
 The way from start to end becomes one of unit size. Parameters have rounding errors of 1e-16, which
 between points 1e-12 apart would be a ten-thousandth of the way; in the magnified coordinates, which
@@ -14,13 +14,13 @@ from bodymeasure._typing import Array
 from bodymeasure.geodesic.solving.protocol import Method, MethodResult, PathBatch
 from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE, Surface
 
-# Points closer than this in u and v are near: enough to lose no more than two digits beyond it.
+# Points closer than this in u and v are near; beyond it, no more than two digits are lost.
 NEAR = 0.03
-# The way from start to end is this part of the magnified unit square, and begins in its middle, so
-# that paths have room in it.
+# The way from start to end takes up this part of the magnified unit square, and begins in its
+# middle, so that paths have room in it.
 WAY = 0.25
 MIDDLE = 0.5
-# Factors of derivatives are 2 to a power between minus this and this: they never overflow.
+# The factors of derivatives are powers of 2 with exponents of at most this size: none overflows.
 MOST = 1000
 _ORDERS = np.array(JET)
 
@@ -33,9 +33,9 @@ class MagnifiedSurface:
     surface : Surface
     center : ndarray, shape (problems, 2)
     extent : ndarray of int, shape (problems, 2)
-        Powers of two, so that nothing is rounded.
+        Exponents of powers of two, so that nothing is rounded.
     unit : ndarray of int, shape (problems,)
-        The same for the unit of length.
+        The exponents of the units of length.
     """
 
     def __init__(
@@ -51,12 +51,12 @@ class MagnifiedSurface:
         self._unit = unit
 
     def parameters(self, place: Array) -> Array:
-        """(u, v) of magnified coordinates, both of shape (problems, k, 2)."""
+        """Return (u, v) for magnified coordinates, both of shape (problems, k, 2)."""
         moved: Array = np.ldexp(place - MIDDLE, self._extent[:, None])
         return self._center[:, None] + moved
 
     def jet(self, parameters: Array, order: int) -> Array:
-        """Derivatives in the order of `JET`; the positions, which nothing asks for, as they are."""
+        """Return the derivatives in the order of `JET`; positions are not magnified."""
         jet = self._surface.jet(self.parameters(parameters), order)
         powers = _ORDERS[: JET_SIZE[order]] @ self._extent.T - self._unit
         powers[0] = 0
@@ -64,17 +64,17 @@ class MagnifiedSurface:
         return jet
 
     def positions(self, parameters: Array) -> Array:
-        """Points, shape (problems, k, 3), in the surface's own unit."""
+        """Return points, shape (problems, k, 3), in the surface's own unit."""
         return self._surface.positions(self.parameters(parameters))
 
     def magnitude(self, parameters: Array) -> Array:
-        """Size of what S_u and S_v are calculated from, shape (2, problems, k)."""
+        """Return the size of the terms of S_u and S_v, shape (2, problems, k)."""
         magnitude = self._surface.magnitude(self.parameters(parameters))
         powers = np.clip(self._extent.T - self._unit, -MOST, MOST)
         return np.asarray(magnitude * np.ldexp(1.0, powers)[:, :, None])
 
     def take(self, problems: NDArray[np.int64]) -> "MagnifiedSurface":
-        """The surfaces of some of the problems."""
+        """Return the surfaces of some of the problems."""
         return MagnifiedSurface(
             self._surface.take(problems),
             self._center[problems],
@@ -84,7 +84,7 @@ class MagnifiedSurface:
 
 
 def solve_near_and_far(method: Method, surface: Surface, start: Array, end: Array) -> MethodResult:
-    """What a method finds, near problems magnified; start and end of shape (problems, 2)."""
+    """Solve by a method, with near problems magnified; start and end of shape (problems, 2)."""
     if len(start) == 0:
         return MethodResult((), np.zeros(0, np.int64))
     span = np.abs(end - start).max(axis=1)
@@ -126,16 +126,16 @@ def _magnified(method: Method, surface: Surface, start: Array, end: Array) -> Me
 def _sizes(
     surface: Surface, start: Array, move: Array
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """How large the part of the patch is that a way takes up, in u and v and in length.
+    """The size of the part of the patch that a way takes up, in u and v and in length.
 
-    As powers of two. In a coordinate in which the patch is much longer than in the other, a short
-    way takes up less of it.
+    The sizes are exponents of powers of two. A short way takes up less of a coordinate in which the
+    patch is much longer than in the other.
     """
     with np.errstate(all="ignore"):
         slopes = np.linalg.norm(surface.jet((start + move / 2.0)[:, None], 1)[1:, :, :, 0], axis=1)
         chord = (slopes.T * np.abs(move)).sum(axis=1)
         span = np.abs(move).max(axis=1)
-        # Where the surface stands still, or is not finite, the way itself must tell.
+        # Where the surface stands still, or is not finite, only the way itself gives a size.
         extent = np.fmin(chord / slopes, span).T
         length = np.where(np.isfinite(chord) & (chord > 0.0), chord, span)
     room = np.frexp(1.0 / WAY)[1]

@@ -10,14 +10,14 @@ from bodymeasure.geodesic.numerics.damped_newton import LAST_STEP, LONGEST_STEP,
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# A step is accepted if it lowers the norm of the residual by this part of what was foretold.
+# A step is accepted if it lowers the norm of the residual by this part of what was predicted.
 SUFFICIENT_DECREASE = 1e-3
 MAX_ITERATIONS = 25
 
 
 @dataclass
 class NewtonResult:
-    """Where Newton's method ended for each problem.
+    """The values at which Newton's method ended for each problem.
 
     Parameters
     ----------
@@ -25,7 +25,7 @@ class NewtonResult:
         u and v at the nodes.
     converged : ndarray of bool, shape (problems,)
     singular : ndarray of bool, shape (problems,)
-        The Jacobian could not be solved with, or the residual is not finite from the start.
+        Whether the linear system could not be solved, or the residual is not finite at the start.
     iterations : ndarray of int, shape (problems,)
     """
 
@@ -36,7 +36,7 @@ class NewtonResult:
 
     @classmethod
     def unsolved(cls, start: NDArray[np.float64]) -> "NewtonResult":
-        """Where it begins: at a first guess of shape (problems, 2, n + 1)."""
+        """Return the state before the first step, for a guess of shape (problems, 2, n + 1)."""
         none = np.zeros(len(start), bool)
         return cls(start.copy(), none, none.copy(), np.zeros(len(start), np.int64))
 
@@ -101,11 +101,11 @@ def newton(
         if not done.any():
             continue
         ended = active[done]
-        # The last step is taken too: it is known, and squares the error once more.
+        # The last step is known already; taking it squares the error once more.
         full = converged[done, None, None] * direction[done]
         result.values[ended] = base[done] + full
         result.converged[ended] = converged[done]
-        # A first residual that is not finite says no more than a system that cannot be solved.
+        # A first residual that is not finite is as bad as a system that cannot be solved.
         result.singular[ended] = ~solvable[done] | ~np.isfinite(base_norm[done])
         keep = np.flatnonzero(~done)
         active, base, base_norm = active[keep], base[keep], base_norm[keep]
@@ -124,7 +124,7 @@ def _first_step(direction: NDArray[np.float64]) -> NDArray[np.float64]:
 def _direction(
     jacobian: NDArray[np.float64], residual: NDArray[np.float64], like: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """Newton directions (zero at the end nodes), and which systems could be solved."""
+    """The Newton directions, zero at the end nodes, and which systems could be solved."""
     problems, _, points = residual.shape
     matrix = jacobian.reshape(problems, 2 * points, 2 * points)
     right = -residual.reshape(problems, 2 * points, 1)
@@ -148,7 +148,7 @@ def _direction(
 def _solve_one_by_one(
     matrix: NDArray[np.float64], right: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """Where one system of the batch is exactly singular, find out which."""
+    """The same where some systems of the batch are exactly singular, solved one by one."""
     solution = np.zeros_like(right)
     regular = np.ones(len(matrix), bool)
     for i in range(len(matrix)):

@@ -1,4 +1,4 @@
-"""Trial spaces in turn, each with more functions than the last, until the length is known."""
+"""Solving on trial spaces in turn, each larger than the last, until the length is known."""
 
 from collections.abc import Callable, Sequence
 from typing import Protocol
@@ -13,26 +13,26 @@ from bodymeasure.geodesic.solving.protocol import MethodResult, PathBatch
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# Relative error that is asked for. The correction about doubles the digits, so that
-# this takes far fewer functions than the paths themselves would.
+# The relative error that is asked for. The correction about doubles the number of digits, so that
+# this takes far fewer functions than paths of that accuracy would.
 TOLERANCE = 1e-10
 # On all but the last trial space, Newton's method is given up after this many steps: a few stubborn
 # problems are cheaper with more functions.
 FIRST_ITERATIONS = 6
-# A path this far outside [0, 1], in u or v, is not brought back by more functions: hundred times
-# what a path on 8 functions is off where it has not converged.
+# A path this far outside [0, 1], in u or v, is not brought back by more functions: it is a hundred
+# times the error of a path on 8 functions that has not converged.
 FAR_OUTSIDE = 0.02
-# Problems that are solved at once: their arrays then stay in the processor's cache.
+# The number of problems that are solved at once, whose arrays then fit the processor's cache.
 CHUNK = 384
 
 
 class Solver(Protocol):
-    """What finds the nodal values of many problems on one trial space; `newton` is one."""
+    """A function that finds nodal values of many problems on one trial space, such as `newton`."""
 
     def __call__(
         self, surface: Surface, space: TrialSpace, start: Array, *, max_iterations: int
     ) -> NewtonResult:
-        """Nodal values from a first guess of shape (problems, 2, n + 1), whose ends stay."""
+        """Return nodal values, from a guess of shape (problems, 2, n + 1) whose ends stay."""
 
 
 def solve_on_spaces(
@@ -43,19 +43,19 @@ def solve_on_spaces(
     tolerance: float,
     solver: Solver = newton,
 ) -> MethodResult:
-    """Solve a batch of problems, those that are left over each time on the next trial space.
+    """Solve a batch of problems; those that fail on one trial space go on to the next.
 
-    The first guess is the straight line in (u, v), then the path on the space before.
+    The first guess is the straight line in (u, v), and later the path on the previous space.
 
     Parameters
     ----------
     spaces : sequence of callable
-        Makers of the trial spaces, in the order in which they are tried; called when needed.
+        Functions that make the trial spaces when they are needed, in the order of their use.
     surface : Surface
     ends : tuple of ndarray
-        Start and end, both of shape (problems, 2).
+        The starts and the ends, both of shape (problems, 2).
     tolerance : float
-        Relative error of the length that is asked for.
+        The relative error of the length that is asked for.
     solver : Solver
     """
     start, end = ends
@@ -100,9 +100,9 @@ def _measured(
 
 
 def is_far_outside(batch: PathBatch, solved: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Which paths leave their patch so clearly that more functions would not bring them back.
+    """Return which paths leave their patch so far that more functions would not bring them back.
 
-    They have no length on the patch, and the polynomial that continues it out there may be wild.
+    They have no length on the patch, and the polynomials that continue it may be wild.
     """
     result = np.zeros(len(batch.problems), bool)
     rows = np.flatnonzero(~batch.converged & solved)
@@ -111,7 +111,7 @@ def is_far_outside(batch: PathBatch, solved: NDArray[np.bool_]) -> NDArray[np.bo
 
 
 def straight(start: Array, end: Array, nodes: Array) -> Array:
-    """Nodal values of straight lines in (u, v), shape (problems, 2, n + 1)."""
+    """Return the nodal values of straight lines in (u, v), shape (problems, 2, n + 1)."""
     line: Array = start[:, :, None] + (end - start)[:, :, None] * nodes
     line[:, :, -1] = end
     return line

@@ -1,4 +1,4 @@
-"""What a method is: settings, and how a batch of problems is solved with them."""
+"""The interface of methods, and the batches of paths that they return."""
 
 from dataclasses import dataclass, replace
 from typing import Protocol
@@ -19,9 +19,16 @@ class EdgeContact:
     Parameters
     ----------
     edge : str
-        The edge's name, as in `bodymeasure.atlas.EDGES`: ``u = 0`` and so on.
+        The name of the edge, as in `bodymeasure.atlas.EDGES`, such as ``u = 0``.
     start, end : float
-        From where to where, in the parameter that runs along the edge.
+        The values, at both ends of the part, of the parameter that runs along the edge.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> contact = bm.EdgeContact("u = 0", start=0.25, end=0.75)
+    >>> contact.end - contact.start
+    0.5
     """
 
     edge: str
@@ -31,22 +38,22 @@ class EdgeContact:
 
 @dataclass(frozen=True)
 class PathBatch:
-    """Paths of those problems that ended on one trial space.
+    """The paths of those problems of a batch that were solved on one trial space.
 
     Parameters
     ----------
     problems : ndarray of int, shape (k,)
     space : TrialSpace
     values : ndarray, shape (k, 2, n + 1)
-        u and v at the space's nodes.
+        The values of u and v at the space's nodes.
     length : Length
-        Of shape (k,).
+        The lengths of the paths, with arrays of shape (k,).
     converged, singular : ndarray of bool, shape (k,)
     contacts : tuple of EdgeContact
-        The edges of its patch that the path runs along; only a batch of one problem has any.
+        The edges of its patch that the path runs along; only a batch of one path has any.
     speed : ndarray, shape (k, points), optional
-        At the points of the space's quadrature, where it is not constant: then t is not the part of
-        the length that lies behind.
+        The speed at the points of the space's quadrature, if it is not constant: then t is not the
+        part of the length that has been covered.
     """
 
     problems: NDArray[np.int64]
@@ -59,7 +66,7 @@ class PathBatch:
     speed: NDArray[np.float64] | None = None
 
     def take(self, rows: NDArray[np.int64]) -> "PathBatch":
-        """Some of the problems, by their place in this batch."""
+        """Return some of the paths, by their place in this batch."""
         return PathBatch(
             self.problems[rows],
             self.space,
@@ -72,7 +79,7 @@ class PathBatch:
         )
 
     def points(self, parts: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Where the paths are after parts of their lengths, (u, v), shape (problems, parts, 2)."""
+        """Return (u, v) after parts of the paths' lengths, shape (problems, parts, 2)."""
         if self.speed is None:
             places = self.values @ self.space.matrices(parts)[0].T
             points = np.ascontiguousarray(places.transpose(0, 2, 1))
@@ -84,18 +91,18 @@ class PathBatch:
         return points
 
     def renumbered(self, problems: NDArray[np.int64]) -> "PathBatch":
-        """The same paths under other problem numbers."""
+        """Return the same paths under other problem numbers."""
         return replace(self, problems=problems)
 
 
 @dataclass(frozen=True)
 class MethodResult:
-    """What a method found for a batch of problems.
+    """The paths that a method found for a batch of problems.
 
     Parameters
     ----------
     batches : tuple of PathBatch
-        Every problem is in exactly one.
+        The paths; every problem is in exactly one of the batches.
     iterations : ndarray of int, shape (problems,)
     """
 
@@ -108,9 +115,9 @@ class Method(Protocol):
 
     @property
     def tolerance(self) -> float:
-        """Relative error of the length that is asked for."""
+        """The relative error of the length that is asked for."""
 
     def solve(
         self, surface: Surface, start: NDArray[np.float64], end: NDArray[np.float64]
     ) -> MethodResult:
-        """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
+        """Return paths from start to end, both of shape (problems, 2), on a batch of surfaces."""

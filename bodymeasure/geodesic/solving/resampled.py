@@ -1,4 +1,4 @@
-"""Paths that a method has found in its own way, as polynomials, measured like all others."""
+"""Paths that a method found in a form of its own, as polynomials that are measured like others."""
 
 from collections.abc import Callable
 
@@ -11,11 +11,11 @@ from bodymeasure.geodesic.solving.protocol import PathBatch
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# Degrees that are tried in turn.
+# The degrees that are tried in turn.
 DEGREES = (8, 12, 16, 20, 28, 40)
 
 Path = Callable[[Array], Array]
-"""From k parameters t in [0, 1] to (u, v) there, shape (2, k)."""
+"""A function from k parameters t in [0, 1] to (u, v), shape (2, k)."""
 
 
 def resampled(
@@ -25,7 +25,7 @@ def resampled(
     *,
     tolerance: float,
 ) -> tuple[PathBatch, ...]:
-    """Polynomials through paths, of the degree at which the length is best known.
+    """Return polynomials through paths, of the degree at which the length is best known.
 
     The lowest degree whose length is known to the tolerance is taken, and if there is none, that
     with the least estimated error.
@@ -34,11 +34,12 @@ def resampled(
     ----------
     surface : Surface
     paths : list of callable
-        None where the method failed: the straight line stands there, not converged.
+        The paths; None where the method failed, for which a straight line that is not converged
+        stands in the result.
     ends : tuple of ndarray
-        Start and end, both of shape (problems, 2); the polynomials meet them exactly.
+        The starts and the ends, both of shape (problems, 2); the polynomials meet them exactly.
     tolerance : float
-        Relative error of the length that is asked for.
+        The relative error of the length that is asked for.
     """
     start, end = ends
     failed = np.array([path is None for path in paths], bool)
@@ -56,7 +57,7 @@ def resampled(
             path = paths[problem]
             if path is not None:
                 values[row] = path(space.nodes)
-        # By little enough to do it linearly along the path.
+        # The ends are off by so little that the path can be moved linearly along it.
         for place, target in ((0, start), (-1, end)):
             weights = 1.0 - space.nodes if place == 0 else space.nodes
             values += (target[rest] - values[:, :, place])[:, :, None] * weights

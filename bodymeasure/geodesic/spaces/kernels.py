@@ -14,27 +14,33 @@ class Kernel:
     ----------
     name : str
     exponent : int
-        Power of the cut-off factor.
+        The power of the cut-off factor.
     factor : tuple of int
-        Coefficients of the other factor, constant term first.
+        The coefficients of the other factor, constant term first.
     smoothness : int
-        The function is this many times continuously differentiable, in one dimension at r = 0.
+        How many times the function is continuously differentiable, in one dimension at r = 0.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> bm.WU_C2([0.0, 0.5, 1.0])
+    array([8.        , 1.35742188, 0.        ])
     """
 
     name: str
-    # The name says it all where settings are printed.
+    # Where settings are printed, the name is enough.
     exponent: int = field(repr=False)
     factor: tuple[int, ...] = field(repr=False)
     smoothness: int = field(repr=False)
 
     @property
     def degree(self) -> int:
-        """Degree of the polynomial that the function is on each side of its center."""
+        """The degree of the polynomial that the function is on each side of its center."""
         return self.exponent + len(self.factor) - 1
 
     @property
     def coefficients(self) -> tuple[int, ...]:
-        """Coefficients of the polynomial in r, constant term first; exact."""
+        """The exact coefficients of the polynomial in r, constant term first."""
         product: tuple[int, ...] = self.factor
         for _ in range(self.exponent):
             product = tuple(
@@ -43,7 +49,7 @@ class Kernel:
         return product
 
     def __call__(self, r: ArrayLike) -> NDArray[np.float64]:
-        """Values at scaled distances r >= 0, any shape."""
+        """Return values at scaled distances r >= 0, of any shape."""
         r = np.asarray(r, dtype=np.float64)
         inside = np.clip(1.0 - r, 0.0, None) ** self.exponent
         return np.asarray(inside * np.polynomial.polynomial.polyval(r, self.factor))

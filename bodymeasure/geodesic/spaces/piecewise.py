@@ -15,34 +15,34 @@ from bodymeasure._typing import Array
 class PiecewisePolynomials:
     """Functions that are polynomials on each piece of [0, 1], with their first two derivatives.
 
-    The derivatives are held for themselves, and all of it in extended precision where the machine
-    has it: the derivatives of cardinal functions are large and cancel, and a length can be no more
-    exact than they are.
+    The derivatives have coefficients of their own, and all coefficients are in extended precision
+    where the machine has it: the derivatives of cardinal functions are large and cancel, and a
+    length can be no more exact than they are.
 
     Parameters
     ----------
     edges : ndarray, shape (pieces + 1,)
         Increasing, from 0 to 1.
     coefficients : ndarray of longdouble, shape (3, degree + 1, functions, pieces)
-        Chebyshev coefficients on each piece, of the functions and their two derivatives.
+        The Chebyshev coefficients, on each piece, of the functions and their two derivatives.
     """
 
     edges: Array
     coefficients: NDArray[np.longdouble]
 
     def __call__(self, t: Array) -> Array:
-        """Values, first and second derivatives at t of shape (k,); shape (3, k, functions)."""
+        """Return values and two derivatives at t of shape (k,), in shape (3, k, functions)."""
         functions = self.coefficients.shape[2]
         result = np.empty((3, len(t), functions))
         for number, here, x in self._by_piece(t.astype(np.longdouble)):
             vandermonde = chebyshev.chebvander(x, self.coefficients.shape[1] - 1)
-            # Sums over neighbors in memory: three times as fast as others in extended precision.
+            # Sums over neighbors in memory are three times as fast in extended precision.
             for order, sums in enumerate(self.coefficients[..., number]):
                 result[order, here] = np.inner(vandermonde, np.ascontiguousarray(sums.T))
         return result
 
     def values(self, t: Array) -> Array:
-        """Values alone, in double precision throughout; shape (k, functions)."""
+        """Return values alone, in double precision throughout, in shape (k, functions)."""
         result = np.empty((len(t), self.coefficients.shape[2]))
         for number, here, x in self._by_piece(t):
             vandermonde = chebyshev.chebvander(x, self.coefficients.shape[1] - 1)
@@ -50,7 +50,7 @@ class PiecewisePolynomials:
         return result
 
     def _by_piece(self, t: NDArray[Any]) -> Iterator[tuple[int, NDArray[np.int64], NDArray[Any]]]:
-        """The number of each piece, which of the t lie on it, and these from -1 to 1."""
+        """The number of each piece, which t lie on it, and these scaled to [-1, 1]."""
         piece = np.clip(np.searchsorted(self.edges, t, side="right") - 1, 0, len(self.edges) - 2)
         for number in np.unique(piece):
             here = np.flatnonzero(piece == number)
@@ -58,12 +58,12 @@ class PiecewisePolynomials:
             yield int(number), here, ((t[here] - left) - (right - t[here])) / (right - left)
 
     def combined(self, values: Array, t: Array) -> Array:
-        """Sums of the functions, each at its own places.
+        """Return sums of the functions, those of each problem at its own parameters.
 
         Parameters
         ----------
         values : ndarray, shape (problems, 2, functions)
-            Factors of the functions.
+            The factors of the functions.
         t : ndarray, shape (problems, k)
 
         Returns
@@ -86,6 +86,6 @@ class PiecewisePolynomials:
 
 
 def sample_points(edges: Array, degree: int) -> Array:
-    """Where polynomials of a degree are sampled on each piece, shape (pieces, degree + 1)."""
+    """Return points that determine polynomials on each piece, shape (pieces, degree + 1)."""
     x = (chebyshev.chebpts1(degree + 1) + 1.0) / 2.0
     return np.asarray(edges[:-1, None] + np.diff(edges)[:, None] * x)

@@ -10,9 +10,9 @@ from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 
 @lru_cache(maxsize=8)
 def polygon_space(edges: int) -> TrialSpace:
-    """Polygons of so many edges, at least 2.
+    """Return the space of polygons with a number of edges, at least 2.
 
-    A path that a bound holds for a part lies on it exactly there, which polynomials do not.
+    A path that is partly held by a bound lies on it exactly there, which no polynomial does.
     """
     nodes = np.linspace(0.0, 1.0, edges + 1)
     coefficients = np.zeros((3, 2, edges + 1, edges), dtype=np.longdouble)

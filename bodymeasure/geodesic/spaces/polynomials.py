@@ -14,14 +14,14 @@ _PI = 4.0 * np.arctan(np.longdouble(1.0))
 
 @lru_cache(maxsize=64)
 def polynomial_space(degree: int) -> TrialSpace:
-    """Polynomials up to a degree of at least 1; all matrices made in extended precision.
+    """Return the space of polynomials up to a degree of at least 1, made in extended precision.
 
     The nodes are ``(1 - cos(pi j / n)) / 2``. Between them, a polynomial through given values is
     nearly as good as the best one: L. N. Trefethen, *Approximation Theory and Approximation
     Practice*, chapters 2 to 4 and 16.
     """
     j = np.arange(degree + 1)
-    # Angles are reduced as whole numbers, so that the cosines have only their own rounding errors.
+    # The angles are reduced as whole numbers, so that cosines have only their own rounding errors.
     cosines = np.cos(_PI * (np.outer(j, degree - j) % (2 * degree)) / degree)
     halved = np.where((j == 0) | (j == degree), 0.5, 1.0)
     # The discrete cosine transform: Chebyshev coefficient k of the cardinal function of node j.
@@ -38,7 +38,7 @@ def polynomial_space(degree: int) -> TrialSpace:
 
 
 def _with_derivatives(coefficients: NDArray[np.longdouble]) -> NDArray[np.longdouble]:
-    """Chebyshev coefficients of functions and two derivatives, as `PiecewisePolynomials` wants."""
+    """The Chebyshev coefficients of functions and of their first two derivatives."""
     orders = [coefficients]
     for _ in range(2):
         slope = np.zeros_like(coefficients)

@@ -1,4 +1,4 @@
-"""Composite Gauss-Legendre quadrature that judges itself."""
+"""Composite Gauss-Legendre quadrature that estimates its own error."""
 
 from functools import cached_property
 from typing import Any
@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from bodymeasure.geodesic.numerics.array_libraries import constant
 
-# Quarters of the degrees from the middle of the last one to degree 2m and a little less, since
-# coefficients fall more slowly further on.
+# How many quarters of the degrees lie between the middle of the last one and degree 2m, less a
+# little, since coefficients fall more slowly further on.
 FALLS = 4.5
-# Coefficients that are this part of the values, times the number of points, are rounding errors.
+# Coefficients below this part of the values, times the number of points, are rounding errors.
 ROUNDING = 2e-16
 
 
@@ -24,7 +24,7 @@ class Quadrature:
     edges : ndarray, shape (pieces + 1,)
         Increasing, from 0 to 1.
     count : int
-        Points on each piece.
+        The number of points on each piece.
     """
 
     def __init__(self, edges: NDArray[np.float64], count: int) -> None:
@@ -36,7 +36,7 @@ class Quadrature:
 
     @cached_property
     def _coefficients(self) -> NDArray[np.float64]:
-        """From values on one piece to its Legendre coefficients, those below `_edges` left out."""
+        """The map from values on a piece to its Legendre coefficients beyond the first quarter."""
         nodes, weights = legendre.leggauss(self.count)
         transform = legendre.legvander(nodes, self.count - 1) * weights[:, None]
         transform *= np.arange(self.count) + 0.5
@@ -44,12 +44,12 @@ class Quadrature:
 
     @property
     def _edges(self) -> tuple[int, int, int]:
-        """Where the second, third and last quarter of the degrees begin."""
+        """The degrees at which their second, third and last quarters begin."""
         return self.count // 4, self.count // 2, 3 * self.count // 4
 
     @cached_property
     def antiderivative(self) -> NDArray[np.float64]:
-        """From values at the points to integrals from 0 to them, shape (points, points)."""
+        """The map from values at the points to the integrals from 0 to them."""
         nodes, weights = legendre.leggauss(self.count)
         transform = legendre.legvander(nodes, self.count - 1) * weights[:, None]
         transform *= np.arange(self.count) + 0.5
@@ -60,22 +60,22 @@ class Quadrature:
         return result
 
     def integrate(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Integral over [0, 1] of functions given at the points, shape (points, ...)."""
+        """Return integrals over [0, 1] of functions given at the points, shape (points, ...)."""
         return np.asarray(np.tensordot(self.weights, values, 1))
 
     def error_estimate(self, values: Any, xp: Any = np) -> Any:
-        """Size of the quadrature's error, for at least 4 points a piece.
+        """Return the size of the quadrature's error, for at least 4 points a piece.
 
         An m-point rule is exact up to degree 2m - 1, so that its error is of the size of the
-        Legendre coefficients from there on. That is foretold from those that the points can tell,
-        by their largest in the second, the third and the last quarter of the degrees: up to 2m they
-        are taken to fall in each quarter as they did in the last, or in the last two on the
-        average, whichever is slower.
+        Legendre coefficients from there on. That size is extrapolated from the coefficients that
+        the points determine, by the largest in the second, the third and the last quarter of the
+        degrees: up to 2m they are taken to fall in each quarter as they did in the last, or in the
+        last two on average, whichever is slower.
 
         Parameters
         ----------
         values : array, shape (points, functions)
-        xp : namespace of the array
+        xp : namespace of the array library
 
         Returns
         -------

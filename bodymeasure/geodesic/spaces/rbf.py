@@ -93,7 +93,7 @@ def rbf_space(
 def _refusal(functions: str, condition: float, growth: float) -> str:
     if np.isfinite(growth):
         return (
-            f"{functions} can hardly be told apart at any choice of collocation points tried: "
+            f"{functions} hardly differ at any choice of collocation points tried: "
             f"between the points, rounding errors would grow by a factor of {growth:.1e}; choose "
             "fewer functions or a smaller support radius"
         )
@@ -172,7 +172,7 @@ def rbf_coefficients(
 
 
 def _breaks(centers: tuple[float, ...], support_radius: float) -> list[float]:
-    """Where inside (0, 1) a function changes its polynomial: centers and ends of supports."""
+    """The places inside (0, 1) at which a function changes its polynomial, as at its center."""
     places = sorted(c + side * support_radius for c in centers for side in (-1.0, 0.0, 1.0))
     breaks = [0.0]
     for place in places:
@@ -191,7 +191,7 @@ def _shifted_nodes(collocation_points: tuple[float, ...], shift: float) -> Array
 def _basis(
     kernel: Kernel, centers: tuple[float, ...], t: Array, support_radius: float
 ) -> list[Decimals]:
-    """Values, first and second derivatives of 1, phi_1, ..., phi_N at t; each (k, N + 1)."""
+    """The values and two derivatives of 1, phi_1, ..., phi_N at t; each (k, N + 1)."""
     radius = Decimal(support_radius)
     offset = (decimals(t)[:, None] - decimals(centers)[None]) / radius
     distance = abs(offset)

@@ -16,15 +16,15 @@ from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE
 class BezierSurfaces:
     """Bezier patches, each derivative held as control points of the patch's own degree.
 
-    Then one product of the basis functions with one matrix gives all derivatives at once, and in
-    a numerically stable way. The derivatives come from the differences of neighboring control
-    points, so that these may be as close together as they like, and the patch as far away.
+    One product of the basis functions with one matrix then gives all derivatives at once, and in a
+    numerically stable way. The derivatives are made from the differences of neighboring control
+    points, so that they stay accurate however small the patch is and however far from the origin.
 
     Parameters
     ----------
     control_points : array, shape (problems, m + 1, n + 1, 3)
-        Of any library that keeps to the Python array API standard; the jets are numpy's. The last
-        axis may have any number of coordinates.
+        An array of any library that keeps to the Python array API standard; the jets are numpy's.
+        The last axis may have any number of coordinates.
     """
 
     def __init__(self, control_points: Any) -> None:
@@ -55,19 +55,19 @@ class BezierSurfaces:
         return np.ascontiguousarray(nets.transpose(2, 0, 1))
 
     def _positions(self, points: Array) -> Array:
-        """Control points of the positions, whose origin is any: near it, they have more digits."""
+        """Control points of the positions, moved near the origin, where they have more digits."""
         return np.asarray(points - points.mean(axis=(1, 2), keepdims=True))
 
     def jet(self, parameters: Array, order: int) -> Array:
-        """Derivatives in the order of `JET`, shape (derivatives, c, problems, k)."""
+        """Return the derivatives in the order of `JET`, shape (derivatives, c, problems, k)."""
         return self._evaluated(self._nets[:, :, : self.coordinates * JET_SIZE[order]], parameters)
 
     def positions(self, parameters: Array) -> Array:
-        """Points, shape (problems, k, 3), without the control points of any derivatives."""
+        """Return points, shape (problems, k, 3), without preparing any derivatives."""
         return evaluate(to_numpy(self.control_points), parameters)
 
     def magnitude(self, parameters: Array) -> Array:
-        """Size of what S_u and S_v are calculated from, shape (2, problems, k)."""
+        """Return the size of the terms of S_u and S_v, shape (2, problems, k)."""
         columns = slice(self.coordinates, self.coordinates * JET_SIZE[2])
         terms = self._evaluated(np.abs(self._nets[:, :, columns]), parameters)
         s_u, s_v, s_uu, s_uv, s_vv = np.linalg.norm(terms, axis=1)
@@ -88,7 +88,7 @@ class BezierSurfaces:
         )
 
     def take(self, problems: NDArray[np.int64]) -> "BezierSurfaces":
-        """The patches of some of the problems."""
+        """Return the patches of some of the problems."""
         points = self.control_points
         xp = array_api_compat.array_namespace(points)
         part = BezierSurfaces(xp.take(points, constant(problems, points, xp), axis=0))
@@ -97,14 +97,14 @@ class BezierSurfaces:
         return part
 
 
-# Derivatives that differences of control points along u give, and those along v.
+# The derivatives that are made from differences of control points along u, and along v.
 _BY_U = tuple(number for number, (i, _) in enumerate(JET) if i > 0)
 _BY_V = tuple(number for number, (i, j) in enumerate(JET) if i == 0 and j > 0)
 
 
 @lru_cache
 def _edge_maps(degree_u: int, degree_v: int) -> tuple[Array, Array]:
-    """Matrices from a net's edges along u, and along v, to control points of its derivatives.
+    """The matrices from a net's edges along u, and along v, to control points of derivatives.
 
     The edges are the differences of neighboring control points; the derivatives are those of
     `_BY_U` and `_BY_V`, stacked.
@@ -117,20 +117,20 @@ def _edge_maps(degree_u: int, degree_v: int) -> tuple[Array, Array]:
 
 
 def _derivative_maps(degree: int) -> list[Array]:
-    """Maps from Bezier points of a curve to those of its derivatives, in the same degree."""
+    """The maps from Bezier points of a curve to those of its derivatives, in the same degree."""
     edges = np.diff(np.eye(degree + 1), axis=0)
     return [np.eye(degree + 1)] + [by_edges @ edges for by_edges in _maps_of_edges(degree)]
 
 
 def _maps_of_edges(degree: int) -> list[Array]:
-    """The same for the three derivatives, from the differences of neighboring Bezier points."""
+    """The maps from differences of neighboring Bezier points to the three derivatives."""
     maps = []
     difference = degree * np.eye(degree)
     for order in range(1, 4):
         lower = max(degree - order, 0)
         if order > degree:
             difference = np.zeros((1, degree))
-        # One column of control points a basis function: elevate them all as one curve's points.
+        # Each basis function has a column of control points; all are elevated like one curve's.
         columns = difference.T[:, :, None, None].repeat(3, axis=-1)
         maps.append(elevate(columns, degree, 0)[:, :, 0, 0].T)
         difference = lower * np.diff(difference, axis=0)

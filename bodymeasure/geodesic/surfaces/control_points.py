@@ -14,12 +14,12 @@ from bodymeasure.geodesic.numerics.array_libraries import constant, to_numpy
 
 # Coordinates beyond this could overflow in a length.
 LARGEST = 1e300
-# Powers of 2 that can be multiplied with anything near 1.
+# The largest exponent of a power of 2 that can be multiplied with anything near 1.
 MOST = 1000
 
 
 def checked_control_points(value: Any) -> Any:
-    """Control points as an array of 64-bit numbers.
+    """Return control points as an array of 64-bit numbers.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def checked_control_points(value: Any) -> Any:
         )
     if nets.shape[-1] == 4:
         nets = _with_weights(nets)
-    # Extremes of numbers that are not finite are not finite.
+    # Where a number is not finite, the extremes are not finite either.
     low, high = extremes(nets)
     largest = np.maximum(np.abs(low), np.abs(high)).max(axis=1, initial=0.0)
     bad = np.flatnonzero(~np.isfinite(largest))
@@ -60,7 +60,7 @@ def checked_control_points(value: Any) -> Any:
 
 
 def _with_weights(nets: Any) -> Array:
-    """Rational patches whose weights are known to be positive, as numpy's."""
+    """Rational patches as an array of numpy's, once their weights are known to be positive."""
     array = to_numpy(nets)
     weights = array[..., 3].reshape(-1, array.shape[-3] * array.shape[-2])
     # `not positive` rather than `negative`, so that NaN is refused too.
@@ -92,13 +92,13 @@ def _as_doubles(value: Any) -> Any:
     xp = array_api_compat.array_namespace(value)
     if xp.isdtype(value.dtype, "complex floating"):
         raise TypeError
-    # Of a torch tensor that records what is done with it, only the numbers are wanted.
+    # A torch tensor may record what is done with it; only its numbers are wanted.
     value = value.detach() if hasattr(value, "detach") else value
     return xp.astype(value, xp.float64, copy=False)
 
 
 def collapsed_patches(control_points: Any) -> NDArray[np.int64]:
-    """Numbers of the patches, shape (..., m + 1, n + 1, 3), whose points are all equal."""
+    """Return the numbers of the patches, shape (..., m + 1, n + 1, 3), whose points are equal."""
     return _collapsed(*extremes(control_points))
 
 
@@ -107,13 +107,13 @@ def _collapsed(low: Array, high: Array) -> NDArray[np.int64]:
 
 
 def of_size_one(nets: Any) -> tuple[Any, Array]:
-    """Patches scaled to about size 1, so that tolerances mean the same to all, and their sizes.
+    """Return patches scaled to about size 1, so that tolerances mean the same, and their sizes.
 
-    Powers of 2, so that nothing is rounded.
+    The sizes are powers of 2, so that nothing is rounded.
     """
     xp = array_api_compat.array_namespace(nets)
     exponents = np.zeros(nets.shape[0], np.int64)
-    # Once more for the smallest patches, whose powers are beyond the largest number.
+    # The smallest patches are scaled twice, since their factors are beyond the largest number.
     for _ in range(2):
         low, high = extremes(nets)
         exact = np.frexp((high - low).max(axis=1))[1].astype(np.int64) - 1
@@ -129,7 +129,7 @@ def of_size_one(nets: Any) -> tuple[Any, Array]:
 
 
 def extremes(control_points: Any) -> tuple[Array, Array]:
-    """Least and greatest coordinates of each patch, two arrays of shape (patches, 3)."""
+    """Return the least and greatest coordinates of each patch, two arrays (patches, 3)."""
     if control_points.shape[-1] == 4:
         control_points = project(control_points)
     xp = array_api_compat.array_namespace(control_points)
@@ -138,7 +138,7 @@ def extremes(control_points: Any) -> tuple[Array, Array]:
 
 
 def _folded(points: Any, operation: Callable[[Any, Any], Any]) -> Any:
-    """Halves laid over one another until one is left: ten times as fast as a reduction."""
+    """A reduction along axis 1 by halves laid over one another, ten times as fast as others."""
     while points.shape[1] > 1:
         half = (points.shape[1] + 1) // 2
         points = operation(points[:, :half, :], points[:, -half:, :])

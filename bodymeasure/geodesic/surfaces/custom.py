@@ -9,7 +9,7 @@ from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE
 
-# Points a side at which a surface is looked at for its size.
+# The number of points along each side of the grid from which the size of a surface is taken.
 SAMPLES = 5
 
 
@@ -19,10 +19,10 @@ class CustomSurface:
     Parameters
     ----------
     derivatives : callable
-        From parameters of shape (..., 2) to derivatives of shape (..., 10, 3), in the order of
-        `JET`.
+        A function from parameters of shape (..., 2) to derivatives of shape (..., 10, 3), in the
+        order of `JET`.
     size : float
-        What they are divided by.
+        The number by which the derivatives are divided.
     """
 
     def __init__(self, derivatives: Callable[[Array], ArrayLike], size: float = 1.0) -> None:
@@ -30,7 +30,7 @@ class CustomSurface:
         self._size = size
 
     def jet(self, parameters: Array, order: int) -> Array:
-        """Derivatives in the order of `JET`, shape (derivatives, 3, problems, k)."""
+        """Return the derivatives in the order of `JET`, shape (derivatives, 3, problems, k)."""
         values = np.asarray(self._derivatives(parameters), dtype=np.float64)
         expected = (*parameters.shape[:-1], len(JET), 3)
         if values.shape != expected:
@@ -42,24 +42,25 @@ class CustomSurface:
         return np.ascontiguousarray(values.transpose(2, 3, 0, 1))
 
     def positions(self, parameters: Array) -> Array:
-        """Points, shape (problems, k, 3)."""
+        """Return points, shape (problems, k, 3)."""
         return np.asarray(self.jet(parameters, 0)[0].transpose(1, 2, 0))
 
     def magnitude(self, parameters: Array) -> Array:
-        """Size of what S_u and S_v are calculated from, as far as their values tell."""
+        """Return the size of the terms of S_u and S_v, estimated by their values."""
         _, s_u, s_v, s_uu, s_uv, s_vv = np.linalg.norm(self.jet(parameters, 2), axis=1)
         u, v = np.abs(np.moveaxis(parameters, -1, 0))
         return np.stack([s_u + s_uu * u + s_uv * v, s_v + s_uv * u + s_vv * v])
 
     def take(self, problems: NDArray[np.int64]) -> "CustomSurface":
-        """The same surface: it serves all problems."""
+        """Return the same surface, which serves all problems."""
         del problems
         return self
 
     def of_size_one(self) -> "tuple[CustomSurface, float]":
-        """The surface scaled to a size of about 1, and the size that it had.
+        """Return the surface scaled to a size of about 1, and the size that it had.
 
-        A power of 2, so that nothing is rounded; 1 where the surface tells none.
+        The size is a power of 2, so that nothing is rounded; it is 1 for a surface that is not
+        finite or all one point.
         """
         line = np.linspace(0.0, 1.0, SAMPLES)
         grid = np.stack(np.meshgrid(line, line), axis=-1).reshape(1, -1, 2)

@@ -4,9 +4,9 @@ from typing import Protocol
 
 from bodymeasure._typing import Array, Ints
 
-# Order of the derivatives in a jet: (times by u, times by v).
+# The derivatives in a jet, in order: (times by u, times by v).
 JET = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3))
-# Number of derivatives up to each order.
+# The number of derivatives up to each order.
 JET_SIZE = (1, 3, 6, 10)
 
 
@@ -14,7 +14,7 @@ class Surface(Protocol):
     """A batch of surfaces, one for each geodesic problem."""
 
     def jet(self, parameters: Array, order: int) -> Array:
-        """Derivatives up to an order of at most 3.
+        """Return the derivatives up to an order of at most 3.
 
         Parameters
         ----------
@@ -24,14 +24,14 @@ class Surface(Protocol):
         Returns
         -------
         ndarray, shape (derivatives, 3, problems, k)
-            In the order of `JET`. The origin of the positions is any.
+            The derivatives, in the order of `JET`. The positions may have any origin.
         """
 
     def positions(self, parameters: Array) -> Array:
-        """Points, shape (problems, k, 3). The origin is any."""
+        """Return points, shape (problems, k, 3), with any origin."""
 
     def magnitude(self, parameters: Array) -> Array:
-        """The size of what S_u and S_v are calculated from: what rounding errors are relative to.
+        """Return the size of the terms of S_u and S_v, to which rounding errors are relative.
 
         Parameters
         ----------
@@ -40,9 +40,9 @@ class Surface(Protocol):
         Returns
         -------
         ndarray, shape (2, problems, k)
-            Of the terms that are summed up, and of the change by a rounding of the parameters
-            as a part of that.
+            The size of the terms that are summed, plus that of the change that a rounding of the
+            parameters makes.
         """
 
     def take(self, problems: Ints) -> "Surface":
-        """The surfaces of some of the problems."""
+        """Return the surfaces of some of the problems."""

@@ -30,7 +30,7 @@ class RationalSurfaces:
     Parameters
     ----------
     control_points : ndarray, shape (problems, m + 1, n + 1, 4)
-        In homogeneous coordinates; see `bodymeasure.bezier.homogeneous`.
+        Control points in homogeneous coordinates; see `bodymeasure.bezier.homogeneous`.
     """
 
     def __init__(self, control_points: Array) -> None:
@@ -38,7 +38,7 @@ class RationalSurfaces:
         self._homogeneous = _Homogeneous(_normalized(control_points))
 
     def jet(self, parameters: Array, order: int) -> Array:
-        """Derivatives in the order of `JET`, shape (derivatives, 3, problems, k).
+        """Return the derivatives in the order of `JET`, shape (derivatives, 3, problems, k).
 
         Notes
         -----
@@ -58,22 +58,22 @@ class RationalSurfaces:
         return result
 
     def positions(self, parameters: Array) -> Array:
-        """Points, shape (problems, k, 3)."""
+        """Return points, shape (problems, k, 3)."""
         return evaluate(self.control_points, parameters)
 
     def magnitude(self, parameters: Array) -> Array:
-        """Size of what S_u and S_v are calculated from, shape (2, problems, k)."""
-        # Of the homogeneous coordinates: they are moved to the origin and divided by weights of 1
-        # and more, so that these are the greatest of all terms but for a factor of a few.
+        """Return the size of the terms of S_u and S_v, shape (2, problems, k)."""
+        # The homogeneous coordinates are moved to the origin and divided by weights of 1 and more,
+        # so that their terms are the greatest of all, up to a small factor.
         return self._homogeneous.magnitude(parameters)
 
     def take(self, problems: NDArray[np.int64]) -> "RationalSurfaces":
-        """The patches of some of the problems."""
+        """Return the patches of some of the problems."""
         return RationalSurfaces(self.control_points[problems])
 
 
 class _Homogeneous(BezierSurfaces):
-    """Patches of four coordinates, whose origin is no longer any once they are divided."""
+    """Patches of four coordinates, which must not be moved before they are divided."""
 
     def _positions(self, points: Array) -> Array:
         return points
@@ -82,7 +82,7 @@ class _Homogeneous(BezierSurfaces):
 def _normalized(control_points: Array) -> Array:
     """The patches moved to the origin, their weights scaled to at least 1.
 
-    Powers of 2, so that scaling rounds nothing.
+    They are scaled by powers of 2, so that nothing is rounded.
     """
     weight = control_points[..., 3:]
     least = weight.min(axis=(1, 2), keepdims=True)
