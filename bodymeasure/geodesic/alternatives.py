@@ -14,8 +14,9 @@ from bodymeasure.geodesic.across.pieces.path import AtlasPath
 from bodymeasure.geodesic.across.routes.graph import patch_graph
 from bodymeasure.geodesic.across.routes.reading import route_along
 from bodymeasure.geodesic.across.routes.straightened import along_way, pulled_way
+from bodymeasure.geodesic.across.routes.topology import topology
 from bodymeasure.geodesic.across.routes.via_pairs import via_pairs
-from bodymeasure.geodesic.across.search.ends import checked_points, topology
+from bodymeasure.geodesic.across.search.ends import checked_points
 from bodymeasure.geodesic.across.search.leg import leg_along, shortest_leg
 from bodymeasure.geodesic.across.search.search import SHORTER
 

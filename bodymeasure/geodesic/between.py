@@ -7,7 +7,8 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.queries.locations import Location
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
-from bodymeasure.geodesic.across.search.ends import checked_points, topology
+from bodymeasure.geodesic.across.routes.topology import topology
+from bodymeasure.geodesic.across.search.ends import checked_points
 from bodymeasure.geodesic.across.search.leg import shortest_leg
 from bodymeasure.geodesic.status import OnFailure, check_on_failure
 

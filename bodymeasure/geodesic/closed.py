@@ -11,7 +11,8 @@ from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.across.pieces.error import LoopKind
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
 from bodymeasure.geodesic.across.routes.through import route_through
-from bodymeasure.geodesic.across.search.ends import checked_points, topology
+from bodymeasure.geodesic.across.routes.topology import topology
+from bodymeasure.geodesic.across.search.ends import checked_points
 from bodymeasure.geodesic.across.search.search import shortest_along
 from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure
 

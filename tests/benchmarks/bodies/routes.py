@@ -30,7 +30,7 @@ from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.geodesic.across.pieces.error import route_length
 from bodymeasure.geodesic.across.pieces.refine import refine
 from bodymeasure.geodesic.across.routes.reading import first_route
-from bodymeasure.geodesic.across.search.ends import topology
+from bodymeasure.geodesic.across.routes.topology import topology
 from bodymeasure.geodesic.across.search.search import shortest_along
 
 sys.path.insert(0, str(Path(__file__).parents[2]))

@@ -6,10 +6,9 @@ import numpy as np
 
 from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.seams import EDGES, sides_of
-from bodymeasure.geodesic.across.pieces.problem import RouteProblem
+from bodymeasure.geodesic.across.pieces.problem import RouteProblem, Slides
 from bodymeasure.geodesic.across.routes.route import Route
+from bodymeasure.geodesic.across.routes.topology import topology
 from bodymeasure.geodesic.numerics.box_newton import BoxMinimum, minimize_in_box
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
@@ -74,10 +73,12 @@ def refine(
         A path with this very route to start from; straight lines in (u, v) if not given.
     """
     space = polynomial_space(space) if isinstance(space, int) else space
-    start, end = (None, None) if route.ends is None else route.ends
-    problem = RouteProblem(
-        atlas, route, space, size, (_pole_side(atlas, start), _pole_side(atlas, end))
-    )
+    slides: Slides = (None, None)
+    if route.ends is not None:
+        # A path may leave a pole in any direction.
+        start, end = map(topology(atlas).neighbors.pole_side, route.ends)
+        slides = start, end
+    problem = RouteProblem(atlas, route, space, size, slides)
     guess = problem.unknowns() if before is None else resampled(before, problem)
     minimum = minimize_in_box(problem.expand, guess, problem.idle)
     refined = measured(problem, minimum)
@@ -88,17 +89,6 @@ def refine(
     pinned = minimize_in_box(problem.expand, place, problem.idle | corners)
     through = measured(problem, replace(pinned, held=pinned.held | corners))
     return through if through.length < refined.length else refined
-
-
-def _pole_side(atlas: Atlas, end: AtlasPoint | None) -> int | None:
-    """The collapsed side on which a path ends, if any: it may leave the point in any direction."""
-    if end is None:
-        return None
-    sides = sides_of(atlas.index[[end.patch]])[0]
-    for side, (edge, row) in enumerate(zip(EDGES, sides, strict=True)):
-        if end[1 + edge.fixed_axis] == edge.fixed_value and (row == row[0]).all():
-            return side
-    return None
 
 
 def measured(problem: RouteProblem, minimum: BoxMinimum) -> RefinedPath:

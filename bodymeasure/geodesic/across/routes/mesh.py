@@ -44,8 +44,7 @@ class RouteMesh:
     @classmethod
     def of(cls, atlas: Atlas, mesh: Tessellation) -> "RouteMesh":
         """Return the mesh of a whole tessellation."""
-        control = edge_table(atlas.index).control_index
-        collapsed = (control == control[:, :, :1]).all(axis=2)[mesh.face_patch]
+        collapsed = edge_table(atlas.index).collapsed[mesh.face_patch]
         free = np.zeros(mesh.face_parameters.shape, bool)
         for side, edge in enumerate(EDGES):
             on = mesh.face_parameters[..., edge.fixed_axis] == edge.fixed_value

@@ -71,7 +71,7 @@ def mesh_segments(
     mesh, points, first = found
     moves = (np.diff(points, axis=0) != 0.0).any(axis=1)
     points = points[np.append(True, moves)]
-    return Segments(list(_legs(mesh, points, first)), points)
+    return Segments(list(_by_face(mesh, points, first)), points)
 
 
 def route_along(
@@ -108,7 +108,7 @@ def _nearest(places: list[AtlasPoint], to: AtlasPoint) -> AtlasPoint:
     )
 
 
-def _legs(mesh: RouteMesh, points: Array, first: int) -> Iterator[tuple[AtlasPoint, AtlasPoint]]:
+def _by_face(mesh: RouteMesh, points: Array, first: int) -> Iterator[tuple[AtlasPoint, AtlasPoint]]:
     """Yield both ends of each segment of the path on the patch of a face that holds it.
 
     The face is sought among those about the place to which the path has come.

@@ -1,39 +1,16 @@
-"""The ends of paths over an atlas, and the parts of it that seams join."""
+"""The ends of paths over an atlas, checked."""
 
 from collections.abc import Sequence
-from functools import lru_cache, partial
+from functools import partial
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 
-from bodymeasure._typing import Ints
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.queries.locations import Location, atlas_point
-from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.errors import InputError
-
-
-class Topology(NamedTuple):
-    """The steps over the seams of an atlas, and the number of the part of each patch."""
-
-    neighbors: Neighbors
-    part: Ints
-
-
-@lru_cache(maxsize=4)
-def topology(atlas: Atlas) -> Topology:
-    """Return the topology of an atlas, which is kept for the next path."""
-    neighbors = Neighbors(atlas)
-    links = [
-        (patch, crossing.to_patch)
-        for (patch, _), crossings in neighbors.over.items()
-        for crossing in crossings
-    ]
-    first, second = np.array(links, dtype=np.int64).reshape(-1, 2).T
-    return Topology(neighbors, connected_components(first, second, len(atlas)))
+from bodymeasure.geodesic.across.routes.topology import topology
 
 
 def checked_points(

@@ -1,0 +1,31 @@
+"""The seams of an atlas, and the parts of it that they join."""
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from bodymeasure._typing import Ints
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.components import connected_components
+from bodymeasure.atlas.topology.neighbors import Neighbors
+
+
+class Topology(NamedTuple):
+    """The steps over the seams of an atlas, and the number of the part of each patch."""
+
+    neighbors: Neighbors
+    part: Ints
+
+
+@lru_cache(maxsize=4)
+def topology(atlas: Atlas) -> Topology:
+    """Return the topology of an atlas, which is kept for the next path."""
+    neighbors = Neighbors(atlas)
+    links = [
+        (patch, crossing.to_patch)
+        for (patch, _), crossings in neighbors.over.items()
+        for crossing in crossings
+    ]
+    first, second = np.array(links, dtype=np.int64).reshape(-1, 2).T
+    return Topology(neighbors, connected_components(first, second, len(atlas)))
