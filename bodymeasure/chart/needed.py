@@ -1,4 +1,4 @@
-"""Which landmarks a set of definitions needs."""
+"""The landmarks that a set of definitions needs."""
 
 from collections.abc import Collection, Sequence
 from typing import NamedTuple

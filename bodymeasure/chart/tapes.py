@@ -7,7 +7,7 @@ from bodymeasure._typing import Array
 
 
 class TapeKind(StrEnum):
-    """How a tape lies."""
+    """The way in which a tape lies on a body."""
 
     CONTACT = "contact"
     TAUT = "taut"

@@ -169,7 +169,7 @@ def test_armholes_are_halved(name: str) -> None:
 
 @pytest.mark.slow
 def test_known_girths_of_the_average_body() -> None:
-    # Found by another program on this body, at these heights to a millimetre.
+    # Found by another program on this body, at these heights to a millimeter.
     chart = chart_of("female_average")
     for key, contact, taut in (
         ("bust_girth", 0.8430, 0.8347),

@@ -101,7 +101,7 @@ class MeasurementDefinition(Entry, frozen=True, kw_only=True, tag_field="kind"):
 
 
 class Outcome(StrEnum):
-    """What came of a measurement; `Measured.reason` explains it in words."""
+    """The outcome of a measurement; `Measured.reason` explains it in words."""
 
     MEASURED = "measured"
     MISSING_LANDMARK = "missing landmark"
@@ -112,7 +112,7 @@ class Outcome(StrEnum):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Measured:
-    """One measurement of a body.
+    """The result of one measurement of a body.
 
     Parameters
     ----------
@@ -120,7 +120,7 @@ class Measured:
         With left or right in place of ``{side}``.
     outcome : Outcome
     reason : str
-        What is the matter and what to do; empty if there is nothing to remark.
+        The reason why there is no value, or a remark on it, and what to do; may be empty.
     status : str
         Name of the solver's status (`bodymeasure.Status`); empty where there is none.
     value : float
@@ -154,7 +154,7 @@ class Measured:
 
     @property
     def gap(self) -> float:
-        """By how much the taut tape is shorter than the one along the skin."""
+        """The length by which the taut tape is shorter than the one along the skin."""
         return self.contact - self.taut
 
     def __repr__(self) -> str:

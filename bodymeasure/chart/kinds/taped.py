@@ -40,7 +40,7 @@ def taped_girth(
     girth: Girth,
     remark: str = "",
 ) -> Measured:
-    """Return the measurement of a girth, with what is to be remarked about it."""
+    """Return the measurement of a girth, with the remarks on it."""
     found = taped(body, definition, wanted, girth, girth.tape.length_by_region)
     return replace(found, reason=" ".join(filter(None, (remark, sentence(girth.remark)))))
 

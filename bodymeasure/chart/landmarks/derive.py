@@ -133,7 +133,7 @@ class _Search:
             self.missing[name] = reason
 
     def _lack(self, name: str) -> str:
-        """Why a rule cannot have a landmark that it needs; empty if it can."""
+        """Return why a rule cannot have a landmark that it needs; empty if it can."""
         if name in self.landmarks:
             return ""
         if name in self.missing:

@@ -39,7 +39,7 @@ class PairCheck(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class SymmetryCheck:
-    """How symmetric an atlas's landmarks are; lengths in the atlas's unit.
+    """The symmetry of an atlas's landmarks; lengths are in the atlas's unit.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What has to hold for a set of definitions beyond the types of its members."""
+"""Checks of a set of definitions beyond the types of its members."""
 
 import re
 import unicodedata

@@ -53,7 +53,7 @@ _MISFIT = re.compile(r"Expected `(?P<expected>[^`]*)`(?P<more>[^,]*), got (?P<go
 
 
 class MisfitError(Exception):
-    """What is wrong with an entry, and the member at fault."""
+    """An entry does not fit its kind; the error holds the member at fault."""
 
     def __init__(self, words: str, member: str = "") -> None:
         super().__init__(words)

@@ -1,4 +1,4 @@
-"""What has to hold for the formulas of a set of definitions."""
+"""Checks of the formulas of a set of definitions."""
 
 import graphlib
 from collections.abc import Iterator, Mapping, Sequence

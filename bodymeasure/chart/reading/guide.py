@@ -64,7 +64,7 @@ def _members(kind: type[Entry], base: type[Entry]) -> Iterator[str]:
             continue
         said = [words.get(field.name, "")]
         if allowed := [json.dumps(word) for word in choices(field.type)]:
-            said.append(f"{', '.join(allowed[:-1])} or {allowed[-1]}.")
+            said.append(f"One of {', '.join(allowed)}.")
         if not field.required:
             given = field.default is not None
             said.append(f"The default is {json.dumps(field.default)}." if given else "Optional.")
@@ -83,4 +83,5 @@ def _documented(kind: type[Entry]) -> dict[str, str]:
     """Return what the docstring of a kind says of each of its members."""
     section = (inspect.getdoc(kind) or "").partition("Parameters\n----------\n")[2]
     found = re.findall(r"^(\w[\w, ]*) : .*((?:\n {4}.*)*)", section, re.M)
-    return {name: " ".join(words.split()) for names, words in found for name in names.split(", ")}
+    plain = {names: " ".join(words.replace("``", "").split()) for names, words in found}
+    return {name: words for names, words in plain.items() for name in names.split(", ")}

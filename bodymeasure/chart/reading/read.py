@@ -71,7 +71,7 @@ def definitions_from(content: bytes, source: str) -> Definitions:
     Raises
     ------
     InputError
-        As `load_definitions`.
+        As for `load_definitions`.
     """
     text, raw = _parsed(content, source)
     lines = SourceLines.of(text)

@@ -19,7 +19,7 @@ class LimbGirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="li
     start, end : str
         The two landmarks.
     at : float or str
-        Where the girth is taken: a fraction of the line, from 0 to 1, or a landmark.
+        The place of the girth: a fraction of the line, from 0 to 1, or a landmark.
     tape : {"contact", "taut", "both"}
     """
 

@@ -1,4 +1,4 @@
-"""Girths of what leans forwards or backwards."""
+"""Girths in a plane that leans forwards or backwards."""
 
 from collections.abc import Mapping
 from typing import ClassVar

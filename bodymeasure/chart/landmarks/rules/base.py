@@ -33,7 +33,7 @@ class LandmarkRule(Entry, frozen=True, kw_only=True, tag_field="rule"):
 
     @property
     def description(self) -> str:
-        """How the rule finds its landmark, in words without a full stop."""
+        """A description of how the rule finds its landmark, without a full stop."""
         raise NotImplementedError
 
     def point(self, atlas: Atlas, landmarks: Landmarks) -> AtlasPoint:
