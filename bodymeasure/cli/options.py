@@ -96,6 +96,22 @@ definitions_option = click.option(
     metavar="FILE",
     help="File of definitions of the measurements; the default set if not given.",
 )
+# Options whose help, and whose default, differ from command to command.
+folder_option = partial(
+    click.option,
+    *("-o", "--output"),
+    type=click.Path(path_type=Path, file_okay=True),
+    metavar="FOLDER",
+    show_default=True,
+)
+format_option = partial(
+    click.option,
+    *("--format", "form"),
+    type=click.Choice(["table", "csv", "json"]),
+    default="table",
+    show_default=True,
+)
+no_pictures_option = click.option("--no-pictures", is_flag=True, help="Leave out the pictures.")
 no_cross_check_option = click.option(
     "--no-cross-check",
     is_flag=True,

@@ -7,11 +7,11 @@ import click
 from rich.text import Text
 
 from bodymeasure.cli.console import RESULTS, print_table
-from bodymeasure.cli.landmarks.list import format_option
 from bodymeasure.cli.options import (
     EXIT_CODES,
     atlas_argument,
     definitions_option,
+    format_option,
     load_atlas,
     unit_option,
 )
@@ -48,7 +48,7 @@ MIRRORS = {
     metavar="LENGTH",
     help="Largest distance that counts as symmetric, in --unit.  [default: 5 mm]",
 )
-@format_option
+@format_option(help="Format of the output; csv and json have all digits.")
 @unit_option
 @definitions_option
 def check_landmarks(

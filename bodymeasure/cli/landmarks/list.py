@@ -12,6 +12,7 @@ from bodymeasure.cli.options import (
     atlas_argument,
     definitions_option,
     despite_errors_option,
+    format_option,
     load_sound_atlas,
     unit_option,
 )
@@ -24,21 +25,12 @@ if TYPE_CHECKING:
 
 PARAMETER_DECIMALS = 4
 
-format_option = click.option(
-    "--format",
-    "form",
-    type=click.Choice(["table", "csv", "json"]),
-    default="table",
-    show_default=True,
-    help="Format of the output; csv and json have all digits.",
-)
-
 
 @click.command(
     "list", short_help="List landmarks, and which are missing (the default).", epilog=EXIT_CODES
 )
 @atlas_argument
-@format_option
+@format_option(help="Format of the output; csv and json have all digits.")
 @unit_option
 @definitions_option
 @despite_errors_option

@@ -22,7 +22,10 @@ from bodymeasure.cli.options import (
     ROUTES,
     definitions_option,
     despite_errors_option,
+    folder_option,
+    format_option,
     load_sound_atlas,
+    no_pictures_option,
     optional_atlas_argument,
     require,
     unit_option,
@@ -58,19 +61,14 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) ->
 @click.command(short_help="Chart the body measurements of a body.", epilog=EXIT_CODES)
 @optional_atlas_argument
 @definitions_option
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(path_type=Path, file_okay=True),
-    metavar="FOLDER",
+@folder_option(
     help="Folder for chart.html, measurements.csv, measurements.json and its schema, and files for "
     "pattern programs, such as a .smis file for SeamlyMe and freesewing.json; made if it is not "
     "there. Without it, the chart is printed.",
 )
-@click.option(
-    "--format",
-    "form",
-    type=click.Choice(["table", "csv", "json"]),
+@format_option(
+    default=None,
+    show_default=False,
     help="Format of the chart where it is printed.  [default: table]",
 )
 @click.option(
@@ -82,7 +80,7 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) ->
     help="Print the default set, which may be copied and changed, and exit.",
 )
 @unit_option
-@click.option("--no-pictures", is_flag=True, help="Leave out the pictures.")
+@no_pictures_option
 @despite_errors_option
 def chart(
     atlas: str,

@@ -10,6 +10,7 @@ from bodymeasure.cli.options import (
     EXIT_CODES,
     atlas_argument,
     despite_errors_option,
+    format_option,
     load_sound_atlas,
     unit_option,
 )
@@ -23,12 +24,7 @@ if TYPE_CHECKING:
 
 @click.command(short_help="Print both diagonals of every patch.", epilog=EXIT_CODES)
 @atlas_argument
-@click.option(
-    "--format",
-    "form",
-    type=click.Choice(["table", "csv", "json"]),
-    default="table",
-    show_default=True,
+@format_option(
     help="Format of the output; json has the layout of a report's measurements.json.",
 )
 @unit_option

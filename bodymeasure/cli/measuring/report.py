@@ -14,8 +14,10 @@ from bodymeasure.cli.options import (
     PAGE,
     PICTURES,
     despite_errors_option,
+    folder_option,
     load_sound_atlas,
     no_cross_check_option,
+    no_pictures_option,
     optional_atlas_argument,
     processes_option,
     require,
@@ -48,19 +50,14 @@ BODY_PICTURES = 4
 
 @click.command(short_help="Measure a body, check the lengths, write a report.", epilog=EXIT_CODES)
 @optional_atlas_argument
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(path_type=Path, file_okay=True),
-    metavar="FOLDER",
+@folder_option(
     default=Path("report"),
-    show_default=True,
     help="Folder for report.html, measurements.csv, measurements.json and its schema; made if "
     "it is not there.",
 )
 @unit_option
 @no_cross_check_option
-@click.option("--no-pictures", is_flag=True, help="Leave out the pictures.")
+@no_pictures_option
 @processes_option
 @despite_errors_option
 def report(

@@ -7,7 +7,7 @@ from rich.table import Table
 from rich.text import Text
 
 from bodymeasure.cli.console import print_files, print_table, progress_bar
-from bodymeasure.cli.options import EXIT_CODES, PAGE, processes_option, require
+from bodymeasure.cli.options import EXIT_CODES, PAGE, folder_option, processes_option, require
 from bodymeasure.cli.tables import new_table
 from bodymeasure.files import output_folder
 from bodymeasure.paper.data.published import MEAN_LOSS
@@ -19,13 +19,8 @@ CHARTS = ("the page's charts", "matplotlib", "matplotlib", "report")
 @click.command(
     short_help="Reproduce the paper of 2007: its tables, beside the truth.", epilog=EXIT_CODES
 )
-@click.option(
-    "-o",
-    "--output",
-    type=click.Path(path_type=Path, file_okay=True),
-    metavar="FOLDER",
+@folder_option(
     default=Path("paper"),
-    show_default=True,
     help="Folder for paper.html, summary.md, tables.json and tables.csv; made if it is not there.",
 )
 @click.option("--quick", is_flag=True, help="Few patches: seconds instead of minutes.")

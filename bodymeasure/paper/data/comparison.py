@@ -1,7 +1,7 @@
 """The paper's two methods and the truth on many patches, in worker processes."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, TypeVar
 
@@ -95,12 +95,13 @@ def compare(
     parts = map_in_processes(
         compare_chunk, chunks, processes=processes, progress=advance, apart=True
     )
-    return Comparison(
-        **{
-            f.name: np.concatenate([getattr(part, f.name) for part in parts])
-            for f in fields(Comparison)
-        }
-    )
+    return joined(Comparison, parts)
+
+
+def joined(kind: type[Result], parts: Sequence[Result]) -> Result:
+    """Return results on parts of a batch, dataclasses of arrays, as one of the whole batch."""
+    names = [field.name for field in fields(kind)]  # type: ignore[arg-type]
+    return kind(**{name: np.concatenate([getattr(p, name) for p in parts]) for name in names})
 
 
 def in_chunks(control_points: Array) -> list[Array]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.oracle.workers import map_in_processes
-from bodymeasure.paper.data.comparison import in_chunks
+from bodymeasure.paper.data.comparison import in_chunks, joined
 from bodymeasure.paper.method.two_function_solve import TwoFunctionSolution, solve_two_functions
 from bodymeasure.paper.tables.table import Column, Table
 
@@ -48,12 +48,7 @@ def solve_distributed(
     parts = map_in_processes(
         _solve_part, in_chunks(control_points), processes=processes, progress=progress, apart=True
     )
-    return TwoFunctionSolution(
-        **{
-            f.name: np.concatenate([getattr(part, f.name) for part in parts])
-            for f in fields(TwoFunctionSolution)
-        }
-    )
+    return joined(TwoFunctionSolution, parts)
 
 
 def _solve_part(control_points: Array) -> TwoFunctionSolution:
