@@ -332,3 +332,18 @@ def test_public_names_are_documented() -> None:
         if (inspect.isclass(member) or inspect.isroutine(member)) and not documented:
             undocumented.append(name)
     assert not undocumented
+
+
+def test_arrays_of_the_usual_kinds_have_their_names_in_one_place() -> None:
+    kinds = {"np.float64", "np.int64", "np.bool_", "np.complex128"}
+    faults = [
+        f"{module.name}:{node.lineno}: {ast.unparse(node)} belongs into bodymeasure._typing"
+        for module in MODULES
+        for node in ast.walk(module.tree)
+        if module.layer != "_typing"
+        and isinstance(node, (ast.Assign, ast.AnnAssign))
+        and isinstance(node.value, ast.Subscript)
+        and ast.unparse(node.value.value) == "NDArray"
+        and ast.unparse(node.value.slice) in kinds
+    ]
+    assert not faults, "\n".join(faults)

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from helpers.bodies import BODIES
 from helpers.surfaces.surfaces import SURFACES, Surface
-from numpy.typing import NDArray
 from scipy.integrate import solve_bvp
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Severity, Unit, check_atlas
 from bodymeasure.bezier import derivatives, evaluate
 from bodymeasure.errors import InputError
@@ -30,7 +30,7 @@ def _mirrored(name: str) -> str:
     return re.sub("left|right", lambda match: swap[match.group()], name)
 
 
-def _centers(atlas: Atlas) -> NDArray[np.float64]:
+def _centers(atlas: Atlas) -> Array:
     return evaluate(atlas.control_points, np.full((len(atlas), 2), 0.5))
 
 
@@ -243,7 +243,7 @@ def _catmull_clark(control_mesh: Any, mesh: Any) -> Any:
 def test_a_boundary_value_solver_finds_the_known_length(surface: Surface) -> None:
     start, end = np.array(surface.start), np.array(surface.end)
 
-    def flow(_: NDArray[np.float64], state: NDArray[np.float64]) -> NDArray[np.float64]:
+    def flow(_: Array, state: Array) -> Array:
         """The geodesic equation for (u, v, u', v')."""
         s = derivatives(surface.control_points, state[:2].T, order=2)
         du, dv = state[2:, :, None]
@@ -253,7 +253,7 @@ def test_a_boundary_value_solver_finds_the_known_length(surface: Surface) -> Non
         second = -np.linalg.solve(metric, tangents @ bend[..., None])[..., 0]
         return np.concatenate([state[2:], second.T])
 
-    def ends(at_start: NDArray[np.float64], at_end: NDArray[np.float64]) -> NDArray[np.float64]:
+    def ends(at_start: Array, at_end: Array) -> Array:
         return np.concatenate([at_start[:2] - start, at_end[:2] - end])
 
     t = np.linspace(0.0, 1.0, 33)

@@ -6,6 +6,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Bools
 from bodymeasure.errors import InputError
 
 OnFailure = Literal["raise", "status"]
@@ -61,7 +62,7 @@ class Status(Enum):
         return self.value
 
 
-def have_length(statuses: NDArray[Any]) -> NDArray[np.bool_]:
+def have_length(statuses: NDArray[Any]) -> Bools:
     """`Status.has_length` of each of an array of statuses."""
     result = np.zeros(statuses.shape, bool)
     for status in Status:

@@ -73,8 +73,7 @@ def write_glb(
     >>> from tempfile import TemporaryDirectory
     >>> import bodymeasure as bm
     >>> body = bm.load_sample("female_average")
-    >>> nape, bust = body.landmarks["back neck point"], body.landmarks["bust point left"]
-    >>> path = bm.geodesic_between(body, nape, bust)
+    >>> path = bm.geodesic_between(body, "back neck point", "bust point left")
     >>> with TemporaryDirectory() as folder:
     ...     bm.write_glb(Path(folder, "body.glb"), body, {"nape to bust": path})
     ...     [file.name for file in Path(folder).iterdir()]

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import MissingExtraError
 from bodymeasure.scene.model import PathKind, Paths
 
@@ -44,7 +44,7 @@ class ColorScale:
         return cls.spanning(value) if len(value) else None
 
     @classmethod
-    def spanning(cls, value: NDArray[np.float64]) -> "ColorScale":
+    def spanning(cls, value: Array) -> "ColorScale":
         """The scale that holds some differences, but for the smallest hundredth of them."""
         value = np.maximum(value, SMALLEST)
         # A power of ten itself must not open a decade of its own for its rounding.
@@ -53,14 +53,14 @@ class ColorScale:
         low = min(max(low, high - MOST_DECADES), high - 1)
         return cls(10.0**low, 10.0**high)
 
-    def rgb(self, value: NDArray[np.float64]) -> NDArray[np.float64]:
+    def rgb(self, value: Array) -> Array:
         """Colors in [0, 1], shape (..., 3), of relative differences, shape (...,)."""
         low, high = np.log10([self.low, self.high])
         place = (np.log10(np.maximum(value, SMALLEST)) - low) / (high - low)
         return color_map(np.clip(place, 0.0, 1.0))
 
 
-def color_map(place: NDArray[np.float64]) -> NDArray[np.float64]:
+def color_map(place: Array) -> Array:
     """Colors in [0, 1], shape (..., 3), at places in [0, 1] along the color map."""
     try:
         from matplotlib import colormaps
@@ -69,7 +69,7 @@ def color_map(place: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(colormaps[COLOR_MAP](MAP_START + (1.0 - MAP_START) * place))[..., :3]
 
 
-def path_colors(paths: Paths, scale: ColorScale | None) -> NDArray[np.float64]:
+def path_colors(paths: Paths, scale: ColorScale | None) -> Array:
     """Color in [0, 1] of each path, shape (n, 3)."""
     colors = np.empty((len(paths.value), 3))
     colors[:] = NOT_COMPARED

@@ -1,8 +1,8 @@
 """The light that both renderers use: fixed to the camera, from above and the left."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.scene.camera import View
 from bodymeasure.scene.colors import BODY
 from bodymeasure.scene.model import Surface
@@ -15,13 +15,13 @@ DIFFUSE = 0.62
 FADED = 0.45
 
 
-def light_direction(view: View) -> NDArray[np.float64]:
+def light_direction(view: View) -> Array:
     """Unit vector towards the light, shape (3,)."""
     direction = LIGHT[0] * view.right + LIGHT[1] * view.up + LIGHT[2] * view.towards
     return np.asarray(direction / np.linalg.norm(direction))
 
 
-def shade(normals: NDArray[np.float64], view: View) -> NDArray[np.float64]:
+def shade(normals: Array, view: View) -> Array:
     """Brightness in [0, 1], shape (n,), at normals of any length and orientation, (n, 3)."""
     length = np.linalg.norm(normals, axis=-1)
     facing = np.where(normals @ view.towards >= 0.0, 1.0, -1.0)
@@ -34,7 +34,7 @@ def shade(normals: NDArray[np.float64], view: View) -> NDArray[np.float64]:
     return np.asarray(np.minimum(AMBIENT + DIFFUSE * np.maximum(cosine, 0.0), 1.0))
 
 
-def glow(surface: Surface, view: View) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def glow(surface: Surface, view: View) -> tuple[Array, Array]:
     """Light from a surface's vertices: how much white, and how much of the body's color.
 
     Returns
@@ -46,6 +46,6 @@ def glow(surface: Surface, view: View) -> tuple[NDArray[np.float64], NDArray[np.
     return 1.0 - gain, gain * shade(surface.normals, view)
 
 
-def glowing(white: NDArray[np.float64], body: NDArray[np.float64]) -> NDArray[np.float64]:
+def glowing(white: Array, body: Array) -> Array:
     """Colors in [0, 1], shape (..., 3), of what `glow` says."""
     return np.asarray(white[..., None] + body[..., None] * np.array(BODY))

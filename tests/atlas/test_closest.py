@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 from helpers.surfaces.surfaces import SURFACES, Surface
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from bodymeasure import Atlas, InputError, Unit
+from bodymeasure._typing import Array
 from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.bezier import derivatives, evaluate
 
@@ -23,9 +24,7 @@ def _quarter_pipe_and_plane() -> Atlas:
     return Atlas(points.reshape(-1, 3), np.stack([number[:4], number[3:]]), Unit.CM)
 
 
-def _parameters(
-    atlas: Atlas, positions: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _parameters(atlas: Atlas, positions: Array) -> tuple[Array, Array]:
     points, distances = closest_points(atlas, positions)
     return np.array([(point.u, point.v) for point in points]), distances
 

@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 from helpers.surfaces.grids import grid_atlas
 from helpers.surfaces.surfaces import PARABOLOID
-from numpy.typing import NDArray
 from scipy.integrate import dblquad
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Atlas, Tessellation, Unit, tessellate
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError, MissingExtraError
 
 
-def edge_uses(faces: NDArray[np.int64]) -> NDArray[np.int64]:
+def edge_uses(faces: Ints) -> Ints:
     edges = np.sort(np.stack([faces, np.roll(faces, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
     return np.unique(edges, axis=0, return_counts=True)[1]
 
@@ -23,7 +23,7 @@ def euler_characteristic(mesh: Tessellation) -> int:
     return len(mesh.vertices) - len(edge_uses(mesh.faces)) + len(mesh.faces)
 
 
-def areas(mesh: Tessellation) -> NDArray[np.float64]:
+def areas(mesh: Tessellation) -> Array:
     a, b, c = np.moveaxis(mesh.vertices[mesh.faces], 1, 0)
     return np.asarray(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=-1))
 

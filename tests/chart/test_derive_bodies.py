@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from helpers.bodies import BODIES
 from helpers.surfaces.quadrics import joined, sphere_nets, stretched
-from numpy.typing import NDArray
 
 from bodymeasure import load_sample
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Axes
 from bodymeasure.bezier import evaluate
 from bodymeasure.chart import Derived, LandmarkRule, derive_landmarks, load_definitions
@@ -29,7 +29,7 @@ RULES: Sequence[LandmarkRule] = (
 )
 
 
-def positions(atlas: Atlas, derived: Derived) -> dict[str, NDArray[np.float64]]:
+def positions(atlas: Atlas, derived: Derived) -> dict[str, Array]:
     return {
         name: atlas.position(derived.landmarks[name])
         for name in derived.rules
@@ -47,7 +47,7 @@ def assert_symmetric(atlas: Atlas, derived: Derived) -> None:
         np.testing.assert_allclose(found[name], right * [-1.0, 1.0, 1.0], rtol=0.0, atol=SAME)
 
 
-def turned(atlas: Atlas) -> tuple[Atlas, NDArray[np.float64]]:
+def turned(atlas: Atlas) -> tuple[Atlas, Array]:
     """The atlas moved, with its axes permuted: x to y, y to z, z to x; and the permutation."""
     permutation = np.roll(np.eye(3), 1, axis=0)
     shift = np.array([0.3, -1.1, 2.2])
@@ -97,7 +97,7 @@ def test_rules_give_what_dense_samples_give(name: str) -> None:
     side = np.linspace(0.0, 1.0, 60)
     grid = np.stack(np.meshgrid(side, side, indexing="ij"), axis=-1)
 
-    def samples(region: str) -> NDArray[np.float64]:
+    def samples(region: str) -> Array:
         patches = [i for i, r in enumerate(atlas.regions) if r.startswith(region)]
         nets = atlas.control_points[patches]
         return evaluate(nets, np.broadcast_to(grid, (len(nets), *grid.shape))).reshape(-1, 3)

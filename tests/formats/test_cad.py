@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import bodymeasure as bm
+from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import ReadWarning
 from bodymeasure.formats.foreign import cad_worker, process
@@ -123,7 +123,7 @@ def test_full_turns_are_read_though_rounding_makes_them_a_little_more(
     np.testing.assert_allclose(np.hypot(off_axis, tube[..., 2]), 3.0, atol=1e-12)
 
 
-def _points(atlas: bm.Atlas, rng: np.random.Generator) -> NDArray[np.float64]:
+def _points(atlas: bm.Atlas, rng: np.random.Generator) -> Array:
     return evaluate(atlas.control_points, rng.uniform(size=(len(atlas), 50, 2)))
 
 

@@ -6,9 +6,9 @@ import pytest
 from helpers.files.format_atlases import TEXT, UNIT, atlases, body_like, read, write
 from hypothesis import given
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
 from bodymeasure import Atlas, AtlasPoint, Axes, InputError, Unit, read_atlas, write_atlas
+from bodymeasure._typing import Ints
 from bodymeasure.atlas import edge_table
 from bodymeasure.formats.options import ReadOptions
 from bodymeasure.formats.patches import unique_names
@@ -17,7 +17,7 @@ LOSSLESS = ("atlas", "npz")
 RATIONAL = ("atlas", "npz", "bez", "obj", "geomdl")
 
 
-def joints(atlas: Atlas) -> NDArray[np.int64]:
+def joints(atlas: Atlas) -> Ints:
     """For each side the number of the first that lies on the same edge."""
     edge = edge_table(atlas.index).edge.ravel()
     _, first, number = np.unique(edge, return_index=True, return_inverse=True)

@@ -4,15 +4,15 @@ import numpy as np
 import pytest
 from helpers.bodies import BODIES
 from helpers.surfaces.tubes import ring_length, tube
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import LoopKind, Status
 from bodymeasure.measure import body_girth, closed_geodesic, extreme_girth, height
 from bodymeasure.samples import load_sample
 
 
-def at(x: float, y: float, z: float) -> NDArray[np.float64]:
+def at(x: float, y: float, z: float) -> Array:
     return np.array([x, y, z])
 
 

@@ -4,20 +4,20 @@ import numpy as np
 import pytest
 from helpers.bodies import BODIES, armpits
 from helpers.surfaces.tubes import tube
-from numpy.typing import NDArray
 from scipy import optimize
 from scipy.spatial import ConvexHull
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.measure import body_girth, breadth
 from bodymeasure.samples import load_sample
 
 
-def at(x: float, y: float, z: float) -> NDArray[np.float64]:
+def at(x: float, y: float, z: float) -> Array:
     return np.array([x, y, z])
 
 
-def chain(points: NDArray[np.float64]) -> float:
+def chain(points: Array) -> float:
     return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
 
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from helpers.bodies import BODIES, armpits
 from helpers.surfaces.tubes import tube
-from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import AtlasPoint
 from bodymeasure.errors import InputError
 from bodymeasure.measure import Drop, vertical_drop
@@ -24,13 +24,11 @@ MEASURES = (
 )
 
 
-def at(x: float, y: float, z: float) -> NDArray[np.float64]:
+def at(x: float, y: float, z: float) -> Array:
     return np.array([x, y, z])
 
 
-def profile(
-    radii: tuple[float, ...], low: float, high: float, count: int = 200_001
-) -> NDArray[np.float64]:
+def profile(radii: tuple[float, ...], low: float, high: float, count: int = 200_001) -> Array:
     """Many points (r, z) of a tube's side between two heights."""
     z = np.linspace(low, high, count)
     v = z / 3.0
@@ -49,7 +47,7 @@ def tube_lengths(radii: tuple[float, ...], low: float, high: float) -> tuple[flo
     return chain(points), float(taut)
 
 
-def chain(points: NDArray[np.float64]) -> float:
+def chain(points: Array) -> float:
     return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
 
 

@@ -5,10 +5,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 import bodymeasure as bm
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.mesh.arrays import TriangleMesh
 from bodymeasure.mesh.curved import curved, vertex_normals
 
@@ -114,7 +113,7 @@ def test_middles_of_curved_triangles_of_a_sphere_lie_nearly_on_it() -> None:
     assert sag.max() < np.tan(np.pi / 4.0 / 8.0)
 
 
-Change = Callable[[Array, NDArray[np.int64]], tuple[Any, Any, Any, Any]]
+Change = Callable[[Array, Ints], tuple[Any, Any, Any, Any]]
 
 
 @pytest.mark.parametrize(

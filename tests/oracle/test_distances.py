@@ -14,8 +14,8 @@ from helpers.surfaces.surfaces import (
     plane_length,
 )
 from helpers.surfaces.surfaces import ph_cylinder_length as cylinder_length
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.oracle import LEVELS, mesh_distances
 
@@ -27,9 +27,9 @@ Point = tuple[float, float]
 
 def lengths(
     length: Callable[[Point, Point], float],
-    start: NDArray[np.float64],
-    end: NDArray[np.float64],
-) -> NDArray[np.float64]:
+    start: Array,
+    end: Array,
+) -> Array:
     """The lengths of the first patch's pairs in closed form."""
     return np.array(
         [length((a[0], a[1]), (b[0], b[1])) for a, b in zip(start[0], end[0], strict=True)]
@@ -59,7 +59,7 @@ def test_a_plane_is_exact_at_every_level(rng: np.random.Generator) -> None:
 
 @pytest.mark.parametrize("net", [ENNEPER, PARABOLOID], ids=["enneper", "paraboloid"])
 def test_polyhedral_lengths_converge_with_the_square_of_the_step(
-    net: NDArray[np.float64],
+    net: Array,
 ) -> None:
     length = next(s.length for s in SURFACES if s.control_points is net)
     measured = mesh_distances(net[None], [[(0, 0)]], [[(1, 1)]], levels=(4, 8, 16, 32))

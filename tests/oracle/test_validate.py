@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
 from bodymeasure.oracle import validate_mesh
 
@@ -11,7 +11,7 @@ PYRAMID = np.vstack([SQUARE, [[0.5, 0.5, 1.0]]])
 ROOF = np.array([[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])
 
 
-def refuse(vertices: NDArray[np.float64], faces: NDArray[np.int64], message: str) -> None:
+def refuse(vertices: Array, faces: Ints, message: str) -> None:
     with pytest.raises(InputError, match=message):
         validate_mesh(vertices, faces)
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from helpers.surfaces.grids import grid_atlas
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Unit
 from bodymeasure.paper.data import published
 from bodymeasure.paper.surface.curves import diagonal_curves
@@ -26,7 +26,7 @@ ERROR = np.array([0.001, -0.002, 0.0, 0.001, np.nan])
 DEFAULT, LOOSE = (name for name, _ in OUR_METHODS)
 
 
-def comparison(physical: NDArray[np.float64], error: NDArray[np.float64]) -> Comparison:
+def comparison(physical: Array, error: Array) -> Comparison:
     zeros = np.zeros(len(physical))
     return Comparison(
         unit=Unit.M,
@@ -97,7 +97,7 @@ def test_files_hold_every_curve_and_the_chart_every_error() -> None:
 def test_two_functions_are_exact_on_plane_patches_along_both_diagonals() -> None:
     """The path is straight whatever its speed; the patches are sheared, so diagonals differ."""
 
-    def sheared(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+    def sheared(x: Array, y: Array) -> Array:
         return np.stack([0.1 * x + 0.04 * y, 0.07 * y, 0.3 + 0.02 * x], axis=-1)
 
     atlas = grid_atlas(2, 1, sheared)

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.oracle import validate_mesh
 from bodymeasure.oracle.libigl import exact_distance
 from bodymeasure.paper.surface.insertion import insert_point
@@ -20,7 +20,7 @@ FACES = triangles(
 )
 
 
-def area(vertices: NDArray[np.float64], faces: NDArray[np.int64]) -> float:
+def area(vertices: Array, faces: Ints) -> float:
     a, b, c = vertices[faces].swapaxes(0, 1)
     return float(np.cross(b - a, c - a)[:, 2].sum() / 2.0)
 

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 from helpers.surfaces.quad_grids import arc_net, cylinder_net, grid_mesh, hilly_net, spline_matrix
-from numpy.typing import NDArray
 from scipy.integrate import quad
 from scipy.optimize import minimize
 
+from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError
 from bodymeasure.measure import diagonals
@@ -24,9 +24,7 @@ CYLINDER = cylinder_net(11, 12)
 SURFACE = fine_surface(grid_mesh(CYLINDER), QUICK_LEVELS)
 
 
-def spline_points(
-    net: NDArray[np.float64], u: NDArray[np.float64], v: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def spline_points(net: Array, u: Array, v: Array) -> Array:
     rows, columns = spline_matrix(net.shape[0], u), spline_matrix(net.shape[1], v)
     return np.asarray(np.einsum("pi,pj,ijc->pc", rows, columns, net))
 
@@ -42,7 +40,7 @@ def arc(u0: float, u1: float) -> float:
     return float(quad(speed, u0, u1, points=knots or None, epsabs=1e-12)[0])
 
 
-def line(u0: float, v0: float, u1: float, v1: float) -> NDArray[np.float64]:
+def line(u0: float, v0: float, u1: float, v1: float) -> Array:
     """Points on the cylinder, straight in its parameters."""
     t = np.linspace(0.0, 1.0, 65)
     return spline_points(CYLINDER, u0 + (u1 - u0) * t, v0 + (v1 - v0) * t)
@@ -127,7 +125,7 @@ def test_closest_points_are_those_of_the_spline_surface(rng: np.random.Generator
     found = closest_limit_points(surface, positions)
     for point, position, place in zip(found, positions, places, strict=True):
 
-        def square(uv: NDArray[np.float64], position: NDArray[np.float64] = position) -> float:
+        def square(uv: Array, position: Array = position) -> float:
             return float(((spline_points(net, uv[:1], uv[1:])[0] - position) ** 2).sum())
 
         best = minimize(square, place, method="Nelder-Mead", options={"xatol": 1e-9, "fatol": 0})
@@ -183,7 +181,7 @@ def test_a_laid_curve_tells_its_sharpest_bend() -> None:
     assert error <= laid.uncertainty[0] + 1.3e-5
 
 
-def _outwards(normal: NDArray[np.float64]) -> float:
+def _outwards(normal: Array) -> float:
     mesh = SURFACE.meshes[0]
     a, b, c, _ = mesh.vertices[mesh.quads[len(mesh.quads) // 2]]
     return float(np.sign(np.cross(b - a, c - a) @ normal))
@@ -220,5 +218,5 @@ def test_on_a_body_corridors_give_the_lengths_of_the_whole_mesh() -> None:
         assert lengths[0] == pytest.approx(lengths[1], rel=1e-12)
 
 
-def arc_of(curve: NDArray[np.float64]) -> float:
+def arc_of(curve: Array) -> float:
     return float(np.linalg.norm(np.diff(curve, axis=0), axis=-1).sum())

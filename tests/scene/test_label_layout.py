@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.scene.tapes.label_layout import PITCH, Columns, Layout, place_labels
 
 COLUMNS = Columns(left=100.0, right=900.0, top=0.0, bottom=1000.0, label_height=26.0)
@@ -16,23 +16,23 @@ pixel = st.floats(110.0, 890.0).map(lambda value: round(value, 2))
 things = st.lists(st.tuples(pixel, pixel, pixel, pixel), min_size=1, max_size=70)
 
 
-def placed(drawn: list[tuple[float, float, float, float]]) -> tuple[NDArray[np.float64], Layout]:
+def placed(drawn: list[tuple[float, float, float, float]]) -> tuple[Array, Layout]:
     ends = np.array(drawn).reshape(-1, 2, 2)
     order = np.argsort(ends[..., 0], axis=1)[..., None]
     ends = np.take_along_axis(ends, order, axis=1)
     return ends, place_labels(ends[:, 0], ends[:, 1], COLUMNS)
 
 
-def leaders(layout: Layout) -> NDArray[np.float64]:
+def leaders(layout: Layout) -> Array:
     start = np.where(layout.on_right, COLUMNS.right, COLUMNS.left)
     return np.stack([np.stack([start, layout.y], axis=1), layout.anchor], axis=1)
 
 
-def turn(a: NDArray[np.float64], b: NDArray[np.float64], c: NDArray[np.float64]) -> float:
+def turn(a: Array, b: Array, c: Array) -> float:
     return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
 
 
-def cross(one: NDArray[np.float64], other: NDArray[np.float64]) -> bool:
+def cross(one: Array, other: Array) -> bool:
     """Whether two segments have inner points in common."""
     sides = turn(one[0], one[1], other[0]), turn(one[0], one[1], other[1])
     others = turn(other[0], other[1], one[0]), turn(other[0], other[1], one[1])

@@ -7,9 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 import scipy.ndimage
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Bools
+from bodymeasure._typing import Bools, Ints
 from bodymeasure.atlas import Unit
 from bodymeasure.scene import BodyScene, ColorScale, TapeScene, View, patch_view
 from bodymeasure.scene.diagonals.annotate import annotated
@@ -37,19 +36,17 @@ def renderers() -> Iterator[tuple[Draw, Draw]]:
         yield software, pyvista
 
 
-def images(
-    renderers: tuple[Draw, Draw], picture: Picture
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def images(renderers: tuple[Draw, Draw], picture: Picture) -> tuple[Ints, Ints]:
     ours, theirs = (draw(picture).astype(np.int64) for draw in renderers)
     assert ours.shape == theirs.shape
     return ours, theirs
 
 
-def inked(image: NDArray[np.int64]) -> Bools:
+def inked(image: Ints) -> Bools:
     return np.asarray((image < 250).any(axis=-1))
 
 
-def flat(image: NDArray[np.int64]) -> Bools:
+def flat(image: Ints) -> Bools:
     """Where a picture has no edge in the pixels around."""
     spread = scipy.ndimage.maximum_filter(image, (3, 3, 1)) - scipy.ndimage.minimum_filter(
         image, (3, 3, 1)

@@ -8,6 +8,7 @@ import scipy.ndimage
 from helpers.charts.straight_survey import straight_survey
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Bools
 from bodymeasure.atlas import Atlas
 from bodymeasure.scene import (
     BodyScene,
@@ -34,7 +35,7 @@ def picture(survey: Any, view: View) -> Picture:
     return scene_picture(scene, view, ColorScale.of(scene.paths), STYLE)
 
 
-def crimson(image: NDArray[np.uint8]) -> NDArray[np.bool_]:
+def crimson(image: NDArray[np.uint8]) -> Bools:
     """Where a path without a length is drawn: nothing else is red."""
     red, green = image[..., 0].astype(int), image[..., 1].astype(int)
     return np.asarray(red - green > 80)

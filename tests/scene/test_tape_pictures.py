@@ -7,6 +7,7 @@ from helpers.charts.hand_charts import chart_of, missing
 from numpy.typing import NDArray
 from PIL import Image
 
+from bodymeasure._typing import Bools
 from bodymeasure.atlas import Atlas
 from bodymeasure.chart import Chart, TapeKind
 from bodymeasure.errors import InputError
@@ -33,7 +34,7 @@ def sides(scene: TapeScene, around: list[Sight]) -> Mapping[str, Sight]:
     return best_sides(scene, around)
 
 
-def like(image: NDArray[np.uint8], color: tuple[float, float, float]) -> NDArray[np.bool_]:
+def like(image: NDArray[np.uint8], color: tuple[float, float, float]) -> Bools:
     """Pixels of a color, in any shade of it."""
     rgb = image / 255.0
     hue = np.array(color) / np.max(color)

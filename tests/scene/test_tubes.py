@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.mesh.tubes import SIDES, Mesh, ball, frames, joined, tangents, tube
 
 WHITE = np.ones(3)
@@ -11,7 +11,7 @@ coordinates = st.integers(-5, 5)
 curves = st.lists(st.tuples(coordinates, coordinates, coordinates), min_size=2, max_size=12)
 
 
-def helix(count: int) -> NDArray[np.float64]:
+def helix(count: int) -> Array:
     angle = np.linspace(0.0, 4.0 * np.pi, count)
     return np.stack([np.cos(angle), np.sin(angle), 0.2 * angle], axis=1)
 

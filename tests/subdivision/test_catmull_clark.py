@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 from helpers.surfaces.quad_grids import grid_mesh, hilly_net, spline_matrix
-from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.subdivision import QuadMesh, limit_positions, subdivide
 
@@ -90,7 +90,7 @@ def test_affine_maps_commute_with_subdivision(rng: np.random.Generator) -> None:
         )
 
 
-def _mesh(vertices: NDArray[np.float64], quads: list[list[int]]) -> QuadMesh:
+def _mesh(vertices: Array, quads: list[list[int]]) -> QuadMesh:
     return QuadMesh(vertices, np.array(quads))
 
 

@@ -5,10 +5,9 @@ import numpy as np
 import pytest
 from helpers.bodies import BODIES
 from helpers.surfaces.quad_grids import grid_mesh, hilly_net, spline_atlas
-from numpy.typing import NDArray
 
 from bodymeasure import InputError
-from bodymeasure._typing import Array, Ints
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.bezier import evaluate
 from bodymeasure.subdivision import (
     PatchNets,
@@ -42,7 +41,7 @@ def net(patches: PatchNets) -> Array:
     return patches.points[patches.index]
 
 
-def regular_quads(mesh: QuadMesh) -> NDArray[np.bool_]:
+def regular_quads(mesh: QuadMesh) -> Bools:
     """The quads whose patch must be the limit surface itself."""
     quads = np.bincount(mesh.quads.ravel())
     edges = np.bincount(mesh.edges.ends.ravel())

@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 from helpers.surfaces.extruded_surfaces import HILL, RIDGE, row_of
-from numpy.typing import NDArray
 
 import bodymeasure as bm
+from bodymeasure._typing import Ints
 from bodymeasure.atlas import edge_table, weld
 from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.atlas.queries.outside import _caps, outward_signs
@@ -15,7 +15,7 @@ SIDE = np.linspace(0.0, 1.0, 5)
 GRID = np.stack(np.meshgrid(SIDE, SIDE, indexing="ij"), axis=-1)
 
 
-def turned(atlas: bm.Atlas, patches: NDArray[np.int64]) -> bm.Atlas:
+def turned(atlas: bm.Atlas, patches: Ints) -> bm.Atlas:
     """The same surface with u and v swapped on some patches, so that these face the other way."""
     index = atlas.index.copy()
     index[patches] = index[patches].transpose(0, 2, 1)

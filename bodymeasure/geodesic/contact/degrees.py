@@ -1,8 +1,8 @@
 """Degrees of the polynomials that make a path exact, and which of them to try next."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools
 from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 
@@ -18,7 +18,7 @@ OVERSHOOT = 1e-9
 OFF = 10.0
 
 
-def degrees_wanted(degree: int, length: Length, tolerance: float) -> NDArray[np.float64]:
+def degrees_wanted(degree: int, length: Length, tolerance: float) -> Array:
     """The degrees that paths seem to take, told from how good they are on one; shape (problems,).
 
     Parameters
@@ -37,9 +37,7 @@ def degrees_wanted(degree: int, length: Length, tolerance: float) -> NDArray[np.
     return np.where(np.isfinite(foretold), foretold, degree + 1.0)
 
 
-def leave_for_certain(
-    space: TrialSpace, values: NDArray[np.float64], length: Length
-) -> NDArray[np.bool_]:
+def leave_for_certain(space: TrialSpace, values: Array, length: Length) -> Bools:
     """Which paths leave their patch by so much that no higher degree brings them back.
 
     Parameters
@@ -52,5 +50,5 @@ def leave_for_certain(
     paths = values @ space.between_nodes.T
     outside = np.abs(paths - 0.5).max(axis=(1, 2)) - 0.5
     off = np.sqrt(np.abs(length.correction) * length.raw)
-    result: NDArray[np.bool_] = outside > OVERSHOOT + OFF * off
+    result: Bools = outside > OVERSHOOT + OFF * off
     return result

@@ -17,9 +17,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.contact.legs import End, Pole
 from bodymeasure.geodesic.lengths.equations import residual_and_jacobian
 from bodymeasure.geodesic.numerics.damped_newton import damped_newton
@@ -69,7 +68,7 @@ class _Moving:
     ends: tuple[End, End]
 
     @cached_property
-    def unknowns(self) -> NDArray[np.int64]:
+    def unknowns(self) -> Ints:
         """Which of u and v at the nodes, one after the other, are to be found."""
         unknown = np.zeros((2, self.space.size + 1), bool)
         unknown[:, 1:-1] = True

@@ -4,10 +4,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import array_api_compat
-import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import restrict
 from bodymeasure.geodesic.numerics.array_libraries import constant, to_numpy
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
@@ -70,7 +68,7 @@ class OffsetProblems:
         """Error of any length by rounding of the control points."""
         return 0.0 if _are_corners(self.start, self.end) else RESTRICTION
 
-    def take(self, rows: NDArray[np.int64]) -> "OffsetProblems":
+    def take(self, rows: Ints) -> "OffsetProblems":
         """Some of the problems."""
         columns = self.xp.take(self.columns, constant(rows, self.columns, self.xp), axis=2)
         return OffsetProblems(columns, self.start[rows], self.end[rows], self.degrees)

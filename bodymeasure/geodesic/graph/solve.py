@@ -12,9 +12,8 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.graph.equation import linearize, offset_geometry
 from bodymeasure.geodesic.graph.maps import FIELDS, offset_map
 from bodymeasure.geodesic.graph.problems import OffsetProblems
@@ -127,9 +126,7 @@ def _solve_block(
     return MethodResult(tuple(batches), iterations)
 
 
-def _chunks(
-    problems: OffsetProblems, rest: NDArray[np.int64]
-) -> list[tuple[slice, OffsetProblems]]:
+def _chunks(problems: OffsetProblems, rest: Ints) -> list[tuple[slice, OffsetProblems]]:
     """Those that are left in parts, with where in `rest` they stand."""
     size = CHUNK if is_on_cpu(problems.columns) else BLOCK
     if len(rest) == problems.count <= size:

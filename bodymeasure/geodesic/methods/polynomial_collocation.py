@@ -4,9 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
-import numpy as np
-from numpy.typing import NDArray
-
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.methods.collocation import Form, check_form, collocate
 from bodymeasure.geodesic.methods.settings import check_positive, whole_numbers
 from bodymeasure.geodesic.solving.on_spaces import TOLERANCE
@@ -55,9 +53,7 @@ class PolynomialCollocation:
         whole_numbers("degrees", self.degrees, LEAST_DEGREE)
         check_positive("tolerance", self.tolerance)
 
-    def solve(
-        self, surface: Surface, start: NDArray[np.float64], end: NDArray[np.float64]
-    ) -> MethodResult:
+    def solve(self, surface: Surface, start: Array, end: Array) -> MethodResult:
         """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
         makers = [
             partial(polynomial_space, n)

@@ -6,8 +6,8 @@ from functools import partial
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.lengths.functionals import energy, length_over_v
 from bodymeasure.geodesic.methods.settings import check_positive, whole_numbers
@@ -63,9 +63,7 @@ class Ritz:
                 f"parametrization is {self.parametrization!r}; expected 'arbitrary' or 'u'"
             )
 
-    def solve(
-        self, surface: Surface, start: NDArray[np.float64], end: NDArray[np.float64]
-    ) -> MethodResult:
+    def solve(self, surface: Surface, start: Array, end: Array) -> MethodResult:
         """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
         if self.parametrization == "u":
             same = np.flatnonzero(start[:, 0] == end[:, 0])

@@ -10,9 +10,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 
 
 class _Sweep(NamedTuple):
@@ -38,7 +37,7 @@ class Factors:
     """
 
     sweeps: list[_Sweep]
-    negative: NDArray[np.int64]
+    negative: Ints
 
 
 # A pivot of zero leaves what is not finite, and counts as negative.
@@ -91,7 +90,7 @@ def solve(factors: Factors, right: Array) -> Array:
     return solution
 
 
-def _inverses(blocks: Array) -> tuple[Array, NDArray[np.int64]]:
+def _inverses(blocks: Array) -> tuple[Array, Ints]:
     """Inverses of symmetric blocks, and how many of their eigenvalues are not positive."""
     (a, b), (_, c) = blocks
     determinant = a * c - b * b

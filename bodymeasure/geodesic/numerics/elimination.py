@@ -10,9 +10,9 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import cho_solve
 
+from bodymeasure._typing import Ints
 from bodymeasure.geodesic.numerics.array_libraries import constant
 
 # Up to so many systems, calls cost more than arithmetic.
@@ -140,7 +140,7 @@ def _at_once(triangle: Any, right: Any, xp: Any) -> Iterator[tuple[Any, Any]]:
 
 
 @lru_cache
-def _places(size: int) -> NDArray[np.int64]:
+def _places(size: int) -> Ints:
     """Of each entry of a symmetric matrix, in its packed triangle; flattened."""
     places = np.zeros((size, size), np.int64)
     columns, rows = np.triu_indices(size)

@@ -4,9 +4,8 @@ from dataclasses import dataclass, fields
 from typing import Self
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.geodesic.lengths.equations import dot
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
@@ -40,13 +39,13 @@ class PolygonEnergy:
     metric: Array
     bending: Array
     lower: Array
-    held: NDArray[np.bool_]
+    held: Bools
 
-    def take(self, polygons: NDArray[np.int64]) -> Self:
+    def take(self, polygons: Ints) -> Self:
         """The energies of some of the polygons."""
         return type(self)(*(getattr(self, item.name)[..., polygons] for item in fields(self)))
 
-    def replaced(self, polygons: NDArray[np.bool_], other: Self) -> Self:
+    def replaced(self, polygons: Bools, other: Self) -> Self:
         """With those of another batch put in for some of the polygons."""
         if polygons.all():
             return other

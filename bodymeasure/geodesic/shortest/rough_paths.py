@@ -4,9 +4,8 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array, Ints
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.geodesic.numerics.grid_steps import SHORTEST
 from bodymeasure.geodesic.shortest.grid_graph import LINES, grid_points, shortest_trees
 from bodymeasure.geodesic.surfaces.protocol import Surface
@@ -85,14 +84,14 @@ def _walk(before: Ints, problems: Ints, point: Ints) -> Ints:
     return np.stack(way, axis=1)
 
 
-def _passed(halves: list[Ints]) -> NDArray[np.bool_]:
+def _passed(halves: list[Ints]) -> Bools:
     """Which grid points lie near ways, shape (problems, points)."""
     near = _near()
     return np.asarray(near[np.concatenate(halves, axis=1)].any(axis=1))
 
 
 @lru_cache(maxsize=1)
-def _near() -> NDArray[np.bool_]:
+def _near() -> Bools:
     """Which grid points are near which; an end, the last row, is near none."""
     points = grid_points()
     gaps = np.linalg.norm(points[:, None] - points, axis=2)

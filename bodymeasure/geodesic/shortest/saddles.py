@@ -1,9 +1,8 @@
 """Which polygons at rest lie on a saddle of their energy, and which way leads down from it."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.numerics.block_tridiagonal import apply, factorize, solve
 from bodymeasure.geodesic.shortest.polygon_energy import PolygonEnergy, polygon_energy
 from bodymeasure.geodesic.surfaces.protocol import Surface
@@ -19,7 +18,7 @@ MOST_SHIFTS = 24
 INVERSE_ITERATIONS = 10
 
 
-def descent_directions(surface: Surface, points: Array) -> tuple[NDArray[np.int64], Array]:
+def descent_directions(surface: Surface, points: Array) -> tuple[Ints, Array]:
     """Ways along which polygons at rest can still slide down.
 
     Parameters

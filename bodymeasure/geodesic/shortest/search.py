@@ -21,9 +21,8 @@ from dataclasses import replace
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.shortest.candidates import EDGES, KnownPaths, shortest_paths
 from bodymeasure.geodesic.shortest.exact_paths import OUTSIDE
@@ -102,9 +101,7 @@ def search_further(
     return MethodResult(tuple(batches), result.iterations)
 
 
-def _is_roundabout(
-    surface: Surface, ends: tuple[Array, Array], result: MethodResult
-) -> NDArray[np.bool_]:
+def _is_roundabout(surface: Surface, ends: tuple[Array, Array], result: MethodResult) -> Bools:
     """Which paths are so long, beside their chords, that a much shorter one may be."""
     length = np.empty(len(ends[0]))
     for batch in result.batches:
@@ -118,14 +115,14 @@ def _is_roundabout(
     return np.asarray(~(length <= ROUNDABOUT * chord))
 
 
-def is_outside(batch: PathBatch) -> NDArray[np.bool_]:
+def is_outside(batch: PathBatch) -> Bools:
     """Which paths leave their patch. Of those along edges, each leg was looked at by itself."""
     if batch.contacts:
         return np.zeros(len(batch.problems), bool)
     return batch.space.leaves_patch(batch.values, OUTSIDE)
 
 
-def _taken(result: MethodResult, place: NDArray[np.int64]) -> list[PathBatch]:
+def _taken(result: MethodResult, place: Ints) -> list[PathBatch]:
     """The paths of some problems, given by their batches and rows, numbered anew."""
     numbers, rows = place
     return [
@@ -136,7 +133,7 @@ def _taken(result: MethodResult, place: NDArray[np.int64]) -> list[PathBatch]:
     ]
 
 
-def _known(batches: list[PathBatch], good: NDArray[np.bool_]) -> KnownPaths:
+def _known(batches: list[PathBatch], good: Bools) -> KnownPaths:
     """Paths as the search wants them, and the lengths of those that are good."""
     times = np.linspace(0.0, 1.0, EDGES + 1)
     points, length = np.empty((len(good), EDGES + 1, 2)), np.empty(len(good))

@@ -4,9 +4,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array, Complex
+from bodymeasure._typing import Array, Complex, Ints
 
 
 class PairValues(NamedTuple):
@@ -35,7 +34,7 @@ class PolynomialPair:
     first: Array
     second: Array
 
-    def take(self, rows: NDArray[np.int64]) -> "PolynomialPair":
+    def take(self, rows: Ints) -> "PolynomialPair":
         """Return some of the batch."""
         return PolynomialPair(self.first[rows], self.second[rows])
 

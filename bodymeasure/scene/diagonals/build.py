@@ -3,8 +3,8 @@
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import EDGES, Atlas, edge_table
 from bodymeasure.atlas.normals import unit_normals
 from bodymeasure.bezier import evaluate
@@ -71,7 +71,7 @@ def patch_scene(survey: "Survey", patch: int) -> BodyScene:
     )
 
 
-def tessellate(atlas: Atlas, patches: NDArray[np.int64], segments: int) -> Surface:
+def tessellate(atlas: Atlas, patches: Ints, segments: int) -> Surface:
     """Triangles of some patches, each patch with vertices of its own."""
     ticks = np.linspace(0.0, 1.0, segments + 1)
     grid = np.stack(np.meshgrid(ticks, ticks, indexing="ij"), axis=-1).reshape(1, -1, 2)
@@ -90,7 +90,7 @@ def tessellate(atlas: Atlas, patches: NDArray[np.int64], segments: int) -> Surfa
     )
 
 
-def _edges(atlas: Atlas, patches: NDArray[np.int64]) -> Polylines:
+def _edges(atlas: Atlas, patches: Ints) -> Polylines:
     """The sides of some patches, each distinct edge once."""
     _, first = np.unique(edge_table(atlas.index).edge[patches], return_index=True)
     row, side = np.divmod(first, len(EDGES))
@@ -103,7 +103,7 @@ def _edges(atlas: Atlas, patches: NDArray[np.int64]) -> Polylines:
     return Polylines(*_surface_at(atlas, patches[row], parameters))
 
 
-def _paths(survey: "Survey", patches: NDArray[np.int64]) -> Paths:
+def _paths(survey: "Survey", patches: Ints) -> Paths:
     atlas, solution, check = survey.atlas, survey.diagonals, survey.cross_check
     t = np.linspace(0.0, 1.0, PATH_POINTS)
     parameters = solution.path(t)[patches]
@@ -132,9 +132,7 @@ def _paths(survey: "Survey", patches: NDArray[np.int64]) -> Paths:
     return Paths(Polylines(points, normals), patch, diagonal, kind, value)
 
 
-def _surface_at(
-    atlas: Atlas, patches: NDArray[np.int64], parameters: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _surface_at(atlas: Atlas, patches: Ints, parameters: Array) -> tuple[Array, Array]:
     """Points and unit normals, both (patches, k, 3), at parameters of shape (patches, k, 2)."""
     nets = atlas.control_points[patches]
     return evaluate(nets, parameters), unit_normals(nets, parameters)

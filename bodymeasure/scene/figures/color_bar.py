@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.scene.colors import (
     NO_LENGTH,
     NOT_COMPARED,
@@ -73,7 +74,7 @@ def _draw_color_bar(paths: Paths) -> Any:
     return figure
 
 
-def _decades(axes: Any, ends: NDArray[np.float64]) -> None:
+def _decades(axes: Any, ends: Array) -> None:
     """Label the powers of ten along an axis of logarithms."""
     powers = np.arange(np.ceil(ends[0]), np.floor(ends[1]) + 1).astype(int)
     axes.set_xticks(powers, [power_of_ten(power) for power in powers])

@@ -1,8 +1,8 @@
 """From a chart of measurements to the scene that its pictures show."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.chart import Chart, Measured, Tape
 from bodymeasure.scene.diagonals.build import BODY_SEGMENTS, tessellate
 from bodymeasure.scene.model import Label, TapeLine, TapeScene, free_of_body
@@ -63,9 +63,7 @@ def _landmarks(chart: Chart, item: Measured) -> tuple[Label, ...]:
     return tuple(Label(chart.atlas.position(chart.landmarks[name]), name) for name in found)
 
 
-def evenly_spaced(
-    points: NDArray[np.float64], values: NDArray[np.float64], spacing: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def evenly_spaced(points: Array, values: Array, spacing: float) -> tuple[Array, Array]:
     """A polygon with some values, at even distances along it.
 
     Parameters
@@ -89,7 +87,7 @@ def evenly_spaced(
     return new[:, :3], new[:, 3:]
 
 
-def without_gaps(points: NDArray[np.float64], normals: NDArray[np.float64]) -> NDArray[np.float64]:
+def without_gaps(points: Array, normals: Array) -> Array:
     """Normals along a polygon, those that are 0 interpolated from their neighbours, (k, 3)."""
     given = normals.any(axis=1)
     if not given.any():
@@ -102,7 +100,7 @@ def without_gaps(points: NDArray[np.float64], normals: NDArray[np.float64]) -> N
     return np.asarray(np.divide(filled, length, out=filled, where=length > 0.0))
 
 
-def smoothed(vectors: NDArray[np.float64]) -> NDArray[np.float64]:
+def smoothed(vectors: Array) -> Array:
     """Vectors along a curve, (k, 3), each mixed with its neighbours; their lengths as they were.
 
     Along a seam, whose patches meet in a slight kink, normals are now the one's, now the other's.
@@ -117,7 +115,7 @@ def smoothed(vectors: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(length * mixed)
 
 
-def arc_length(points: NDArray[np.float64]) -> NDArray[np.float64]:
+def arc_length(points: Array) -> Array:
     """Length of a polygon up to each of its points, shape (k,)."""
     step = np.linalg.norm(np.diff(points, axis=0), axis=-1)
     return np.concatenate([np.zeros(1), np.cumsum(step)])

@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+
+from bodymeasure._typing import Array, Bools
 
 # Distance of neighbouring labels in a column, in heights of a label.
 PITCH = 1.3
@@ -48,15 +49,13 @@ class Layout:
         At most what was asked for; less if the columns hold no more.
     """
 
-    on_right: NDArray[np.bool_]
-    anchor: NDArray[np.float64]
-    y: NDArray[np.float64]
+    on_right: Bools
+    anchor: Array
+    y: Array
     label_height: float
 
 
-def place_labels(
-    leftmost: NDArray[np.float64], rightmost: NDArray[np.float64], columns: Columns
-) -> Layout:
+def place_labels(leftmost: Array, rightmost: Array, columns: Columns) -> Layout:
     """Place labels in two columns.
 
     Parameters
@@ -95,7 +94,7 @@ def place_labels(
     return Layout(on_right, anchor, y, height)
 
 
-def _sides(leftmost: NDArray[np.float64], rightmost: NDArray[np.float64]) -> NDArray[np.bool_]:
+def _sides(leftmost: Array, rightmost: Array) -> Bools:
     """Which things are labeled from the right: as many as from the left, if that can be had.
 
     They are taken in the order of their middles, and the others must end before they begin.
@@ -111,7 +110,7 @@ def _sides(leftmost: NDArray[np.float64], rightmost: NDArray[np.float64]) -> NDA
     return on_right
 
 
-def _spread(wanted: NDArray[np.float64], columns: Columns, pitch: float) -> NDArray[np.float64]:
+def _spread(wanted: Array, columns: Columns, pitch: float) -> Array:
     """The places nearest to some wanted ones, in their order, at least a pitch apart.
 
     By pooling neighbours that are too near to one another: the least squares of the distances.
@@ -132,9 +131,7 @@ def _spread(wanted: NDArray[np.float64], columns: Columns, pitch: float) -> NDAr
     return np.asarray(np.clip(level, first, last) + offset)
 
 
-def _uncrossed(
-    anchors: NDArray[np.float64], edge: float, places: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _uncrossed(anchors: Array, edge: float, places: Array) -> Array:
     """Places (n,) for anchors (n, 2), changed among them until no two leaders cross."""
     y = places.copy()
     while True:

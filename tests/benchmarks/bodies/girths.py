@@ -17,8 +17,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, convert_length
 from bodymeasure.errors import InputError
 from bodymeasure.measure import Girth, body_girth, extreme_girth, limb_girth
@@ -100,7 +100,7 @@ def report_planes(name: str, count: int) -> None:
     )
 
 
-def _print_errors(errors: NDArray[np.float64], refused: int) -> None:
+def _print_errors(errors: Array, refused: int) -> None:
     relative, move = errors.T
     worst = int(relative.argmax())
     print(

@@ -20,9 +20,9 @@ from itertools import combinations
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 import bodymeasure as bm
+from bodymeasure._typing import Array
 from bodymeasure.atlas import convert_length
 from bodymeasure.taut.skin import Skin, skin_of
 from bodymeasure.taut.solve import TautLeg, draw_taut
@@ -43,7 +43,7 @@ CENTRE_LINES = (
 )
 
 
-def start_of(path: bm.AtlasPath, segments: int) -> NDArray[np.float64]:
+def start_of(path: bm.AtlasPath, segments: int) -> Array:
     """Points of a path of one leg, from which a string starts."""
     return path.position(np.linspace(0.0, 1.0, segments + 1))
 

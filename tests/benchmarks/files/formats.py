@@ -21,9 +21,9 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 from helpers.files.format_atlases import UNIT, read, write
 from helpers.surfaces.grids import grid_atlas
 from helpers.surfaces.quad_grids import grid_mesh
-from numpy.typing import NDArray
 
 from bodymeasure import Atlas
+from bodymeasure._typing import Array
 from bodymeasure.formats import FORMATS
 from bodymeasure.subdivision import PolygonMesh, loop_schaefer
 
@@ -41,7 +41,7 @@ def seconds(call: Callable[[], object]) -> float:
     return min(taken)
 
 
-def bumpy(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+def bumpy(x: Array, y: Array) -> Array:
     heights = np.random.default_rng(0).normal(scale=0.01, size=x.shape)
     return np.stack([x, y, heights], axis=-1)
 

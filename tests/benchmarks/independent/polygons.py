@@ -10,10 +10,9 @@ its uncertainty.
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, solveh_banded
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 from bodymeasure.bezier import derivatives, evaluate
 
 EDGES = ("u = 0", "u = 1", "v = 0", "v = 1")
@@ -141,7 +140,7 @@ def _expanded(net: Array, points: Array) -> _Energy:
     )
 
 
-def _minimized(net: Array, points: Array) -> tuple[Array, NDArray[np.bool_], bool]:
+def _minimized(net: Array, points: Array) -> tuple[Array, Bools, bool]:
     """The polygon at rest, which coordinates of its inner vertices are held, and whether it is."""
     damping, here = DAMPING, _expanded(net, points)
     held = (points[1:-1] <= 0.0) | (points[1:-1] >= 1.0)
@@ -164,8 +163,8 @@ def _minimized(net: Array, points: Array) -> tuple[Array, NDArray[np.bool_], boo
 
 
 def _step(
-    here: _Energy, place: Array, held: NDArray[np.bool_], damping: float
-) -> tuple[Array, NDArray[np.bool_], float] | None:
+    here: _Energy, place: Array, held: Bools, damping: float
+) -> tuple[Array, Bools, float] | None:
     """The minimum of the quadratic model in the box: the step, what is held, the decrease doubled.
 
     It is found by a primal-dual active set (M. Hintermueller, K. Ito, K. Kunisch, SIAM J. Optim. 13
@@ -206,7 +205,7 @@ def _product(bands: Array, vector: Array) -> Array:
     return np.asarray(result)
 
 
-def _runs(points: Array, held: NDArray[np.bool_]) -> tuple[Run, ...]:
+def _runs(points: Array, held: Bools) -> tuple[Run, ...]:
     """The edges that hold a polygon, in order; an end belongs to the run that begins beside it."""
     found = []
     for number, name in enumerate(EDGES):

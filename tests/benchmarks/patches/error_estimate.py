@@ -24,7 +24,6 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bodymeasure import (
     WU_C2,
@@ -42,7 +41,7 @@ from benchmarks.independent import reference
 from benchmarks.independent.reference import Problems, Reference
 from helpers.bodies import BODIES
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 
 # Relative errors below this are rounding; no estimate is sharp there.
 ROUNDING = 1e-15
@@ -80,7 +79,7 @@ def problem_sets(quick: bool) -> dict[str, Problems]:
 
 def compare(
     problems: Problems, solution: GeodesicSolution, known: Reference
-) -> tuple[Array, NDArray[np.bool_]]:
+) -> tuple[Array, Bools]:
     """The true lengths of the converged paths (NaN if unknown), and which are other geodesics.
 
     Where the reference has no length, or its path is another one, one is sought from the path in
@@ -100,11 +99,11 @@ def compare(
     return true, other
 
 
-def _is_near(paths: Array, others: Array) -> NDArray[np.bool_]:
+def _is_near(paths: Array, others: Array) -> Bools:
     return np.asarray(np.nan_to_num(np.abs(paths - others), nan=1.0).max(axis=(1, 2)) < SAME_PATH)
 
 
-def row(solution: GeodesicSolution, true: Array, other: NDArray[np.bool_]) -> str:
+def row(solution: GeodesicSolution, true: Array, other: Bools) -> str:
     """Print one line of the table, and one for each of the worst lengths that break a promise."""
     compared = np.flatnonzero(solution.converged & np.isfinite(true))
     if len(compared) == 0:

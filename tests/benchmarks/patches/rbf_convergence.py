@@ -28,7 +28,6 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bodymeasure import WU_C2, WU_C4, WU_C6, WU_C10, Kernel, RBFCollocation, solve_geodesic
 from bodymeasure.errors import InputError
@@ -38,7 +37,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 from benchmarks.independent import reference
 from benchmarks.independent.reference import Problems
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 
 # A body's diagonals and mild patches, each with their true lengths.
 Sets = tuple[tuple[Problems, Array], tuple[Problems, Array]]
@@ -82,7 +81,7 @@ def known(problems: Problems) -> tuple[Problems, Array]:
     return problems.take(rows), length[rows]
 
 
-def errors(lengths: Array, true: Array, good: NDArray[np.bool_], quantiles: list[float]) -> str:
+def errors(lengths: Array, true: Array, good: Bools, quantiles: list[float]) -> str:
     error = np.abs(lengths[good] / true[good] - 1.0)
     figures = np.quantile(error, quantiles) if len(error) else [np.nan] * len(quantiles)
     return " ".join(f"{figure:7.0e}" for figure in figures)

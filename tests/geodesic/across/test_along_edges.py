@@ -8,9 +8,9 @@ from helpers.surfaces.cut_atlases import (
     random_point,
 )
 from helpers.surfaces.grids import grid_atlas
-from numpy.typing import NDArray
 
 import bodymeasure as bm
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 
 # There are no wheels of it for the latest versions of Python.
@@ -58,7 +58,7 @@ def assert_hangs_together(path: bm.AtlasPath) -> None:
         np.testing.assert_allclose(path.position(crossing.t), after, atol=1e-9)
 
 
-def bulging(depth: float) -> NDArray[np.float64]:
+def bulging(depth: float) -> Array:
     """A plane patch 3 wide and 1 high whose lower edge bulges up into it."""
     x, y = np.meshgrid(np.arange(4) / 3, np.arange(4) / 3, indexing="ij")
     return np.stack([3 * x, y + depth * (1 - y) * x * (1 - x), 0 * x], axis=-1)

@@ -5,8 +5,8 @@ from math import comb
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic import WU_C2, WU_C4, WU_C6, WU_C10, Kernel
 
 KERNELS = [WU_C2, WU_C4, WU_C6, WU_C10]
@@ -164,7 +164,7 @@ def test_gram_matrices_are_positive_definite(
 def test_gram_matrices_are_positive_definite_in_space(
     kernel: Kernel, rng: np.random.Generator
 ) -> None:
-    points: NDArray[np.float64] = rng.random((40, 3))
+    points: Array = rng.random((40, 3))
     distance = np.linalg.norm(points[:, None] - points[None], axis=-1)
     for radius in (0.3, 0.6):
         assert np.linalg.eigvalsh(kernel(distance / radius))[0] > 0.0

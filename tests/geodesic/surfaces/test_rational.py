@@ -14,7 +14,6 @@ from helpers.surfaces.quadrics import (
     stretched,
     torus_nets,
 )
-from numpy.typing import NDArray
 
 import bodymeasure as bm
 from bodymeasure._typing import Array
@@ -182,7 +181,7 @@ def test_derivatives_by_differences(rng: np.random.Generator) -> None:
     surface, at, h = RationalSurfaces(net[None]), np.array([[[0.3, 0.6]]]), 1e-4
     jet = surface.jet(at, 3)[..., 0, 0]
 
-    def difference(number: int, axis: int) -> NDArray[np.float64]:
+    def difference(number: int, axis: int) -> Array:
         step = h * np.eye(2)[axis]
         ahead, behind = (surface.jet(at + sign * step, 3)[number, :, 0, 0] for sign in (1, -1))
         return np.asarray((ahead - behind) / (2.0 * h))

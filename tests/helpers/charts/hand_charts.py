@@ -5,9 +5,9 @@ from collections.abc import Sequence
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
 import bodymeasure as bm
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Atlas
 from bodymeasure.atlas.normals import normal_vectors
 from bodymeasure.chart import (
@@ -142,8 +142,8 @@ def _taut(contact: Tape) -> Tape:
 
 def _straight(
     definition: MeasurementDefinition,
-    start: NDArray[np.float64],
-    end: NDArray[np.float64],
+    start: Array,
+    end: Array,
     landmarks: tuple[str, ...],
 ) -> Measured:
     points = np.stack([start, end])
@@ -151,13 +151,11 @@ def _straight(
     return _measured(definition, float(np.linalg.norm(end - start)), landmarks, tape)
 
 
-def _place(atlas: Atlas, landmark: str) -> NDArray[np.float64]:
+def _place(atlas: Atlas, landmark: str) -> Array:
     return atlas.position(atlas.landmarks[landmark])
 
 
-def _normals(
-    atlas: Atlas, patch: NDArray[np.int64], parameters: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _normals(atlas: Atlas, patch: Ints, parameters: Array) -> Array:
     normals = normal_vectors(atlas.control_points[patch], parameters)
     return np.asarray(normals / np.linalg.norm(normals, axis=-1, keepdims=True))
 

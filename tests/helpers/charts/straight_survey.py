@@ -4,16 +4,16 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas import Atlas
 
 
 def straight_survey(
     atlas: Atlas,
     *,
-    difference: float | NDArray[np.float64] = 1e-6,
-    no_length: NDArray[np.bool_] | None = None,
+    difference: float | Array = 1e-6,
+    no_length: Bools | None = None,
     check: bool = True,
     bulge: float = 0.0,
 ) -> Any:
@@ -25,7 +25,7 @@ def straight_survey(
     length = np.where(missing, np.nan, 0.1)
     relative = np.where(missing, np.nan, np.broadcast_to(difference, shape))
 
-    def path(t: NDArray[np.float64]) -> NDArray[np.float64]:
+    def path(t: Array) -> Array:
         parameters = start[..., None, :] + t[:, None] * (end - start)[..., None, :]
         bend = bulge * np.sin(np.pi * t)[:, None] * np.array([1.0, -1.0])
         return np.asarray(parameters + bend)

@@ -9,8 +9,8 @@ import math
 import numpy as np
 from helpers.surfaces.grids import grid_index
 from helpers.surfaces.surfaces import bicubic
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 
 _Y = {(0, 1): 3}
@@ -32,7 +32,7 @@ ROOF = (
 )
 
 
-def row_of(*nets: NDArray[np.float64]) -> Atlas:
+def row_of(*nets: Array) -> Atlas:
     """An atlas of patches that are joined along u."""
     lattice = np.concatenate([nets[0], *(net[1:] for net in nets[1:])])
     return Atlas(lattice.reshape(-1, 3), grid_index(len(nets), 1), Unit.CM)

@@ -3,12 +3,12 @@
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Atlas, Unit
 
 
-def grid_index(rows: int, columns: int) -> NDArray[np.int64]:
+def grid_index(rows: int, columns: int) -> Ints:
     """The index of rows x columns patches on a lattice of control points; u runs along the rows."""
     lattice = np.arange((3 * rows + 1) * (3 * columns + 1)).reshape(3 * rows + 1, -1)
     return np.array(
@@ -19,7 +19,7 @@ def grid_index(rows: int, columns: int) -> NDArray[np.int64]:
 def grid_atlas(
     rows: int,
     columns: int,
-    place: Callable[[NDArray[np.float64], NDArray[np.float64]], NDArray[np.float64]] | None = None,
+    place: Callable[[Array, Array], Array] | None = None,
 ) -> Atlas:
     """Patches of side 1 in the xy plane, or with their control points moved by `place(x, y)`."""
     x, y = np.meshgrid(np.arange(3 * rows + 1) / 3, np.arange(3 * columns + 1) / 3, indexing="ij")

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.integrate import quad
+
+from bodymeasure._typing import Array
 
 Polynomial = Mapping[tuple[int, int], int | Fraction]
 """Coefficients by the powers of u and v."""
@@ -22,13 +23,13 @@ class Surface:
     """A patch, two points (u, v) on it, and the length of the shortest path between them."""
 
     name: str
-    control_points: NDArray[np.float64]
+    control_points: Array
     start: tuple[float, float]
     end: tuple[float, float]
     length: float
 
 
-def bicubic(*coordinates: Polynomial) -> NDArray[np.float64]:
+def bicubic(*coordinates: Polynomial) -> Array:
     """Control points (4, 4, 3) of a polynomial surface, computed in fractions and rounded once."""
     net = np.empty((4, 4, 3))
     for axis, polynomial in enumerate(coordinates):

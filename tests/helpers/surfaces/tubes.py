@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Unit
 from bodymeasure.bezier import bernstein
 
@@ -60,7 +60,7 @@ def joined(atlases: Sequence[Atlas], regions: Sequence[str]) -> Atlas:
     )
 
 
-def _turned(quarter: int) -> NDArray[np.float64]:
+def _turned(quarter: int) -> Array:
     points = QUARTER
     for _ in range(quarter):
         points = np.stack([-points[:, 1], points[:, 0]], axis=-1)
