@@ -10,16 +10,14 @@ from helpers.surfaces.tubes import joined, ring_length, tube
 from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
-from bodymeasure.atlas import Atlas, AtlasPoint, Axes, Unit
+from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 from bodymeasure.errors import InputError
 from bodymeasure.measure import (
     Extremum,
     Girth,
     body_girth,
-    breadth,
     chord,
     closed_geodesic,
-    depth,
     extreme_girth,
     height,
     limb_girth,
@@ -232,34 +230,6 @@ def test_two_legs_are_told_apart() -> None:
     left, right = (body_girth(legs, at(x, 0.0, 1.5)) for x in (1.0, -1.0))
     assert left.contact == pytest.approx(ring_length(), rel=1e-12)
     assert right.contact == pytest.approx(1.5 * ring_length(), rel=1e-12)
-
-
-def test_straight_measures() -> None:
-    atlas = replace(
-        tube([1.0, 2.0, 2.0, 1.0]), landmarks={"top": AtlasPoint(0, 0.0, 1.0), "side": _BELLY}
-    )
-    assert height(atlas, "top") == pytest.approx(3.0, rel=1e-15)
-    assert height(atlas, "top", floor=-0.5) == pytest.approx(3.5, rel=1e-15)
-    assert height(atlas, "side") == pytest.approx(1.5, rel=1e-15)
-    assert chord(atlas, "top", "side") == pytest.approx(math.hypot(1.5, 0.75), rel=1e-14)
-    loop = body_girth(atlas, "side").loop
-    assert breadth(atlas, loop) == pytest.approx(3.5, rel=1e-13)
-    assert depth(atlas, loop) == pytest.approx(3.5, rel=1e-13)
-
-
-_BELLY = AtlasPoint(0, 0.0, 0.5)
-
-
-def test_breadth_and_depth_follow_the_axes() -> None:
-    round_tube = tube([1.0] * 4)
-    oval = replace(round_tube, points=round_tube.points * (2.0, 1.0, 1.0))
-    loop = body_girth(oval, at(0, 0, 1)).loop
-    assert (breadth(oval, loop), depth(oval, loop)) == pytest.approx((4.0, 2.0), rel=1e-13)
-    sideways = replace(oval, axes=Axes(up="+z", front="+x"))
-    assert (breadth(sideways, loop), depth(sideways, loop)) == pytest.approx((2.0, 4.0), rel=1e-13)
-    lying = replace(oval, points=oval.points[:, [0, 2, 1]], axes=Axes(up="+y", front="+z"))
-    assert height(lying, AtlasPoint(0, 0.0, 1.0)) == pytest.approx(3.0, rel=1e-15)
-    assert body_girth(lying, at(0, 1, 0)).contact == pytest.approx(loop.length, rel=1e-13)
 
 
 def test_results_are_shown_in_a_line_or_two() -> None:

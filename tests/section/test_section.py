@@ -13,7 +13,7 @@ from scipy.special import ellipe
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Unit
-from bodymeasure.bezier import bernstein, elevate, restrict, split
+from bodymeasure.bezier import elevate, restrict, split
 from bodymeasure.errors import InputError
 from bodymeasure.section import Plane, convex_hull, extent, plane_section
 
@@ -276,34 +276,7 @@ def test_an_edge_of_three_patches_is_refused() -> None:
         plane_section(atlas, plane_at((0.4, 0.0, 0.0), (1.0, 0.0, 0.0)))
 
 
-@pytest.mark.parametrize(
-    ("point", "normal", "message"),
-    [
-        ((0, 0, 0), (0, 0, 0), "normal is zero"),
-        ((0, 0), (0, 0, 1), "point is .*expected three finite numbers"),
-        ((0, 0, 0), (0, 0, math.nan), "normal is .*expected three finite numbers"),
-        ((0, 0, 0), "up", "normal is 'up'; expected three numbers"),
-    ],
-)
-def test_planes_are_checked(point: object, normal: object, message: str) -> None:
-    with pytest.raises(InputError, match=message):
-        Plane(point, normal)  # type: ignore[arg-type]
-
-
 def test_the_nearest_loop_is_chosen() -> None:
     section = plane_section(quadric(2, 1.0, -1.0), plane_at((0.0, 0.0, 0.25), UP))
     left, right = (section.nearest((x, 0.0, 0.25)) for x in (-1.0, 1.0))
     assert left.positions.mean(axis=0)[0] < 0.0 < right.positions.mean(axis=0)[0]
-
-
-def test_roots_of_cubics_keep_their_number() -> None:
-    from bodymeasure.section.roots import roots_of_polynomials
-
-    wanted = np.array([[0.2, 0.5, 0.9], [0.1, 0.1 + 1e-7, 0.7]])
-    t = np.linspace(0.0, 1.0, 4)
-    basis = bernstein(3, t)[:, 0]
-    values = np.prod(t[:, None] - wanted[:, None], axis=-1)
-    found = roots_of_polynomials(np.linalg.solve(basis, values.T).T)
-    np.testing.assert_allclose(found[0], wanted[0], atol=1e-14)
-    np.testing.assert_allclose(found[1], wanted[1], atol=1e-9)
-    assert np.isnan(roots_of_polynomials(np.ones((1, 4)))).all()
