@@ -6,7 +6,7 @@ class BodymeasureError(Exception):
 
 
 class InputError(BodymeasureError, ValueError):
-    """What was given cannot be measured: a bad file, shape, value, unit or name."""
+    """An argument or a file cannot be measured: a bad file, shape, value, unit or name."""
 
 
 class MissingExtraError(BodymeasureError, ImportError):
@@ -20,7 +20,7 @@ class MissingExtraError(BodymeasureError, ImportError):
 
 
 class ReadWarning(UserWarning):
-    """What was read of a file is not all that it holds, or not quite as it holds it."""
+    """A file was not read completely, or not exactly as it is."""
 
 
 class ConvergenceError(BodymeasureError, ArithmeticError):

@@ -11,7 +11,7 @@ from bodymeasure.errors import InputError
 
 
 def read_bytes(path: Path) -> bytes:
-    """A file's content.
+    """Return a file's content.
 
     Raises
     ------
@@ -29,7 +29,7 @@ def read_bytes(path: Path) -> bytes:
 
 
 def write_bytes(path: Path, content: bytes) -> None:
-    """Write a file whole or not at all: to a temporary file beside it, then renamed.
+    """Write a file whole or not at all: a temporary file beside it is renamed.
 
     Raises
     ------
@@ -47,9 +47,9 @@ def write_bytes(path: Path, content: bytes) -> None:
 def write_all(contents: Mapping[Path, bytes]) -> None:
     """Write files that belong together: each whole, and all of them or none.
 
-    All content goes to temporary files first, so a full disk or an interrupt changes nothing; only
-    then are they renamed, which needs no room. Should a rename fail all the same, the files that
-    this call added are removed; a file that was there before and is replaced already stays so.
+    All content goes to temporary files first, so that a full disk or an interrupt changes nothing;
+    then they are renamed, which needs no room. If a rename fails all the same, the files that this
+    call added are removed; a file that is replaced already stays replaced.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def _write_temporary(path: Path, content: bytes, temporaries: dict[Path, Path]) 
     """Write content to a new file beside `path`, entered in `temporaries` before it is filled."""
     if path.is_dir():
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
-    # Where `path` is a link, beside what it points to; that is replaced, and the link stays.
+    # A link stays: the file that it points to is replaced.
     folder = path.resolve().parent
     descriptor, name = tempfile.mkstemp(prefix=".bodymeasure-", dir=folder)
     temporaries[path] = Path(name)
@@ -106,10 +106,10 @@ def make_folder(path: Path) -> None:
 
 @contextmanager
 def output_folder(path: Path) -> Iterator[None]:
-    """Have a folder to write to, made if it is not there; known to be writable before the work.
+    """Make a folder to write to, if it is not there, and prove it writable before the work.
 
-    Should the block fail or be interrupted, those folders that this made are removed again, unless
-    there is something in them.
+    If the block fails or is interrupted, the folders that were made are removed again, unless there
+    is something in them.
 
     Raises
     ------

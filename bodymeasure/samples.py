@@ -57,7 +57,7 @@ def sample_names() -> tuple[str, ...]:
 
 
 def sample_path(name: str) -> Path:
-    """File of a sample.
+    """Return the file of a sample.
 
     Raises
     ------
@@ -73,7 +73,7 @@ def sample_path(name: str) -> Path:
 
 
 def samples() -> tuple[Sample, ...]:
-    """All samples with a description, in alphabetical order."""
+    """Return all samples with a description, in alphabetical order."""
     result = []
     for name in sample_names():
         atlas = load_sample(name)
@@ -83,7 +83,7 @@ def samples() -> tuple[Sample, ...]:
 
 
 def _folder() -> Path:
-    """Where the samples are: inside the installed package, or at the top of the checkout."""
+    """Return the folder of the samples: in the installed package, or at the top of the checkout."""
     installed = Path(__file__).parent / "sample_patches"
     if installed.is_dir():
         return installed

@@ -45,7 +45,7 @@ PROVENANCE = {
 # cannot be given a place. The fit itself is off by 1.5 mm at worst.
 LANDMARK_REACH = 0.003
 # A landmark this close to a patch's edge, in (u, v), is put on it: landmarks of the center line lie
-# some micrometres beside it where its seam is slightly creased.
+# some micrometers beside it where its seam is slightly creased.
 SNAP = 2e-4
 
 

@@ -17,7 +17,7 @@ FILE = "quad_meshes.npz"
 # Rings of quads round what the atlas covers: two would do for its limit surface; the others leave
 # room for shortest paths beside the boundary.
 MARGIN = 6
-# The meshes' coordinates are whole micrometres, so nothing is lost.
+# The meshes' coordinates are whole micrometers, so nothing is lost.
 PER_METRE = 1_000_000
 
 

@@ -1,4 +1,4 @@
-"""B-splines cut into Bezier pieces, exactly."""
+"""The exact division of B-splines into Bezier pieces."""
 
 from functools import lru_cache
 from typing import NamedTuple
@@ -26,7 +26,7 @@ class BezierPieces(NamedTuple):
 
 
 def bezier_pieces(control_points: ArrayLike, degree: int, knots: ArrayLike) -> BezierPieces:
-    """The Bezier pieces of a B-spline, along axis 0.
+    """Return the Bezier pieces of a B-spline, along axis 0.
 
     Parameters
     ----------
@@ -48,9 +48,10 @@ def bezier_pieces(control_points: ArrayLike, degree: int, knots: ArrayLike) -> B
 
     Notes
     -----
-    What inserting each knot up to the degree's multiplicity gives, by the blossom: the Bezier
-    points of a piece on [a, b] are its values at (a, ..., a, b, ..., b). L. Ramshaw, *Blossoms are
-    polar forms*, CAGD 6 (1989); Farin, 5th ed., section 8.4. At a knot of multiplicity above the
+    The pieces are those that inserting each knot up to the degree's multiplicity gives. They are
+    found by the blossom: the Bezier points of a piece on [a, b] are its values at
+    (a, ..., a, b, ..., b). L. Ramshaw, *Blossoms are polar forms*, CAGD 6 (1989); Farin, 5th ed.,
+    section 8.4. At a knot of multiplicity above the
     degree the spline may jump, and pieces keep an end each.
     """
     points = np.asarray(control_points, dtype=np.float64)
@@ -93,7 +94,7 @@ def _check_knots(knots: Array, count: int, degree: int) -> None:
 
 @lru_cache(maxsize=64)
 def _piece_matrices(degree: int, knot_bytes: bytes) -> tuple[Ints, Array]:
-    """The knot spans that are not empty, and what takes their control points to Bezier points.
+    """Return the knot spans that are not empty, and the matrices to their Bezier points.
 
     Rows have the shape (pieces, degree + 1, degree + 1), and act on the control points from
     ``span - degree`` to ``span``.

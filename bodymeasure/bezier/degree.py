@@ -7,13 +7,13 @@ from bodymeasure._typing import Array
 
 
 def elevate(control_points: ArrayLike, degree_u: int, degree_v: int) -> Array:
-    """The same patches written with higher degrees.
+    """Return the same patches written with higher degrees.
 
     Parameters
     ----------
     control_points : array_like, shape (*batch, m + 1, n + 1, 3)
     degree_u, degree_v : int
-        Degrees wanted, at least m and n.
+        The degrees to reach, at least m and n.
 
     Returns
     -------
@@ -22,7 +22,7 @@ def elevate(control_points: ArrayLike, degree_u: int, degree_v: int) -> Array:
     Raises
     ------
     ValueError
-        If a degree wanted is lower than the patch has.
+        If a degree is lower than that of the patches.
 
     Notes
     -----
@@ -41,7 +41,7 @@ def elevate(control_points: ArrayLike, degree_u: int, degree_v: int) -> Array:
 
 
 def _elevate_once(points: Array) -> Array:
-    """One degree more along axis 0."""
+    """Raise the degree by one along axis 0."""
     count = len(points)
     weight = (np.arange(1, count) / count).reshape(-1, *(1,) * (points.ndim - 1))
     inner = weight * points[:-1] + (1.0 - weight) * points[1:]

@@ -9,12 +9,12 @@ from bodymeasure.bezier.rational import divide
 
 
 def evaluate(control_points: ArrayLike, parameters: ArrayLike) -> Array:
-    """Points S(u, v) of Bezier patches.
+    """Return the points S(u, v) of Bezier patches.
 
     Parameters
     ----------
     control_points : array_like, shape (*batch, m + 1, n + 1, 3)
-        With a last axis of 4, those of rational patches (see `homogeneous`).
+        Those of rational patches have a last axis of 4 (see `homogeneous`).
     parameters : array_like, shape (*batch, ..., 2)
         (u, v) pairs; their leading axes must broadcast with the patches' batch axes.
 
@@ -26,12 +26,12 @@ def evaluate(control_points: ArrayLike, parameters: ArrayLike) -> Array:
 
 
 def derivatives(control_points: ArrayLike, parameters: ArrayLike, order: int) -> Array:
-    """Partial derivatives of Bezier patches.
+    """Return the partial derivatives of Bezier patches.
 
     Parameters
     ----------
     control_points : array_like, shape (*batch, m + 1, n + 1, 3)
-        With a last axis of 4, those of rational patches (see `homogeneous`).
+        Those of rational patches have a last axis of 4 (see `homogeneous`).
     parameters : array_like, shape (*batch, ..., 2)
         (u, v) pairs; their leading axes must broadcast with the patches' batch axes.
     order : int

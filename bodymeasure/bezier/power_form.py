@@ -1,7 +1,7 @@
 """Positions and derivatives of patches at one point each, for many small batches.
 
-The same numbers as `bodymeasure.bezier.derivatives`, three times as fast on some hundred points:
-there, more time goes into preparing the Bernstein basis than into arithmetic.
+The numbers are those of `bodymeasure.bezier.derivatives`, found three times as fast for some
+hundred points: there, more time goes into preparing the Bernstein basis than into arithmetic.
 """
 
 from math import factorial
@@ -13,16 +13,16 @@ from bodymeasure.bezier import bernstein, divide
 
 
 def power_coefficients(nets: Array) -> Array:
-    """Coefficients of u^i v^j of patches, shapes (patches, m + 1, m + 1, 3 or 4)."""
+    """Return the coefficients of u^i v^j of patches (patches, m + 1, m + 1, 3 or 4)."""
     degree = nets.shape[-2] - 1
-    # Row k: the k-th derivative at 0 over k!.
+    # Row k holds the k-th derivative at 0 over k!.
     factorials = np.array([factorial(k) for k in range(degree + 1)], dtype=np.float64)
     to_powers = bernstein(degree, 0.0, order=degree) / factorials[:, None]
     return np.asarray(np.einsum("ai,bj,pijc->pabc", to_powers, to_powers, nets))
 
 
 def jets(coefficients: Array, x: Array) -> Array:
-    """Derivatives up to the second of patches (k, m + 1, m + 1, 3 or 4) at parameters x (k, 2).
+    """Return derivatives up to the second of patches (k, m + 1, m + 1, 3 or 4) at x (k, 2).
 
     Returns
     -------

@@ -38,7 +38,7 @@ def homogeneous(control_points: ArrayLike, weights: ArrayLike) -> Array:
 
 
 def project(control_points: ArrayLike) -> Array:
-    """Control points in space: those of three coordinates as they are, of four over their weights.
+    """Return control points in space: four coordinates are divided by their weights.
 
     Parameters
     ----------
@@ -53,14 +53,14 @@ def project(control_points: ArrayLike) -> Array:
 
 
 def scaled(control_points: Array, factor: float) -> Array:
-    """Patches (..., 3 or 4) scaled about the origin; weights stay."""
+    """Scale patches (..., 3 or 4) about the origin; weights stay as they are."""
     result = control_points * factor
     result[..., 3:] = control_points[..., 3:]
     return result
 
 
 def divide(jet: Array) -> Array:
-    """Derivatives of a rational patch from those of its homogeneous coordinates.
+    """Return the derivatives of a rational patch from those of its homogeneous coordinates.
 
     Parameters
     ----------

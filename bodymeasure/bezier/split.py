@@ -10,7 +10,7 @@ from bodymeasure._typing import Array
 
 
 def _blossom_rows(degree: int, start: Any, end: Any) -> Array:
-    """Matrices that take control points on [0, 1] to those on [start, end].
+    """Return the matrices that take control points on [0, 1] to those on [start, end].
 
     Row i holds the blossom's weights at (start, ..., start, end, ..., end) with i ends:
     Farin, 5th ed., section 4.7. Shape (*batch, degree + 1, degree + 1).
@@ -32,7 +32,7 @@ def _blossom_rows(degree: int, start: Any, end: Any) -> Array:
 
 
 def restrict(control_points: ArrayLike, lower: ArrayLike, upper: ArrayLike) -> Array:
-    """Control points of each patch restricted to a parameter rectangle.
+    """Return the control points of each patch restricted to a parameter rectangle.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ def restrict(control_points: ArrayLike, lower: ArrayLike, upper: ArrayLike) -> A
 
 
 def split(control_points: ArrayLike, u: float = 0.5, v: float = 0.5) -> Array:
-    """Each patch cut into four at (u, v).
+    """Cut each patch into four at (u, v).
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def split(control_points: ArrayLike, u: float = 0.5, v: float = 0.5) -> Array:
     Returns
     -------
     ndarray, shape (*batch, 2, 2, m + 1, n + 1, 3)
-        ``[..., i, j]`` is the lower (0) or upper (1) part in u and in v. Neighbouring parts share
+        ``[..., i, j]`` is the lower (0) or upper (1) part in u and in v. Neighboring parts share
         their edge's control points to the last bit.
     """
     net = np.asarray(control_points, dtype=np.float64)

@@ -1,4 +1,4 @@
-"""Reading and writing atlases; the format goes by the file's extension."""
+"""Reading and writing atlases; the file's extension decides the format."""
 
 from bodymeasure.formats.registry import (
     FORMATS,

@@ -52,7 +52,7 @@ class _AtlasRecord(msgspec.Struct, forbid_unknown_fields=True):
 
 
 class _Header(msgspec.Struct):
-    """What is looked at first, so that another version is not reported as a wrong field."""
+    """The fields that are read first, so that another version is not reported as a wrong field."""
 
     format: str | None = None
     version: int | None = None
@@ -81,7 +81,7 @@ def read(content: bytes, source: str) -> Atlas:
 
 
 def write(atlas: Atlas) -> bytes:
-    """An atlas as the content of a file: one patch, landmark or point a line."""
+    """Return an atlas as the content of a file: one patch, landmark or point on each line."""
     patches: list[dict[str, Any]] = [
         {"name": name, "region": region, "points": points}
         for name, region, points in zip(
@@ -99,7 +99,7 @@ def write(atlas: Atlas) -> bytes:
     members = {
         "format": _line(FORMAT),
         "version": _line(VERSION),
-        # What is the rule is not said.
+        # Fields at their defaults are left out.
         **({} if atlas.degree == LEAST_DEGREE else {"degree": _line(atlas.degree)}),
         "name": _line(atlas.name),
         "unit": _line(atlas.unit.value),
@@ -158,12 +158,12 @@ def _atlas(record: _AtlasRecord) -> Atlas:
 
 
 def _index(record: _AtlasRecord) -> Ints:
-    """Numbers of the control points, shape (patches, degree + 1, degree + 1)."""
+    """Return the numbers of the control points, shape (patches, degree + 1, degree + 1)."""
     return np.array(_squares(record, "numbers", [p.points for p in record.patches]), dtype=np.int64)
 
 
 def _weights(record: _AtlasRecord) -> Array | None:
-    """Weights of the same shape; 1 for patches without."""
+    """Return weights of the same shape; 1 for patches without weights."""
     if all(patch.weights is None for patch in record.patches):
         return None
     ones = [[1.0] * (record.degree + 1)] * (record.degree + 1)
@@ -190,7 +190,7 @@ def _squares(record: _AtlasRecord, what: str, values: list[list[list[Any]]]) -> 
 
 
 def _place_of_misfit(content: bytes) -> str | None:
-    """What is wrong with the first patch, point or landmark that does not fit, if one is."""
+    """Say what is wrong with the first patch, point or landmark that does not fit, if any."""
     # The standard library also takes numbers that are too large, which are among the misfits.
     try:
         members = json.loads(content)

@@ -3,8 +3,8 @@
 A header ``BBP`` (bicubic) or ``BEZuvn`` with the degrees u and v and n = 3 coordinates, or 4 with a
 weight; then control points, u fastest, any number of patches. ``C`` in front means four corner
 colors after each patch, ``ST`` or ``_ST`` four corner texture coordinates; both are left out here.
-What follows ``#`` on a line is a remark. No unit, no names. Geomview's manual, section *Bezier
-Surfaces*, has the format.
+What follows ``#`` on a line is a remark. The format has neither a unit nor names; Geomview's
+manual, section *Bezier Surfaces*, describes it.
 """
 
 import re

@@ -1,7 +1,8 @@
 """BPT: the text format of the Utah teapot, ``.bpt``.
 
 The first line has the number of patches. Each patch is a line with its two degrees, then a line
-``x y z`` for each control point, u fastest. No unit, no names. Lines after ``#`` are remarks.
+``x y z`` for each control point, u fastest. It has neither a unit nor names. What follows ``#`` is
+a remark.
 """
 
 import numpy as np

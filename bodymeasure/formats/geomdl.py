@@ -1,8 +1,8 @@
 """B-spline surfaces in the JSON of geomdl (NURBS-Python), ``.json``.
 
 ``{"shape": {"type": "surface", "data": [...]}}``, as `geomdl.exchange.export_json` writes it. Each
-surface is cut into Bezier patches; its name is theirs. No unit. Surfaces with weights go as far as
-`ReadPatches` does; trimmed ones are refused. Only what the shape depends on is looked at.
+surface is cut into Bezier patches, which have its name. The format has no unit. Rational surfaces
+are read, and trimmed ones are refused. Only the fields on which the shape depends are read.
 """
 
 from typing import Any
@@ -58,7 +58,7 @@ class _Kind(msgspec.Struct):
 
 
 class _Header(msgspec.Struct):
-    """What is looked at first, so that a curve is not reported as a wrong field."""
+    """The fields that are read first, so that a curve is not reported as a wrong field."""
 
     shape: _Kind | None = None
 

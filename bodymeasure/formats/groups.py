@@ -1,4 +1,4 @@
-"""Parts of an atlas, by the groups that its file names."""
+"""The choice of parts of an atlas by the groups that its file names."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -8,12 +8,12 @@ import numpy as np
 from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError
 
-# Groups that an error lists; the rest is counted.
+# Groups that an error lists; it counts the others.
 _LISTED = 12
 
 
 def select_groups(atlas: Atlas, groups: Sequence[str]) -> Atlas:
-    """The patches of some groups.
+    """Return the patches of some groups.
 
     Parameters
     ----------

@@ -1,11 +1,11 @@
-"""Where a file that should be JSON is not."""
+"""The place at which a file that should be JSON is none."""
 
 import json
 import re
 
 
 def place_of_fault(content: bytes, reason: str) -> str:
-    """Line and reason of what is not JSON, to follow the file's name."""
+    """Return the line and the reason for which it is no JSON, to follow the file's name."""
     try:
         text = content.decode()
         json.loads(text)

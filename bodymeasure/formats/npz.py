@@ -1,8 +1,8 @@
 """NumPy's ``.npz``, for large atlases and for many bodies with the same patches.
 
-Arrays: `points`, shape (n, 3) or (bodies, n, 3); `index`, shape (patches, 4, 4); `weights`
-like it, of rational patches; and `header`, a text with everything else in JSON. Nothing is
-unpickled.
+The arrays are `points`, shape (n, 3) or (bodies, n, 3); `index`, shape (patches, 4, 4); `weights`
+of rational patches, of the same shape; and `header`, a text with everything else in JSON. Nothing
+is unpickled.
 """
 
 import ast
@@ -23,9 +23,9 @@ from bodymeasure.errors import InputError
 
 FORMAT = "bodymeasure atlas"
 VERSION = 1
-# Coordinates of bodies shrink to a third or so; more than this is a file made to fill memory.
+# Largest expansion: coordinates of bodies shrink to a third or so, and more is made to fill memory.
 MOST_EXPANSION = 200
-# A file without much in it may expand more.
+# Bytes up to which a small file may expand more.
 _SMALL = 1 << 20
 # Kinds of numbers that an array may hold: what is a coordinate, an index, a text.
 _KINDS = {"points": "f", "index": "iu", "header": "U", "weights": "f"}

@@ -11,7 +11,7 @@ from bodymeasure.errors import InputError
 
 @dataclass(frozen=True)
 class ReadOptions:
-    """What to know when reading a file.
+    """What is given about a file that is read.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ class ReadOptions:
         groups: str | Sequence[str],
         tolerance: float | None,
     ) -> Self:
-        """Options as a user gives them.
+        """Return options as a user gives them.
 
         Raises
         ------
@@ -57,7 +57,7 @@ class ReadOptions:
         )
 
     def known_unit(self, source: str, title: str) -> Unit:
-        """The unit.
+        """Return the unit.
 
         Raises
         ------
@@ -74,12 +74,12 @@ class ReadOptions:
         return self.unit
 
     def require_none(self, source: str, unit: Unit, axes: Axes) -> None:
-        """Refuse what contradicts a file that has its own unit and axes, and what it has not.
+        """Refuse options that contradict a file with its own unit and axes, and a tolerance.
 
         Raises
         ------
         InputError
-            What contradicts.
+            If an option contradicts the file; the message names it.
         """
         self.require_unit(source, unit)
         if self.axes not in (None, axes):

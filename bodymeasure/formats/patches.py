@@ -28,9 +28,9 @@ class ReadPatches:
     places : sequence of str, optional
         Where in the file each begins, such as ``line 7``, for errors.
     unit : Unit, optional
-        If the file says it.
+        The unit, if the file has one.
     notes : sequence of str
-        What a user should know of the reading, such as what was left out.
+        What a user should know about the reading, such as what was left out.
     """
 
     nets: Sequence[Array]
@@ -50,7 +50,7 @@ class ReadPatches:
 def assemble(
     patches: ReadPatches, source: str, *, unit: Unit, axes: Axes, tolerance: float | None = None
 ) -> Atlas:
-    """An atlas of patches as read: elevated to one degree, at least 3, and welded.
+    """Return an atlas of patches as read: elevated to one degree, at least 3, and welded.
 
     Parameters
     ----------
@@ -103,7 +103,7 @@ def _check_weights(patches: ReadPatches, source: str) -> None:
 
 
 def _elevated(patches: ReadPatches, source: str) -> tuple[Array, Array | None]:
-    """All nets with one degree, shape (patches, d + 1, d + 1, 3), and weights if some differ."""
+    """Return all nets with one degree, (patches, d + 1, d + 1, 3), and weights if some differ."""
     by_shape: dict[tuple[int, ...], list[int]] = {}
     for number, net in enumerate(patches.nets):
         by_shape.setdefault(net.shape, []).append(number)
@@ -134,7 +134,7 @@ def _elevated(patches: ReadPatches, source: str) -> tuple[Array, Array | None]:
 
 
 def unique_names(names: Sequence[str]) -> tuple[str, ...]:
-    """Names with a number after those that occur more than once, and after empty ones."""
+    """Return names with numbers after those that occur more than once, and after empty ones."""
     occurrences = Counter(names)
     taken = {name for name, times in occurrences.items() if times == 1}
     numbers = {name: count() for name in occurrences}

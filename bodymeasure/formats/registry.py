@@ -1,4 +1,7 @@
-"""Which format reads and writes which extension."""
+"""All formats of atlases, and the extensions of their files.
+
+A new format is a module of its own and one entry of `FORMATS`.
+"""
 
 import warnings
 from collections.abc import Callable, Sequence
@@ -32,9 +35,10 @@ class Format(NamedTuple):
     extensions : tuple of str
         Extensions of files that are read and written in this format.
     read : callable
-        Content and name of a file to an atlas, or to patches or faces without a unit.
+        Turns the content and the name of a file into an atlas, or into patches or faces without a
+        unit.
     write : callable, optional
-        An atlas to the content of a file.
+        Turns an atlas into the content of a file.
     keeps : frozenset of str
         What a file holds besides the geometry: any of "unit" (with the axes), "names", "regions"
         and "landmarks" (with the atlas's name and provenance).
@@ -104,8 +108,8 @@ def read_atlas(
     Returns
     -------
     Atlas
-        Patches of lower degree are elevated, B-splines cut at their knots, both exactly; of a mesh
-        of polygons, one patch for each quad of its approximate Catmull-Clark surface.
+        Patches of lower degree are elevated, and B-splines cut at their knots, both exactly. A mesh
+        of polygons gives one patch for each quad of its approximate Catmull-Clark surface.
 
     Raises
     ------
@@ -127,7 +131,7 @@ def read_atlas(
     """
     path = Path(path)
     options = ReadOptions.checked(unit, up, front, group, tolerance)
-    # First the content: of a missing file or a folder, the extension is beside the point.
+    # The content comes first: for a missing file or a folder, the extension does not matter.
     content = read_bytes(path)
     return decode(content, str(path), format_of(path, format), options)
 
@@ -135,7 +139,7 @@ def read_atlas(
 def decode(content: bytes, source: str, form: Format, options: ReadOptions) -> Atlas:
     """The atlas in a file's content; `source` names the file in errors."""
     if "unit" not in form.keeps:
-        # That is the first thing to say.
+        # A missing unit is reported before any other fault.
         options.known_unit(source, form.title)
     read = form.read(content, source)
     axes = options.axes or Axes()
@@ -276,7 +280,7 @@ def write_population(atlases: Sequence[Atlas], path: str | PathLike[str]) -> Non
 
 
 def format_of(path: Path, name: str | None = None) -> Format:
-    """The format of that name, or else of a file's extension.
+    """Return the format of a name, or else of a file's extension.
 
     Raises
     ------

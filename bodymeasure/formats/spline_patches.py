@@ -18,14 +18,14 @@ def spline_patches(
     knots: tuple[Array, Array],
     ranges: Sequence[tuple[float, float]] | None = None,
 ) -> tuple[list[Array], list[Array]]:
-    """The Bezier patches of a B-spline surface, rational or not.
+    """Return the Bezier patches of a B-spline surface, rational or not.
 
     Parameters
     ----------
     points : ndarray, shape (rows, columns, 3)
         Control points; u runs along the first axis.
     weights : ndarray, shape (rows, columns)
-        All equal where the surface is not rational.
+        They are equal if the surface is not rational.
     degrees : tuple of int
         In u and v.
     knots : tuple of ndarray
@@ -41,7 +41,7 @@ def spline_patches(
     Raises
     ------
     InputError
-        If a degree is above 9, or which direction's knots or range are wrong, and how.
+        If a degree is above 9, or the knots or the range of a direction are wrong.
     """
     if max(degrees) > LARGEST_DEGREE:
         raise InputError(
@@ -70,7 +70,7 @@ def spline_patches(
 
 @lru_cache(maxsize=64)
 def _range_of_one_piece(degree: int, knot_bytes: bytes) -> tuple[float, float] | None:
-    """Where a spline runs from and to, if it is a single Bezier piece as it stands."""
+    """Return where a spline begins and ends, if it is a single Bezier piece as it stands."""
     start, *inner, end = np.frombuffer(knot_bytes).tolist()
     if start < end and inner == [start] * degree + [end] * degree:
         return start, end

@@ -20,7 +20,7 @@ _REMARK = re.compile(rb"(?:^|(?<=\s))#.*", re.DOTALL)
 
 @dataclass(frozen=True)
 class TextFile:
-    """The lines of a text file; iterating gives the number, from 1, and words of each with some.
+    """The lines of a text file; iterating gives the number, from 1, and the words of each line.
 
     Parameters
     ----------
@@ -103,12 +103,12 @@ class Words:
         return self.lines[bisect.bisect_right(self.ends, word)]
 
     def numbers(self, source: str) -> Array:
-        """All numbers.
+        """Return all words as numbers.
 
         Raises
         ------
         InputError
-            The first word that is no finite number, and its line.
+            If one is no finite number; the message names the first such word and its line.
         """
         try:
             values = np.fromiter(map(float, self.words), np.float64, len(self.words))
@@ -125,12 +125,12 @@ class Words:
 
 
 def few_numbers(words: Sequence[bytes], place: str) -> tuple[float, ...]:
-    """The numbers on one short line, of which a file may have very many.
+    """Return the numbers on one short line, of which a file may have very many.
 
     Raises
     ------
     InputError
-        The first word that is no finite number.
+        If one is no finite number; the message names the first such word.
     """
     try:
         values = tuple(map(float, words))
@@ -145,12 +145,12 @@ def few_numbers(words: Sequence[bytes], place: str) -> tuple[float, ...]:
 
 
 def whole_number(word: bytes, what: str, place: str) -> int:
-    """A count or an index.
+    """Return a count or an index.
 
     Raises
     ------
     InputError
-        What was expected, if the word is not a whole number.
+        If the word is not a whole number; the message says what was expected.
     """
     try:
         if b"_" not in word:
@@ -161,13 +161,13 @@ def whole_number(word: bytes, what: str, place: str) -> int:
 
 
 def quoted(word: bytes) -> str:
-    """A word as an error shows it: short, and without characters that a terminal minds."""
+    """Return a word as an error shows it: short, and without control characters."""
     text = word.decode("utf-8", "replace")
     return repr(text if len(text) <= _QUOTED else text[:_QUOTED] + "...")
 
 
 def written(points: Array) -> list[str]:
-    """Points (n, k) as text, a line each: the shortest that is read back to the last bit."""
+    """Return points (n, k) as lines of text, the shortest that are read back to the last bit."""
     return [" ".join(map(repr, row)) for row in points.tolist()]
 
 

@@ -23,7 +23,7 @@ class TriangleMesh(NamedTuple):
 
 
 def triangle_mesh(mesh: Any) -> TriangleMesh:
-    """The arrays of a mesh.
+    """Return the arrays of a mesh.
 
     Parameters
     ----------
@@ -78,6 +78,6 @@ def triangle_mesh(mesh: Any) -> TriangleMesh:
 
 
 def part_of(mesh: TriangleMesh, keep: NDArray[Any]) -> tuple[TriangleMesh, Ints]:
-    """Some of the faces, and the old numbers of their vertices."""
+    """Return the mesh of some of the faces, and the old numbers of its vertices."""
     used, faces = np.unique(mesh.faces[keep], return_inverse=True)
     return TriangleMesh(mesh.vertices[used], faces.reshape(-1, 3).astype(np.int64)), used

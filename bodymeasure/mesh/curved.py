@@ -7,7 +7,9 @@ from bodymeasure.mesh.arrays import TriangleMesh
 
 
 def vertex_normals(mesh: TriangleMesh) -> Array:
-    """Unit normals (n, 3): means of the faces', weighted by the angle; 0 where they cancel out.
+    """Return the means of the faces' unit normals at vertices (n, 3), weighted by the angles.
+
+    They are 0 where the faces' normals cancel out.
 
     G. Thuermer and C. Wuethrich, J. Graphics Tools 3 (1998) 43-46.
     """
@@ -26,7 +28,7 @@ def vertex_normals(mesh: TriangleMesh) -> Array:
 
 
 def curved(mesh: TriangleMesh, normals: Array) -> tuple[TriangleMesh, Array]:
-    """Each triangle cut into four, the new vertices on curves that meet the vertices' normals.
+    """Cut each triangle into four, with new vertices on curves that meet the vertices' normals.
 
     Parameters
     ----------
@@ -42,8 +44,9 @@ def curved(mesh: TriangleMesh, normals: Array) -> tuple[TriangleMesh, Array]:
 
     Notes
     -----
-    The middles of the sides of the triangles of A. Vlachos et al., *Curved PN triangles*, Symposium
-    on Interactive 3D Graphics (2001): of a cubic whose ends are perpendicular to both normals.
+    The new vertices are the middles of the sides of the triangles of A. Vlachos et al., *Curved PN
+    triangles*, Symposium on Interactive 3D Graphics (2001): cubics whose ends are perpendicular to
+    both normals.
     """
     first, second = mesh.faces, np.roll(mesh.faces, -1, axis=1)
     pairs = np.stack([np.minimum(first, second), np.maximum(first, second)], axis=-1)

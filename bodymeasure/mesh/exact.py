@@ -13,12 +13,12 @@ ROOM = 1e-9
 
 
 def exact_path(mesh: TriangleMesh, source: int, target: int) -> Array:
-    """The shortest path from one vertex to another, shape (k, 3).
+    """Return the shortest path from one vertex to another, shape (k, 3).
 
     Parameters
     ----------
     mesh : TriangleMesh
-        One that `bodymeasure.oracle.validate_mesh` accepts.
+        A mesh that `bodymeasure.oracle.validate_mesh` accepts.
     source, target : int
 
     Raises
@@ -53,15 +53,15 @@ def exact_path(mesh: TriangleMesh, source: int, target: int) -> Array:
     inside = way <= longest * (1.0 + ROOM)
     part, used = part_of(mesh, inside[mesh.faces].any(axis=1))
     first, last = (int(np.searchsorted(used, number)) for number in (source, target))
-    # Its tolerances are lengths. A power of 2 rounds nothing.
+    # The solver's tolerances are lengths. A power of 2 rounds nothing.
     scale = float(np.ldexp(1.0, np.frexp(longest)[1]))
     solver = PyGeodesicAlgorithmExact(part.vertices / scale, part.faces)
-    # It gives the path from its target back to its source.
+    # The solver gives the path from its target back to its source.
     return scale * np.asarray(solver.geodesicDistance(last, first)[1], dtype=np.float64)
 
 
 def _along_edges(mesh: TriangleMesh, source: int, target: int) -> float:
-    """Length of the shortest way along edges; infinite if there is none."""
+    """Return the length of the shortest way along edges; infinite if there is none."""
     first, last = mesh.faces.ravel(), np.roll(mesh.faces, -1, axis=1).ravel()
     count = len(mesh.vertices)
     low, high = np.minimum(first, last), np.maximum(first, last)
@@ -75,7 +75,7 @@ def _along_edges(mesh: TriangleMesh, source: int, target: int) -> float:
 
 
 def joined_to(mesh: TriangleMesh, vertex: int) -> Bools:
-    """Which vertices edges join to one, shape (n,)."""
+    """Return which vertices are joined to one by edges, shape (n,)."""
     label = connected_components(
         mesh.faces.ravel(), np.roll(mesh.faces, -1, axis=1).ravel(), len(mesh.vertices)
     )

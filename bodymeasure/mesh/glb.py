@@ -65,7 +65,8 @@ def write_glb(
 
     Notes
     -----
-    glTF is in meters, y upwards, looking along z; so the body is turned and scaled.
+    glTF is in meters, with y upwards and bodies looking along z, so that the body is turned and
+    scaled.
 
     Examples
     --------
@@ -108,7 +109,7 @@ def write_glb(
 
 
 def _to_gltf(atlas: Atlas) -> Array:
-    """From the atlas's coordinates to left, up and front in meters, shape (3, 3)."""
+    """Return the matrix (3, 3) from the atlas's coordinates to left, up and front in meters."""
     axes = atlas.axes
     rows = np.stack([axes.left_vector, axes.up_vector, axes.front_vector])
     return np.asarray(rows * atlas.unit.meters)

@@ -1,19 +1,19 @@
-"""Points of a mesh made vertices of it."""
+"""Insertion of points of a mesh as vertices."""
 
 import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.mesh.arrays import TriangleMesh
 
-# A new vertex keeps this part of a triangle away from its sides, or is on them: the exact
-# algorithm does not bear slivers. So far may it be moved, along the surface, in parts of a side.
+# Part of a triangle that a new vertex keeps away from its sides, unless it is on them, since the
+# exact algorithm does not bear slivers. By this part of a side it may be moved along the surface.
 CLEARANCE = 1e-6
 
 
 def inserted(mesh: TriangleMesh, face: int, position: Array) -> tuple[TriangleMesh, int]:
-    """The mesh with a point of a face as a vertex, and the number of that vertex.
+    """Return the mesh with a point of a face as a vertex, and the number of that vertex.
 
-    The face is cut into three; or two, and the one beyond too, if the point is on a side.
+    The face is cut into three, or, if the point is on a side, it and the one beyond into two each.
     """
     corners = mesh.faces[face]
     weights = barycentric(mesh.vertices[corners], position)
@@ -24,7 +24,7 @@ def inserted(mesh: TriangleMesh, face: int, position: Array) -> tuple[TriangleMe
         return mesh, int(corners[away[0]])
     vertices = np.vstack([mesh.vertices, weights @ mesh.vertices[corners]])
     ends = corners[away]
-    # All faces that hold the point: those with both ends of its side, or the one around it.
+    # The faces that hold the point are those with both ends of its side, or the one around it.
     split = np.flatnonzero(np.isin(mesh.faces, ends).sum(axis=1) == len(ends))
     parts = [mesh.faces[number].copy() for number in split for _ in ends]
     for part, corner in zip(parts, np.tile(ends, len(split)), strict=True):
@@ -35,7 +35,7 @@ def inserted(mesh: TriangleMesh, face: int, position: Array) -> tuple[TriangleMe
 
 
 def barycentric(corners: Array, position: Array) -> Array:
-    """Barycentric coordinates (3,) of a point's foot in a triangle (3, 3)."""
+    """Return the barycentric coordinates (3,) of a point's foot in a triangle (3, 3)."""
     sides = np.stack([corners[1] - corners[0], corners[2] - corners[0]], axis=1)
     second, third = np.linalg.lstsq(sides, position - corners[0], rcond=None)[0]
     return np.array([1.0 - second - third, second, third])

@@ -1,4 +1,4 @@
-"""Paths as trimesh's."""
+"""Paths as trimesh's objects."""
 
 from typing import TYPE_CHECKING, Any
 

@@ -1,4 +1,4 @@
-"""Measuring a triangle mesh from anywhere."""
+"""The measuring of triangle meshes from any source."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -72,9 +72,9 @@ def measure_mesh(
 
     Notes
     -----
-    Exact on the polyhedron (`bodymeasure.mesh.exact`). The error is estimated from the same path
-    over triangles that are curved to meet the normals at the vertices, and cut into four
-    (`bodymeasure.mesh.curved`).
+    The length is exact on the polyhedron (`bodymeasure.mesh.exact`). The error is estimated from
+    the same path over triangles that are curved to meet the normals at the vertices, and cut into
+    four (`bodymeasure.mesh.curved`).
 
     Examples
     --------
@@ -95,7 +95,7 @@ def measure_mesh(
     for name, place in zip(names, places, strict=True):
         whole, number, away = _with_vertex(whole, len(given.vertices), name, place)
         numbers.append(number)
-        # A place on the way is an end of two legs.
+        # A place on the way is the end of two legs, so that its move counts twice.
         moved += 2.0 * away
     whole, numbers = _component(whole, numbers)
     validate_mesh(*whole)
@@ -109,7 +109,7 @@ def measure_mesh(
 def _with_vertex(
     mesh: TriangleMesh, count: int, name: str, place: MeshPlace
 ) -> tuple[TriangleMesh, int, float]:
-    """The mesh with a place as one of its vertices, its number, and how far it was moved."""
+    """Return the mesh with a place as a vertex, its number, and how far it was moved."""
     if isinstance(place, (int, np.integer)) and not isinstance(place, bool):
         if not 0 <= place < count:
             raise InputError(
@@ -139,18 +139,18 @@ def _with_vertex(
 
 
 def _component(mesh: TriangleMesh, numbers: list[int]) -> tuple[TriangleMesh, list[int]]:
-    """The part of the mesh that the first place lies on, without unused vertices."""
+    """Return the part of the mesh on which the first place lies, without unused vertices."""
     reached = joined_to(mesh, numbers[0])
     apart = [number for number in numbers if not reached[number]]
     if apart:
-        # Says so, with the remedy.
+        # This raises the error, with the remedy.
         exact_path(mesh, numbers[0], apart[0])
     part, used = part_of(mesh, np.asarray(reached[mesh.faces].all(axis=1)))
     return part, [int(np.searchsorted(used, number)) for number in numbers]
 
 
 def _error(mesh: TriangleMesh, ends: tuple[int, int], path: Array) -> float:
-    """Estimate of how far a path's length is from that over the surface the mesh stands for."""
+    """Estimate how far a path's length is from that over the surface the mesh stands for."""
     length = length_of(path)
     if length == 0.0:
         return 0.0
@@ -169,7 +169,7 @@ def _error(mesh: TriangleMesh, ends: tuple[int, int], path: Array) -> float:
 
 
 def _near(mesh: TriangleMesh, path: Array, length: float) -> Bools:
-    """Faces beside a path, in one piece."""
+    """Return which faces lie beside a path, in one connected piece."""
     corners = mesh.vertices[mesh.faces]
     edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
     # The path's own points lie on edges: no gap between two is longer than the longest edge.

@@ -1,4 +1,4 @@
-"""A path over a triangle mesh, and what is known of it."""
+"""A path over a triangle mesh, its length and the error of that."""
 
 from dataclasses import dataclass
 
@@ -21,7 +21,7 @@ class MeshPath:
     points : ndarray, shape (k, 3)
         The path, straight in each triangle.
     unit : Unit or None
-        None if it was not said: meshes come without.
+        None if it was not given: meshes come without a unit.
     """
 
     length: float

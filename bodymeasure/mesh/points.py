@@ -18,7 +18,7 @@ PATH_POINTS = 400
 def points_of(
     name: str, given: AtlasPath | MeshPath | ArrayLike, unit: Unit | None = None
 ) -> tuple[Array, dict[str, Any]]:
-    """A path's points (k, 3), and what is known of its length.
+    """Return a path's points (k, 3), and what is known of its length.
 
     Parameters
     ----------

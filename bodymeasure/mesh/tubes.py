@@ -117,7 +117,7 @@ def frames(points: Array) -> tuple[Array, Array]:
         rotation that takes one tangent to the next.
     """
     tangent = tangents(points)
-    # Any perpendicular will do: its turn about the curve is measured, and taken back.
+    # Any perpendicular serves: its turn about the curve is measured, and taken back.
     axis = np.eye(3)[np.argmin(np.abs(tangent), axis=1)]
     first = np.cross(tangent, axis)
     first /= np.linalg.norm(first, axis=1, keepdims=True)
@@ -137,7 +137,7 @@ def tangents(points: Array) -> Array:
     length = np.linalg.norm(step, axis=1)
     if not length.any():
         return np.tile([0.0, 0.0, 1.0], (len(points), 1))
-    # A step of no length has the direction of the last one before it, or else the first after.
+    # A step of no length has the direction of the last one before it, or of the first after it.
     last = np.maximum.accumulate(np.where(length > 0.0, np.arange(len(length)), -1))
     step = step[np.where(last >= 0, last, np.argmax(length > 0.0))]
     step = step / np.linalg.norm(step, axis=1, keepdims=True)
@@ -150,7 +150,7 @@ def tangents(points: Array) -> Array:
 
 
 def _least_rotation(start: Array, end: Array, vector: Array) -> Array:
-    """Vectors turned by the least rotation that takes unit vectors to others, all (k, 3)."""
+    """Turn vectors by the least rotation that takes unit vectors to others, all (k, 3)."""
     axis = np.cross(start, end)
     cosine = np.einsum("ki,ki->k", start, end)[:, None]
     once = np.cross(axis, vector)

@@ -23,8 +23,8 @@ MeshPlace = int | Location
 class MeasureAccessor:
     """Measurements of a mesh, as ``mesh.measure``.
 
-    On a mesh that was read from an atlas they are those of the smooth surface, with a stated error;
-    on any other triangle mesh, those of the mesh itself, and say so.
+    On a mesh that was read from an atlas they are those of the smooth surface, with a stated error.
+    On any other triangle mesh they are those of the mesh itself, and say so.
     """
 
     def __init__(self, mesh: pv.PolyData) -> None:
@@ -55,7 +55,7 @@ class MeasureAccessor:
         *,
         unit: Unit | str | None = None,
     ) -> pv.PolyData:
-        """The shortest path over the surface.
+        """Return the shortest path over the surface.
 
         Parameters
         ----------
@@ -108,7 +108,7 @@ class MeasureAccessor:
         return float(self.path(start, end, via).field_data["length"][0])
 
     def girth(self, at: MeshPlace) -> pv.PolyData:
-        """The horizontal girth at a place of an atlas, as a closed line.
+        """Return the horizontal girth at a place of an atlas, as a closed line.
 
         Its ``length`` is along the skin; the field ``taut`` is the tape drawn taut.
 
@@ -144,15 +144,14 @@ class MeasureAccessor:
         *paths : pyvista.PolyData
             From `path` or `girth`.
         **options
-            Passed to `pyvista.Plotter.show`; of them, ``off_screen`` and ``window_size`` to the
-            plotter.
+            Options of `pyvista.Plotter.show`; ``off_screen`` and ``window_size`` go to the plotter.
         """
         kept = {key: options.pop(key) for key in ("off_screen", "window_size") if key in options}
         plotter: Any = pv.Plotter(**kept)
         self.draw(plotter, *paths)
         atlas = self.atlas
         if atlas is not None:
-            # From the front, a little from the left and from above.
+            # The view is from the front, a little from the left and from above.
             axes = atlas.axes
             view = axes.front_vector + 0.4 * axes.left_vector + 0.15 * axes.up_vector
             plotter.view_vector(tuple(view), viewup=tuple(axes.up_vector))
@@ -170,7 +169,7 @@ class MeasureAccessor:
         Parameters
         ----------
         plotter : pyvista.Plotter
-            Not yet shown. Points are picked with the right mouse button, or P.
+            A plotter that is not shown yet. Points are picked with the right mouse button, or P.
 
         Returns
         -------
@@ -232,6 +231,6 @@ def _with_facts(
     return line
 
 
-# Importing this module is what pyvista's entry point asks for.
+# pyvista's entry point imports this module, which registers the accessor.
 register: Any = pv.register_dataset_accessor
 register("measure", pv.PolyData)(MeasureAccessor)

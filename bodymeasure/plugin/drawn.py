@@ -12,12 +12,12 @@ TAPE = "#0072b2"
 
 
 def shown(plotter: Any, mesh: pv.PolyData) -> None:
-    """The mesh, plain and smooth."""
+    """Add the mesh, plain and smooth."""
     plotter.add_mesh(mesh, color=SKIN, smooth_shading=True, name="body", scalars=None)
 
 
 def drawn_path(plotter: Any, mesh: pv.PolyData, path: pv.PolyData) -> None:
-    """A path as a tube, with its length at its middle."""
+    """Add a path as a tube, with its length at its middle."""
     size = float(np.linalg.norm(np.ptp(np.asarray(mesh.points), axis=0)))
     if path.n_points < 2:
         return

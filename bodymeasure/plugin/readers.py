@@ -42,7 +42,7 @@ def read_as_mesh(
             f"reading {path}: unknown option {unknown[0]!r}; expected unit or segments"
         )
     keeps_unit = "unit" in format_of(Path(path)).keeps
-    # What the numbers mean is not needed to show them, nor to compare lengths with one another.
+    # The unit is not needed to show the mesh, or to compare lengths with one another.
     given = unit if unit is not None or keeps_unit else Unit.M
     atlas = read_atlas(path, unit=given)
     return mesh_of(atlas, unit_known=keeps_unit or unit is not None, segments=segments)

@@ -28,21 +28,21 @@ _BLOCK = 1 << 15
 
 
 def mesh_of(atlas: Atlas, *, unit_known: bool = True, segments: int = SEGMENTS) -> pv.PolyData:
-    """A mesh of an atlas that remembers it.
+    """Return a mesh of an atlas that remembers it.
 
     Parameters
     ----------
     atlas : Atlas
     unit_known : bool
-        Whether the atlas's unit was said, rather than assumed; see `unit_of`.
+        Whether the atlas's unit was given, rather than assumed; see `unit_of`.
     segments : int
         Steps along a patch's side.
 
     Returns
     -------
     pyvista.PolyData
-        With the patch, and (u, v) on it, of each vertex, and the atlas itself as text, so that
-        copies and files of the mesh keep it.
+        It has the patch of each vertex, (u, v) on it, and the atlas itself as text, so that copies
+        and files of the mesh keep it.
     """
     found = tessellate(atlas, segments)
     faces: Any = found.faces
@@ -57,7 +57,7 @@ def mesh_of(atlas: Atlas, *, unit_known: bool = True, segments: int = SEGMENTS) 
 
 
 def atlas_of(mesh: pv.PolyData) -> Atlas | None:
-    """The atlas that a mesh remembers; None if it was made elsewhere.
+    """Return the atlas that a mesh remembers; None if it was made elsewhere.
 
     Raises
     ------
@@ -79,7 +79,7 @@ def atlas_of(mesh: pv.PolyData) -> Atlas | None:
 
 
 def unit_of(mesh: pv.PolyData) -> str:
-    """The unit of a mesh that remembers its atlas; empty if its file did not say."""
+    """Return the unit of a mesh that remembers its atlas; empty if its file did not give it."""
     return str(mesh.field_data[UNIT][0]) if UNIT in mesh.field_data else ""
 
 
@@ -97,7 +97,7 @@ def _check_place(mesh: pv.PolyData, atlas: Atlas) -> None:
             f"the mesh's arrays {PATCH!r} and {PARAMETERS!r} were changed: they are no places on "
             f"the atlas's {len(atlas)} patches; read the atlas again"
         )
-    # One vertex may have been moved alone, and only those along a cut are new.
+    # All vertices are checked: one may have been moved alone, and a cut adds vertices along it.
     size = float(np.ptp(atlas.points, axis=0).max())
     for first in range(0, len(patch), _BLOCK):
         block = slice(first, first + _BLOCK)
@@ -113,6 +113,6 @@ def _check_place(mesh: pv.PolyData, atlas: Atlas) -> None:
 
 
 def lines_of(points: Any) -> pv.PolyData:
-    """A chain of points as one line."""
+    """Return a chain of points as one line."""
     points = np.asarray(points, dtype=np.float64)
     return pv.PolyData(points, lines=np.concatenate([[len(points)], np.arange(len(points))]))

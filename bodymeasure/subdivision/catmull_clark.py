@@ -1,4 +1,4 @@
-"""Catmull-Clark subdivision, and where it leads.
+"""Catmull-Clark subdivision and its limit.
 
 E. Catmull and J. Clark, "Recursively generated B-spline surfaces on arbitrary topological meshes",
 Computer-Aided Design 10 (1978): on a regular mesh the limit is the bicubic B-spline surface with
@@ -16,7 +16,7 @@ from bodymeasure.subdivision.sums import sum_at
 
 
 def subdivide(mesh: QuadMesh) -> QuadMesh:
-    """One step of Catmull-Clark subdivision.
+    """Do one step of Catmull-Clark subdivision.
 
     Returns
     -------
@@ -48,7 +48,7 @@ def subdivide(mesh: QuadMesh) -> QuadMesh:
 
 
 def limit_positions(mesh: QuadMesh) -> Array:
-    """Where the vertices of a mesh come to lie on its Catmull-Clark surface.
+    """Return the limits of the vertices of a mesh on its Catmull-Clark surface.
 
     Returns
     -------

@@ -37,7 +37,7 @@ class PatchNets:
 
 
 def loop_schaefer(mesh: PolygonMesh) -> PatchNets:
-    """The patches of a mesh of quads.
+    """Return the patches of a mesh of quads.
 
     Parameters
     ----------
@@ -121,7 +121,7 @@ def _edge_points(mesh: PolygonMesh, inner: Array) -> Array:
 
 
 def _corner_points(mesh: PolygonMesh, inner: Array) -> Array:
-    """Where each vertex comes to lie, shape (vertices, 3)."""
+    """Return the limit of each vertex, shape (vertices, 3)."""
     count = len(mesh.vertices)
     faces = np.bincount(mesh.corners, minlength=count)[:, None]
     points = sum_at(mesh.corners, inner, count) / np.maximum(faces, 1)

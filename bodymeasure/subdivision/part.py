@@ -7,7 +7,7 @@ from bodymeasure.subdivision.quad_mesh import QuadMesh
 
 
 def quads_within(mesh: QuadMesh, vertices: Ints | Bools, rings: int) -> Bools:
-    """The quads of so many rings round given vertices.
+    """Return the quads of so many rings round given vertices.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def quads_within(mesh: QuadMesh, vertices: Ints | Bools, rings: int) -> Bools:
 
 
 def part(mesh: QuadMesh, chosen: Bools) -> tuple[QuadMesh, Ints]:
-    """The mesh of some of the quads.
+    """Return the mesh of some of the quads.
 
     Returns
     -------
@@ -44,12 +44,12 @@ def part(mesh: QuadMesh, chosen: Bools) -> tuple[QuadMesh, Ints]:
 
 
 def children(chosen: Bools, steps: int) -> Bools:
-    """The quads that those chosen become by so many steps of `subdivide`."""
+    """Return the quads that the chosen ones become by so many steps of `subdivide`."""
     return np.repeat(chosen, 4**steps)
 
 
 def fill_pinches(mesh: QuadMesh, chosen: Bools) -> Bools:
-    """Some quads, and as many more as it takes for those round each vertex to form one fan.
+    """Add quads to some quads until those round each vertex form one fan.
 
     Where a part of a mesh touches itself at a single vertex, it is not a manifold; there all quads
     round the vertex are added, until no such place is left.

@@ -10,7 +10,7 @@ import scipy
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.errors import InputError
 
-# Faces named in a message; the rest is counted.
+# Faces that a message names; it counts the others.
 _NAMED = 4
 
 
@@ -102,7 +102,7 @@ class PolygonMesh:
 
     @cached_property
     def sector(self) -> Ints:
-        """For each corner a number that those share with which it is joined round its vertex.
+        """A number for each corner, which corners share that are joined round their vertex.
 
         Sharp edges part them.
         """

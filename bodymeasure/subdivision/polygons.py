@@ -8,7 +8,7 @@ from bodymeasure.subdivision.sums import sum_at
 
 
 def quads_of(mesh: PolygonMesh) -> tuple[PolygonMesh, Ints]:
-    """A mesh of quads with the same limit surface: the mesh itself if it has no other faces.
+    """Return a mesh of quads with the same limit surface, which may be the mesh itself.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def quads_of(mesh: PolygonMesh) -> tuple[PolygonMesh, Ints]:
 
 
 def _moved(mesh: PolygonMesh, face_points: Array, midpoints: Array) -> Array:
-    """The vertices in their new places."""
+    """Return the vertices in their new places."""
     count = len(mesh.vertices)
     # Round an inner vertex there are as many faces as edges.
     valence = np.maximum(np.bincount(mesh.corners, minlength=count), 1)[:, None]

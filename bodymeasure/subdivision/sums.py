@@ -1,4 +1,4 @@
-"""Sums over what belongs to each vertex or edge."""
+"""Sums over the elements that belong to each vertex or edge."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from bodymeasure._typing import Array, Ints
 
 
 def sum_at(index: Ints, values: Array, count: int) -> Array:
-    """Sums of values (..., 3) over each number that occurs in `index`, shape (count, 3).
+    """Sum values (..., 3) over each number that occurs in `index`; shape (count, 3).
 
     `values` has the shape of `index`, or one row for each row of it.
     """

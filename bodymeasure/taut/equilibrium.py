@@ -9,16 +9,17 @@ from bodymeasure._typing import Array, Bools
 from bodymeasure.taut.skin import Feet, Skin
 from bodymeasure.taut.valleys import feet_over_valleys
 
-# Changes of the set of walls that hold the string: it settles in 2 to 10.
+# Changes at most of the set of walls that hold the string; it settles in 2 to 10.
 MAX_EXCHANGES = 25
 # Sine of the angle between walls that count as one.
 PARALLEL = 1e-6
 
 
 class Walls(NamedTuple):
-    """Half-spaces that each inner node is kept in: one at its foot, a second one in valleys.
+    """Half-spaces that each inner node is kept in: one at its foot, and a second one in valleys.
 
-    Normals (k, 2, 3), gaps (k, 2), their second derivatives (k, 2, 3, 3), and which are there.
+    They have normals (k, 2, 3), gaps (k, 2), second derivatives of the gaps (k, 2, 3, 3), and flags
+    (k, 2) of which half-spaces there are.
     """
 
     normal: Array
@@ -28,7 +29,7 @@ class Walls(NamedTuple):
 
 
 def walls_of(skin: Skin, positions: Array, feet: Feet, reach: Array) -> Walls:
-    """The tangent planes at the feet of positions (k, 3), and over valleys within reach (k,)."""
+    """Return the tangent planes at the feet of positions (k, 3), and over valleys in reach (k,)."""
     count = len(positions)
     normal = np.repeat(feet.normal[:, None], 2, axis=1)
     gap = np.stack([feet.gap, np.full(count, np.inf)], axis=1)
@@ -45,7 +46,7 @@ def walls_of(skin: Skin, positions: Array, feet: Feet, reach: Array) -> Walls:
 def equilibrium(
     nodes: Array, weights: Array, walls: Walls, pressure: Array, held: Bools
 ) -> tuple[Array, Array, Bools]:
-    """Steps (k, 3), pressures and walls touched (k, 2) of one round."""
+    """Return the steps (k, 3), and the pressures and walls touched (k, 2), of one round."""
     springs = 1.0 / weights
     force = np.diff(springs[:, None] * np.diff(nodes, axis=0), axis=0)
     bend = np.einsum("kw,kwij->kij", np.where(walls.there, pressure, 0.0), walls.bend)
@@ -82,9 +83,10 @@ def _active_set(
 
 
 def _frames(walls: Walls, held: Bools) -> tuple[Array, Bools, Array]:
-    """Orthonormal frames (k, 3, 3), which of their coordinates are fixed, and at what.
+    """Return orthonormal frames (k, 3, 3), which of their coordinates are fixed, and at what.
 
-    The first column is the normal of the wall held; of two, the second lies in their plane.
+    The first column is the normal of the wall that holds the node; if two do, the second column
+    lies in the plane of both normals.
     """
     only_second = held[:, 1] & ~held[:, 0]
     both = held.all(axis=1)
@@ -109,7 +111,7 @@ def _frames(walls: Walls, held: Bools) -> tuple[Array, Bools, Array]:
 
 
 def _loads(walls: Walls, held: Bools, reaction: Array, frames: Array) -> Array:
-    """The walls' pressures (k, 2) whose sum is the reaction (k, 3)."""
+    """Return the walls' pressures (k, 2) whose sum is the reaction (k, 3)."""
     load = np.einsum("kwc,kc->kw", walls.normal, reaction)
     row = np.flatnonzero(held.all(axis=1))
     if len(row):
@@ -125,7 +127,7 @@ def _loads(walls: Walls, held: Bools, reaction: Array, frames: Array) -> Array:
 def _solve(
     diagonal: Array, coupling: Array, force: Array, fixed: Bools, prescribed: Array
 ) -> tuple[Array, Array] | None:
-    """Equilibrium with some coordinates prescribed.
+    """Solve for the equilibrium with some coordinates prescribed.
 
     Returns coordinates (k, 3) and reactions (k, 3), or None if the matrix is not positive definite.
     """
@@ -162,7 +164,7 @@ def _apply(diagonal: Array, coupling: Array, z: Array) -> Array:
 
 
 def _completed(normal: Array) -> Array:
-    """Orthonormal frames whose first column is the normal, shape (k, 3, 3)."""
+    """Return orthonormal frames whose first column is the normal, shape (k, 3, 3)."""
     sign = np.where(normal[:, 2] >= 0.0, 1.0, -1.0)
     # T. Duff et al., Building an orthonormal basis, revisited, JCGT 6 (2017).
     a = -1.0 / (sign + normal[:, 2])

@@ -35,7 +35,7 @@ class SegmentLengths(NamedTuple):
 
 
 def segment_lengths(skin: Skin, nodes: Array) -> SegmentLengths:
-    """Lengths of the arcs over the skin that a string's segments cut short.
+    """Return the lengths of the arcs over the skin that a string's segments cut short.
 
     Notes
     -----
@@ -57,7 +57,7 @@ def segment_lengths(skin: Skin, nodes: Array) -> SegmentLengths:
 
 
 def divided(skin: Skin, string: String, now: SegmentLengths, parts: Ints) -> String:
-    """The string with each segment divided into a number of parts, settled again."""
+    """Return the string with each segment divided into a number of parts, at rest again."""
     segment = np.repeat(np.arange(len(parts)), parts)
     fraction = np.concatenate([np.arange(count) / count for count in parts])
     nodes = string.nodes[segment] + fraction[:, None] * np.diff(string.nodes, axis=0)[segment]

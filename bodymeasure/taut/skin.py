@@ -86,7 +86,7 @@ class Skin:
         self.to_patch, self.to_side, self.flipped = over_sides(table)
 
     def feet(self, positions: Array) -> Feet:
-        """The closest points of the skin to positions (k, 3)."""
+        """Return the closest points of the skin to positions (k, 3)."""
         _, nearest = self.tree.query(positions)
         patch, sample = np.divmod(np.asarray(nearest, dtype=np.int64), SAMPLES**2)
         x, squared = self.descend(patch, positions, self.grid[sample])
@@ -94,7 +94,7 @@ class Skin:
         return self._read(positions, patch, x)
 
     def descend(self, patch: Ints, positions: Array, start: Array) -> tuple[Array, Array]:
-        """Parameters of the closest points of single patches, and the squared distances."""
+        """Return the closest points of single patches, and the squared distances."""
         coefficients = self.coefficients[patch]
 
         def jets_at(rows: Ints, x: Array) -> Array:
@@ -103,7 +103,7 @@ class Skin:
         return descend(jets_at, positions, start, LAST_STEP)
 
     def _cross(self, positions: Array, patch: Ints, x: Array, squared: Array) -> None:
-        """Go on over the seams on which searches ended, where that leads closer; in place."""
+        """Continue over the seams on which searches ended, where that leads closer, in place."""
         pending = np.arange(len(patch))
         for _ in range(MAX_CROSSINGS):
             row, side = on_sides(x[pending])
@@ -114,7 +114,7 @@ class Skin:
                 return
             to_patch, start = self.entered(patch[row], x[row], side)
             there, closer = self.descend(to_patch, positions[row], start)
-            # At a corner two sides lead on: of those, the closer one is written last, and stays.
+            # At a corner two sides lead on; the closer one is written last, and stays.
             order = np.argsort(-closer)
             better = order[closer[order] < squared[row[order]] - (TIED * self.size) ** 2]
             found = row[better]
@@ -122,7 +122,7 @@ class Skin:
             pending = np.unique(found)
 
     def entered(self, patch: Ints, x: Array, side: Ints) -> tuple[Ints, Array]:
-        """The patches over sides of patches, and the parameters of the same points on them."""
+        """Return the patches over sides of patches, and the parameters of the same points there."""
         to_patch, to_side = self.to_patch[patch, side], self.to_side[patch, side]
         return to_patch, entered(x, side, to_side, self.flipped[patch, side])
 
@@ -135,7 +135,7 @@ class Skin:
         at_side, beyond = np.zeros((2, len(x)), dtype=np.bool_)
         at_side[row] = True
         beyond[row[self.to_patch[patch[row], side] < 0]] = True
-        # Over a ridge the way to the position is normal to the skin, but neither patch's normal.
+        # Over a ridge the way to the position is normal to the skin, but is neither patch's normal.
         ridge = at_side & ~beyond & (gap > 0.0) & (distance > TOUCHING * self.size)
         gap[ridge] = distance[ridge]
         normal[ridge] = offset[ridge] / distance[ridge, None]
@@ -144,7 +144,7 @@ class Skin:
         return Feet(patch, x, foot, normal, gap, depth, bend)
 
     def frame(self, patch: Ints, x: Array) -> tuple[Array, Array, Array]:
-        """Positions, unit normals out of the body, and second derivatives of the gap."""
+        """Return positions, unit normals out of the body, and second derivatives of the gap."""
         position, normal, bend = normals_and_bends(self.coefficients[patch], x)
         sign = self.signs[patch]
         return position, sign[:, None] * normal, sign[:, None, None] * bend
@@ -152,5 +152,5 @@ class Skin:
 
 @lru_cache(maxsize=4)
 def skin_of(atlas: Atlas, outside: Outside) -> Skin:
-    """The skin of an atlas, made once."""
+    """Return the skin of an atlas, which is made once."""
     return Skin(atlas, outside)

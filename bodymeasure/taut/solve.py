@@ -31,7 +31,7 @@ class TautLeg(NamedTuple):
     ----------
     nodes : ndarray, shape (n, 3)
     normals : ndarray, shape (n, 3)
-        Out of the body where the leg touches it, its ends included; 0 where it stands free.
+        Unit vectors out of the body where the leg touches it, ends included; 0 where it is free.
     length, error : float
     settled : bool
         Whether the string came to rest.

@@ -8,7 +8,7 @@ from bodymeasure._typing import Array, Bools
 from bodymeasure.taut.equilibrium import equilibrium, walls_of
 from bodymeasure.taut.skin import Feet, Skin
 
-# Rounds of feet and springs. Newton-like ones take 4 to 8; strings that slide sideways take more.
+# Rounds of feet and springs at most. It takes 4 to 8, or more if the string slides sideways.
 MAX_ROUNDS = 40
 # Part of the length: a string whose length may change by less is at rest.
 REST = 1e-10
@@ -41,7 +41,7 @@ class String(NamedTuple):
     touching : ndarray of bool, shape (n - 1,)
         Which inner nodes press on the skin.
     pressure : ndarray, shape (n - 1,)
-        With what force; 0 where they don't.
+        The force with which they press; 0 where they do not.
     error : float
         By how much the length may still change, in its unit.
     settled : bool
@@ -57,7 +57,7 @@ class String(NamedTuple):
 
 
 def polygon_length(nodes: Array) -> float:
-    """Sum of the lengths of the segments."""
+    """Return the sum of the lengths of the segments."""
     return float(np.linalg.norm(np.diff(nodes, axis=0), axis=1).sum())
 
 
@@ -75,8 +75,8 @@ def relax(skin: Skin, nodes: Array, weights: Array, pressure: Array | None = Non
 
     Notes
     -----
-    Minimizes half the sum of squared segments over weights, each inner node kept on the outer side
-    of the tangent plane at its foot; in the valley between two patches, of both patches' planes.
+    Half the sum of squared segments over weights is minimized. Each inner node is kept on the outer
+    side of the tangent plane at its foot, and in the valley between two patches, of both planes.
     The quadratic problem of each round is solved by a primal-dual active set (M. Hintermueller,
     K. Ito and K. Kunisch, SIAM J. Optim. 13 (2002) 865-888). The bend of the skin under pressure
     enters the matrix, as Newton's method asks, where that stays positive definite.
@@ -111,9 +111,9 @@ def relax(skin: Skin, nodes: Array, weights: Array, pressure: Array | None = Non
 
 
 def _rest_error(step: Array, weights: Array, load: Array, gap: Array) -> float:
-    """Energy of the last step, and what it costs to bring nodes to the skin from off or inside it.
+    """Return the energy of the last step, and of bringing nodes to the skin from off or inside it.
 
-    Over the tension, it is a length: energy is length squared over twice the sum of weights.
+    Divided by the tension, it is a length: energy is length squared over twice the sum of weights.
     """
     padded = np.concatenate([np.zeros((1, 3)), step, np.zeros((1, 3))])
     stretch = 0.5 * float(((np.diff(padded, axis=0) ** 2).sum(axis=1) / weights).sum())

@@ -7,12 +7,12 @@ from bodymeasure.atlas.seams import AXIS, VALUE
 from bodymeasure.bezier.power_form import jets
 from bodymeasure.taut.skin import Feet, Skin
 
-# Sine: valleys so shallow between two patches hold no string.
+# Sine of an angle: valleys so shallow between two patches hold no string.
 FLAT = 1e-7
 
 
 def feet_over_valleys(skin: Skin, positions: Array, feet: Feet, reach: Array) -> tuple[Ints, Feet]:
-    """Feet on the other side of valleys between patches that pass within reach of feet.
+    """Return feet on the other side of valleys between patches that pass within reach of feet.
 
     Parameters
     ----------
@@ -25,7 +25,7 @@ def feet_over_valleys(skin: Skin, positions: Array, feet: Feet, reach: Array) ->
     Returns
     -------
     row : ndarray of int, shape (m,)
-        The positions that have one.
+        The positions that have such a foot.
     feet : Feet
         On the neighboring patch, continued by its tangent plane where a position is not over it.
     """
@@ -44,7 +44,7 @@ def feet_over_valleys(skin: Skin, positions: Array, feet: Feet, reach: Array) ->
 
 
 def _nearest_sides(skin: Skin, feet: Feet) -> tuple[Ints, Array]:
-    """The joined side that is nearest to each foot, and about how far it is."""
+    """Return the joined side that is nearest to each foot, and about how far away it is."""
     s = jets(skin.coefficients[feet.patch], feet.parameters)
     speed = np.linalg.norm(np.stack([s[:, 1, 0], s[:, 0, 1]], axis=1), axis=2)
     away = np.abs(feet.parameters[:, AXIS] - VALUE) * speed[:, AXIS]

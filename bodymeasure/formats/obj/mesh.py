@@ -25,7 +25,7 @@ from bodymeasure.formats.patches import unique_names
 from bodymeasure.formats.text import few_numbers, quoted, whole_number
 from bodymeasure.subdivision import PolygonMesh, loop_schaefer, quads_of
 
-# From here on OpenSubdiv takes an edge for infinitely sharp.
+# Sharpness from which OpenSubdiv takes an edge for infinitely sharp.
 SHARP = 10.0
 
 

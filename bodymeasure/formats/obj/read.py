@@ -9,12 +9,12 @@ from bodymeasure.formats.patches import ReadPatches
 
 
 def read(content: bytes, source: str) -> ReadPatches | Faces:
-    """What a file holds.
+    """Return the surfaces or the mesh that a file holds.
 
     Raises
     ------
     InputError
-        If that is neither or both.
+        If it holds neither or both.
     """
     file = parse(content, source)
     has_surfaces, has_faces = "surf" in file.keywords, bool(file.keywords & {"f", "fo"})

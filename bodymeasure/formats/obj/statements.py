@@ -1,4 +1,4 @@
-"""Wavefront OBJ files as vertices and statements, whatever these mean."""
+"""Wavefront OBJ files as vertices and statements, without regard to their meaning."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
 from bodymeasure.formats.text import TextFile, Words, quoted, whole_number
 
-# All that the format's description names and that has no bearing on shape: display, materials,
+# The statements of the format's description that have no bearing on shape: display, materials,
 # curves' and points' data, and how surfaces join, which their edges show.
 IGNORED = frozenset(
     {"vt", "vn", "vp", "p", "l", "sp", "con", "s", "mg", "bevel", "c_interp", "d_interp"}
@@ -20,7 +20,7 @@ MEANINGFUL = frozenset(
     {"cstype", "deg", "bmat", "step", "f", "fo", "curv", "curv2", "surf", "parm", "trim", "hole"}
     | {"scrv", "end", "g", "o", "t", "bzp", "bsp", "cdc", "cdp", "res", "call", "csh"}
 )
-# Coordinates of a vertex; with a weight; with a color; with both.
+# Numbers of a vertex: its coordinates alone, with a weight, with a color, or with both.
 _VERTEX_WORDS = (3, 4, 6, 7)
 
 
@@ -31,9 +31,9 @@ class Statement(NamedTuple):
     ----------
     keyword : str
     words : list of bytes
-        What follows it.
+        The words that follow it.
     line : int
-        In the file, from 1.
+        Number of the line in the file, from 1.
     vertices : int
         How many vertices came before, from which negative numbers count back.
     """

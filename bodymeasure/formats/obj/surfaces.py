@@ -1,9 +1,9 @@
 """Free-form surfaces in Wavefront OBJ files, ``.obj``: Bezier and B-spline.
 
-`surf` statements of ``cstype bezier`` and ``bspline``, with several patches and knots; rational
-ones as far as `ReadPatches` goes. Objects name the patches, groups are their regions. Curves,
-points, texture coordinates, normals and materials are left out; what would change the shape, such
-as trimming curves, is refused.
+`surf` statements of ``cstype bezier`` and ``bspline``, rational or not, with several patches and
+knots are read. Objects name the patches, and groups are their regions. Curves, points, texture
+coordinates, normals and materials are left out; what would change the shape, such as trimming
+curves, is refused.
 """
 
 from collections.abc import Iterator
