@@ -11,6 +11,8 @@ the first one, too: taken in the order 0, k - 1, 1, k - 2, ..., no two coupled b
 two apart. So the Hessian is banded either way.
 """
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from bodymeasure._typing import Array, Ints
@@ -98,17 +100,7 @@ class RouteProblem:
         self._fixed = np.zeros((pieces, 2, nodes))
         self._fixed[:, :, [0, -1]] = np.array(route.pieces)[:, :, 1:].transpose(0, 2, 1)
         self._offset = np.zeros(self.local.shape)
-        # Which ends of pieces move: the piece, its end, the side along which it moves, and whether
-        # that runs the other way.
-        moved: list[tuple[int, int, int | None, bool]] = []
-        if not route.closed:
-            moved += [(0, 0, slides[0], False), (-1, -1, slides[1], False)]
-        for number, crossing in enumerate(route.crossings):
-            # Before the first crossing of a loop is its last piece, number -1.
-            before = number - route.closed
-            moved.append((before, -1, crossing.from_side, False))
-            moved.append((before + 1, 0, crossing.to_side, crossing.flipped))
-        for piece, end, side, flipped in moved:
+        for piece, end, side, flipped in _ends(route, slides):
             if side is None:
                 self.sign[piece, end] = 0.0
                 self._offset[piece, end] = self._fixed[piece, 0, end]
@@ -183,6 +175,22 @@ class RouteProblem:
         bands: Array = np.zeros(self._size_of_bands)
         np.add.at(bands, self._places, bend[self._lower])
         return SecondOrder(float(root.sum()), gradient, bands.reshape(-1, self.count))
+
+
+def _ends(route: Route, slides: Slides) -> Iterator[tuple[int, int, int | None, bool]]:
+    """The first (0) and the last (-1) node of each piece, and how its unknown moves it.
+
+    Yields the piece, the node, the side of the patch along which it moves (None if it does not) and
+    whether that side runs against its unknown.
+    """
+    if not route.closed:
+        yield 0, 0, slides[0], False
+        yield -1, -1, slides[1], False
+    for number, crossing in enumerate(route.crossings):
+        # Before the first crossing of a loop is its last piece, number -1.
+        before = number - route.closed
+        yield before, -1, crossing.from_side, False
+        yield before + 1, 0, crossing.to_side, crossing.flipped
 
 
 def _folded(count: int) -> Ints:
