@@ -1,4 +1,4 @@
-"""What every window of a body has: the surface with its light, the camera, keys, clicks, words."""
+"""The window of a body: its surface and light, the camera, keys, clicks and words."""
 
 import textwrap
 from collections.abc import Callable, Mapping

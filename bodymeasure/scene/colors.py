@@ -18,8 +18,8 @@ NOT_COMPARED = (0.90, 0.45, 0.05)
 # stands out on a pale body; the palest tenth would vanish on it.
 COLOR_MAP = "viridis_r"
 MAP_START = 0.12
-# Beyond so many decades neighbouring ones could not be told apart; smaller differences take the
-# first color.
+# With more decades than this, a reader could not distinguish neighboring ones; smaller differences
+# take the first color.
 MOST_DECADES = 8
 SMALLEST = 1e-12
 
@@ -39,29 +39,29 @@ class ColorScale:
 
     @classmethod
     def of(cls, paths: Paths) -> "ColorScale | None":
-        """The scale that holds all compared paths; None if there are none."""
+        """Return the scale that holds all compared paths, or None if there are none."""
         value = paths.value[np.isfinite(paths.value)]
         return cls.spanning(value) if len(value) else None
 
     @classmethod
     def spanning(cls, value: Array) -> "ColorScale":
-        """The scale that holds some differences, but for the smallest hundredth of them."""
+        """Return the scale that holds some differences, except for the smallest hundredth."""
         value = np.maximum(value, SMALLEST)
-        # A power of ten itself must not open a decade of its own for its rounding.
+        # A power of ten must not open a decade of its own because of round-off.
         high = int(np.ceil(np.log10(value.max()) - 1e-9))
         low = int(np.floor(np.log10(np.quantile(value, 0.01, method="lower")) + 1e-9))
         low = min(max(low, high - MOST_DECADES), high - 1)
         return cls(10.0**low, 10.0**high)
 
     def rgb(self, value: Array) -> Array:
-        """Colors in [0, 1], shape (..., 3), of relative differences, shape (...,)."""
+        """Return the colors in [0, 1], shape (..., 3), of relative differences, shape (...,)."""
         low, high = np.log10([self.low, self.high])
         place = (np.log10(np.maximum(value, SMALLEST)) - low) / (high - low)
         return color_map(np.clip(place, 0.0, 1.0))
 
 
 def color_map(place: Array) -> Array:
-    """Colors in [0, 1], shape (..., 3), at places in [0, 1] along the color map."""
+    """Return the colors in [0, 1], shape (..., 3), at places in [0, 1] along the color map."""
     try:
         from matplotlib import colormaps
     except ImportError:
@@ -70,7 +70,7 @@ def color_map(place: Array) -> Array:
 
 
 def path_colors(paths: Paths, scale: ColorScale | None) -> Array:
-    """Color in [0, 1] of each path, shape (n, 3)."""
+    """Return the color in [0, 1] of each path, shape (n, 3)."""
     colors = np.empty((len(paths.value), 3))
     colors[:] = NOT_COMPARED
     colors[paths.kind == PathKind.NO_LENGTH] = NO_LENGTH

@@ -11,18 +11,18 @@ from bodymeasure.scene.model import Surface
 LIGHT = (-0.45, 0.55, 1.0)
 AMBIENT = 0.42
 DIFFUSE = 0.62
-# How much is left of the color of what is faded; the rest is white.
+# The share of its color that a faded vertex keeps; the rest is white.
 FADED = 0.45
 
 
 def light_direction(view: View) -> Array:
-    """Unit vector towards the light, shape (3,)."""
+    """Return the unit vector towards the light, shape (3,)."""
     direction = LIGHT[0] * view.right + LIGHT[1] * view.up + LIGHT[2] * view.towards
     return np.asarray(direction / np.linalg.norm(direction))
 
 
 def shade(normals: Array, view: View) -> Array:
-    """Brightness in [0, 1], shape (n,), at normals of any length and orientation, (n, 3)."""
+    """Return the brightness in [0, 1], shape (n,), at normals, (n, 3), of any orientation."""
     length = np.linalg.norm(normals, axis=-1)
     facing = np.where(normals @ view.towards >= 0.0, 1.0, -1.0)
     cosine = np.divide(
@@ -35,7 +35,7 @@ def shade(normals: Array, view: View) -> Array:
 
 
 def glow(surface: Surface, view: View) -> tuple[Array, Array]:
-    """Light from a surface's vertices: how much white, and how much of the body's color.
+    """Return the light from a surface's vertices, as shares of white and of the body's color.
 
     Returns
     -------
@@ -47,5 +47,5 @@ def glow(surface: Surface, view: View) -> tuple[Array, Array]:
 
 
 def glowing(white: Array, body: Array) -> Array:
-    """Colors in [0, 1], shape (..., 3), of what `glow` says."""
+    """Return the colors in [0, 1], shape (..., 3), of light as `glow` returns it."""
     return np.asarray(white[..., None] + body[..., None] * np.array(BODY))

@@ -1,4 +1,4 @@
-"""What a picture shows, as plain arrays that any renderer can draw."""
+"""The scenes that pictures and windows show, as plain arrays."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ from bodymeasure.mesh.tubes import Mesh
 
 
 class PathKind(Enum):
-    """What is known about a path's length; the value is its caption in a legend."""
+    """A state of a path's length; the value is its caption in a legend."""
 
     COMPARED = "difference from libigl exact"
     NOT_COMPARED = "length not compared"
@@ -161,17 +161,17 @@ class TapeLine:
 
     @property
     def free(self) -> Bools:
-        """Where the tape stands free of the body, shape (k,)."""
+        """Whether the tape stands free of the body at its points, shape (k,)."""
         return free_of_body(self.normals)
 
     @property
     def through_body(self) -> bool:
-        """Whether it runs straight through whatever lies in its way, and is drawn over the body."""
+        """Whether the tape runs straight through the body, and is drawn over it."""
         return self.kind is TapeKind.STRAIGHT
 
 
 def free_of_body(normals: Array) -> Bools:
-    """Where a tape with such normals, shape (k, 3), stands free of the body, shape (k,)."""
+    """Find where a tape with some normals, shape (k, 3), stands free of the body, shape (k,)."""
     return np.asarray(np.linalg.norm(normals, axis=-1) < 0.5)
 
 

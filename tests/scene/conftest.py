@@ -66,14 +66,14 @@ def scene(chart: Chart) -> TapeScene:
 
 @pytest.fixture(scope="session")
 def seen(scene: TapeScene, chart: Chart) -> Mapping[str, Sight]:
-    """What is seen of the body from its four sides, in views with room for labels."""
+    """The parts of the body seen from its four sides, in views with room for labels."""
     views = roomy_views(scene, chart.atlas.axes)
     return {side: sight(scene.surface, view) for side, view in views.items()}
 
 
 @pytest.fixture(scope="session")
 def around(scene: TapeScene, chart: Chart) -> list[Sight]:
-    """What is seen of the body from all around."""
+    """The parts of the body seen from all around."""
     return sights(scene.surface, chart.atlas.axes, 0.01)
 
 

@@ -1,4 +1,4 @@
-"""Both renderers draw the same of one description."""
+"""Tests that both renderers draw the same picture from one description."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -47,7 +47,7 @@ def inked(image: Ints) -> Bools:
 
 
 def flat(image: Ints) -> Bools:
-    """Where a picture has no edge in the pixels around."""
+    """Find the pixels of a picture that have no edge around them."""
     spread = scipy.ndimage.maximum_filter(image, (3, 3, 1)) - scipy.ndimage.minimum_filter(
         image, (3, 3, 1)
     )

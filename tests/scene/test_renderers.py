@@ -36,7 +36,7 @@ def picture(survey: Any, view: View) -> Picture:
 
 
 def crimson(image: NDArray[np.uint8]) -> Bools:
-    """Where a path without a length is drawn: nothing else is red."""
+    """Find the pixels of paths without a length: nothing else is red."""
     red, green = image[..., 0].astype(int), image[..., 1].astype(int)
     return np.asarray(red - green > 80)
 

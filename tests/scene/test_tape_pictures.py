@@ -133,17 +133,17 @@ def test_labels_are_clear_of_the_silhouette_and_of_each_other(
 
 def test_all_pictures_of_a_chart(chart: Chart, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("bodymeasure.scene.tapes.gallery.BODY_PIXELS", 300)
-    told: list[str] = []
+    drawn_names: list[str] = []
     # Without a value, girth of the waist, nape to waist.
     few = chart_of(chart.atlas, [chart.measured[number] for number in (0, 2, 5)])
-    shots = tape_pictures(few, renderer=SOFTWARE, advance=told.append)
+    shots = tape_pictures(few, renderer=SOFTWARE, advance=drawn_names.append)
     assert (shots.renderer, shots.note) == (SOFTWARE, "")
     keys = [item.definition.key for item in few.measured[1:]]
     assert list(shots.closeups) == keys
     assert list(shots.numbers) == keys
     assert list(shots.body)[-1] == ("Lengths", "back")
     assert set(list(shots.body)[:-1]) == {("Girths", side) for side in SIDES}
-    assert len(told) == len(shots.body) + len(shots.closeups)
+    assert len(drawn_names) == len(shots.body) + len(shots.closeups)
     sizes = {Image.open(io.BytesIO(file)).size for file in shots.closeups.values()}
     assert sizes == {SIZE}
     heights = {Image.open(io.BytesIO(file)).size[1] for file in shots.body.values()}

@@ -51,7 +51,7 @@ def window(chart: Chart) -> Any:
         made.plotter.close()
 
 
-def test_a_measurement_is_described_in_centimetres(chart: Chart) -> None:
+def test_a_measurement_is_described_in_centimeters(chart: Chart) -> None:
     bust = chart.measured[1]
     name, value = describe_measured(bust, chart.atlas.unit).splitlines()
     assert name == "bust point left (girth_bust_point_left)"

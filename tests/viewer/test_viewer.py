@@ -36,7 +36,7 @@ def _opengl() -> None:
         pytest.skip(choice.opengl_trouble())
 
 
-def test_a_patch_is_described_in_centimetres(body: Atlas) -> None:
+def test_a_patch_is_described_in_centimeters(body: Atlas) -> None:
     missing = np.zeros((len(body), 2), dtype=bool)
     missing[7, 1] = True
     survey = straight_survey(body, difference=-2.5e-7, no_length=missing)

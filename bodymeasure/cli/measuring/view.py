@@ -104,12 +104,12 @@ def _survey(loaded: "Atlas", no_cross_check: bool, processes: int) -> Survey:
 
 
 def _chart(loaded: "Atlas", definitions: Path | None, key: str | None) -> "Chart":
-    """The chart of a body, in which a measurement that is to be shown has a tape.
+    """Measure the chart of a body, in which a measurement that is to be shown must have a tape.
 
     Raises
     ------
     InputError
-        If there is no such measurement, or it has no tape, or none has one, and why.
+        If there is no such measurement, or it has no tape, or no measurement has one.
     """
     from bodymeasure.chart import both_sides, load_definitions
 
@@ -133,7 +133,7 @@ def _chart(loaded: "Atlas", definitions: Path | None, key: str | None) -> "Chart
 
 
 def _check_display() -> None:
-    """Refuse a window that could not be opened, before the work."""
+    """Refuse a window that could not be opened, before anything is measured."""
     from bodymeasure.scene.drawing.opengl_check import opengl_trouble
 
     if trouble := opengl_trouble(window=True):
@@ -144,7 +144,7 @@ def _check_display() -> None:
 
 
 def _check_screenshot(path: Path) -> None:
-    """Refuse a file that could not be written, before the work."""
+    """Refuse a file that could not be written, before anything is measured."""
     if path.suffix.lower() not in PICTURE_SUFFIXES:
         raise InputError(
             f"{path}: the picture is a PNG file; give a name that ends in .png, not {path.suffix}"
@@ -153,7 +153,7 @@ def _check_screenshot(path: Path) -> None:
 
 
 def _viewers() -> tuple[Callable[[Survey, Path | None], str], Callable[..., str]]:
-    """What shows a survey, and what shows a chart."""
+    """Import the functions that show a survey and a chart."""
     try:
         from bodymeasure.viewer import view, view_chart
     except ModuleNotFoundError as error:

@@ -1,4 +1,4 @@
-"""From a survey to the scene that its pictures show."""
+"""Build the scene that the pictures of a survey show."""
 
 from typing import TYPE_CHECKING
 
@@ -14,19 +14,19 @@ if TYPE_CHECKING:
     from bodymeasure.measure import Survey
 
 # Segments along a patch's side. A mannequin's patch is some 7 cm wide: 8 segments keep the mesh
-# within a few tenths of a millimetre of the surface, less than a pixel of a picture of the body.
+# within a few tenths of a millimeter of the surface, less than a pixel of a picture of the body.
 BODY_SEGMENTS = 8
 CLOSEUP_SEGMENTS = 24
-# Points along curves: so many that a curve hidden half-way may end at any of them.
+# Points along curves: a curve that is partly hidden ends at one of them.
 PATH_POINTS = 97
 EDGE_POINTS = 49
-# A path that leaves its patch is drawn so far outside (u, v) in [0, 1]; beyond, the polynomial
-# soon has nothing to do with the body.
+# How far outside (u, v) in [0, 1] a path that leaves its patch is drawn; farther out, the
+# polynomial soon has nothing to do with the body.
 OVERSHOOT = 0.25
 
 
 def body_scene(survey: "Survey", *, segments: int = BODY_SEGMENTS) -> BodyScene:
-    """All patches of a survey with their edges and both diagonals.
+    """Build the scene of all patches of a survey with their edges and both diagonals.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ def body_scene(survey: "Survey", *, segments: int = BODY_SEGMENTS) -> BodyScene:
 
 
 def patch_scene(survey: "Survey", patch: int) -> BodyScene:
-    """One patch with its boundary and both diagonals, the rest of the body paler around it."""
+    """Build the scene of one patch and its diagonals, with the rest of the body paler around it."""
     atlas = survey.atlas
     only = np.array([patch])
     others = np.setdiff1d(np.arange(len(atlas)), only)
@@ -72,7 +72,7 @@ def patch_scene(survey: "Survey", patch: int) -> BodyScene:
 
 
 def tessellate(atlas: Atlas, patches: Ints, segments: int) -> Surface:
-    """Triangles of some patches, each patch with vertices of its own."""
+    """Divide some patches into triangles; each patch has vertices of its own."""
     ticks = np.linspace(0.0, 1.0, segments + 1)
     grid = np.stack(np.meshgrid(ticks, ticks, indexing="ij"), axis=-1).reshape(1, -1, 2)
     points, normals = _surface_at(atlas, patches, grid)
@@ -91,7 +91,7 @@ def tessellate(atlas: Atlas, patches: Ints, segments: int) -> Surface:
 
 
 def _edges(atlas: Atlas, patches: Ints) -> Polylines:
-    """The sides of some patches, each distinct edge once."""
+    """Sample the sides of some patches, each distinct edge once."""
     _, first = np.unique(edge_table(atlas.index).edge[patches], return_index=True)
     row, side = np.divmod(first, len(EDGES))
     along = np.linspace(0.0, 1.0, EDGE_POINTS)
@@ -133,6 +133,6 @@ def _paths(survey: "Survey", patches: Ints) -> Paths:
 
 
 def _surface_at(atlas: Atlas, patches: Ints, parameters: Array) -> tuple[Array, Array]:
-    """Points and unit normals, both (patches, k, 3), at parameters of shape (patches, k, 2)."""
+    """Return points and unit normals, (patches, k, 3), at parameters, (patches, k, 2)."""
     nets = atlas.control_points[patches]
     return evaluate(nets, parameters), unit_normals(nets, parameters)

@@ -57,7 +57,7 @@ class _Session:
         self.actors[1].prop.culling = "back"
 
     def draw(self, picture: Picture) -> NDArray[np.uint8]:
-        """Draw a picture; only what differs from the last one is made anew."""
+        """Draw a picture; the mesh of the surface is kept for the next one."""
         surface, tubes, view = picture.surface, picture.tubes, picture.view
         shown, over = self.actors
         if self.surface is not surface:
@@ -76,7 +76,7 @@ class _Session:
         return finished(picture, self._image(picture), depth)
 
     def _image(self, picture: Picture) -> NDArray[np.uint8]:
-        """What the window shows, the samples of each pixel averaged."""
+        """Read what the window shows, and average the samples of each pixel."""
         from PIL import Image
         from pyvista import convert_array
         from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
@@ -89,7 +89,7 @@ class _Session:
         return np.asarray(Image.fromarray(np.ascontiguousarray(pixels)).reduce(SAMPLES))
 
     def _depth(self, picture: Picture) -> Array:
-        """The depth of what the samples show, as of `View.project`."""
+        """Read the depth of what the samples show, as `View.project` defines it."""
         from pyvista import convert_array
         from vtkmodules.vtkCommonCore import vtkFloatArray
 

@@ -1,4 +1,4 @@
-"""Which renderer draws: pyvista where OpenGL works, otherwise our own."""
+"""The choice of a renderer: pyvista where OpenGL works, otherwise our own."""
 
 import os
 import subprocess
@@ -35,7 +35,7 @@ print("drawn" if pixel == [255, 0, 0] else f"blank {pixel}")
 
 
 class Choice(NamedTuple):
-    """A renderer's name, and a sentence on why it isn't the usual one, or nothing."""
+    """A renderer's name, and why it is not the usual one, as a sentence; empty if it is."""
 
     renderer: str
     note: str
@@ -47,8 +47,8 @@ def choose_renderer(name: str | None = None) -> Choice:
     Parameters
     ----------
     name : str, optional
-        ``pyvista`` or ``software``; by default what the environment variable
-        BODYMEASURE_RENDERER says, or else pyvista if it can draw here.
+        ``pyvista`` or ``software``. By default it is taken from the environment variable
+        BODYMEASURE_RENDERER; if that is not set, it is pyvista where that can draw.
 
     Raises
     ------
@@ -74,7 +74,7 @@ def choose_renderer(name: str | None = None) -> Choice:
 
 @cache
 def opengl_trouble(*, window: bool = False) -> str:
-    """Why pyvista cannot draw here; empty if it can. Found out once a process.
+    """Say why pyvista cannot draw here; empty if it can. It is tried once a process.
 
     Parameters
     ----------

@@ -18,7 +18,7 @@ CHUNK = 4096
 
 @dataclass(frozen=True)
 class DepthBuffer:
-    """What each pixel shows.
+    """The triangles that the pixels of a picture show.
 
     Parameters
     ----------

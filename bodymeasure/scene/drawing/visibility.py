@@ -1,4 +1,4 @@
-"""Which parts of a body can be seen from a side."""
+"""The parts of a body that can be seen from a side."""
 
 from dataclasses import dataclass, replace
 
@@ -23,7 +23,7 @@ GRAZING = 0.05
 
 @dataclass(frozen=True, eq=False)
 class Sight:
-    """What is seen of a surface from a side.
+    """The part of a surface that is seen from a side.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def sight(surface: Surface, view: View, pixels: int = PIXELS) -> Sight:
 
 
 def _seen_part(surface: Surface, view: View, buffer: DepthBuffer) -> Surface:
-    """The patches that face the viewer, and those that are seen from inside."""
+    """Select the patches that face the viewer, and those that are seen from inside."""
     sign = outward_sign_of_mesh(surface.points, surface.triangles)
     facing = sign * (surface.normals @ view.towards) > 0.0
     seen = np.asarray(facing[surface.triangles].any(axis=1))

@@ -1,4 +1,4 @@
-"""What pyvista draws pictures and windows from: meshes and the camera."""
+"""Meshes and the camera of pyvista, for pictures and windows."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""How charts look, whatever they show."""
+"""The style of all figures, whatever they show."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -23,12 +23,12 @@ STYLE: Any = {
 
 @contextmanager
 def chart_style(what: str = "a chart", extra: str = "report") -> Iterator[None]:
-    """Matplotlib's settings for charts, for as long as one is drawn.
+    """Apply matplotlib's settings for figures for as long as one is drawn.
 
     Parameters
     ----------
     what, extra : str
-        What is drawn, and which extra installs matplotlib for it.
+        The name of what is drawn, and the extra that installs matplotlib for it.
 
     Raises
     ------
@@ -44,5 +44,5 @@ def chart_style(what: str = "a chart", extra: str = "report") -> Iterator[None]:
 
 
 def power_of_ten(power: int) -> str:
-    """A power of ten in plain letters, which need no fonts of matplotlib's own."""
+    """Write a power of ten in plain letters, which need no fonts of matplotlib's own."""
     return "10" + str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))

@@ -1,4 +1,4 @@
-"""The color bar, and the histogram of differences, as SVG files."""
+"""The color bar, and figures as SVG files."""
 
 import io
 import re
@@ -25,19 +25,19 @@ BINS_PER_DECADE = 4
 
 
 def color_bar(paths: Paths) -> bytes:
-    """What the colors of paths mean, as an SVG file.
+    """Explain the colors of paths in an SVG file.
 
     Parameters
     ----------
     paths : Paths
-        Of the whole body, as the pictures' scale.
+        The paths of the whole body, which the pictures' scale spans.
     """
     with chart_style():
         return figure_svg(_draw_color_bar(paths), "color-bar")
 
 
 def color_bar_image(paths: Paths, dots_per_inch: int) -> NDArray[np.uint8]:
-    """What the colors of paths mean, as pixels, shape (height, width, 3)."""
+    """Explain the colors of paths in a picture, shape (height, width, 3)."""
     with chart_style():
         figure = _draw_color_bar(paths)
         figure.set_dpi(dots_per_inch)
@@ -82,11 +82,11 @@ def _decades(axes: Any, ends: Array) -> None:
 
 
 def figure_svg(figure: Any, name: str) -> bytes:
-    """A figure as an SVG element that may stand in a page beside others."""
+    """Return a figure as an SVG element that may stand in a page beside others."""
     file = io.BytesIO()
     figure.savefig(file, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
     text = file.getvalue().decode()
     text = text[text.index("<svg") :]
-    # Two charts of one page must not share identifiers.
+    # Two figures of one page must not share identifiers.
     text = re.sub(r'(\bid="|url\(#|href="#)', rf"\g<1>{name}-", text)
     return text.encode()

@@ -1,4 +1,4 @@
-"""From a chart of measurements to the scene that its pictures show."""
+"""Build the scene that the pictures of a chart show."""
 
 import numpy as np
 
@@ -9,16 +9,16 @@ from bodymeasure.scene.model import Label, TapeLine, TapeScene, free_of_body
 from bodymeasure.scene.tapes.mesh import tape_tube
 
 # Distance of the points along a drawn tape, as a fraction of the body's size: on a mannequin 5 mm,
-# so that round an ankle the polygon stays within a tenth of a millimetre of the curve.
+# so that round an ankle the polygon stays within a tenth of a millimeter of the curve.
 SPACING = 1.0 / 300.0
-# How often neighbours are mixed in the directions that tapes are lifted in: over some 2 cm.
+# How often the directions in which tapes are lifted are mixed with their neighbors: over some 2 cm.
 SMOOTHINGS = 8
-# A flat atlas has no height; then its size is this part of its extent.
+# The size of a flat atlas, which has no height, as a fraction of its extent.
 LEAST_SIZE = 0.25
 
 
 def tapes_scene(chart: Chart) -> TapeScene:
-    """A body with all tapes of a chart.
+    """Build the scene of a body with all tapes of a chart.
 
     Parameters
     ----------
@@ -27,8 +27,8 @@ def tapes_scene(chart: Chart) -> TapeScene:
     Returns
     -------
     TapeScene
-        Measurements with a value are numbered from 1 in the order of the chart, those without a
-        tape too.
+        Measurements with a value, even without a tape, are numbered from 1 in the order of the
+        chart.
     """
     atlas = chart.atlas
     surface = tessellate(atlas, np.arange(len(atlas)), BODY_SEGMENTS)
@@ -64,19 +64,19 @@ def _landmarks(chart: Chart, item: Measured) -> tuple[Label, ...]:
 
 
 def evenly_spaced(points: Array, values: Array, spacing: float) -> tuple[Array, Array]:
-    """A polygon with some values, at even distances along it.
+    """Sample a polygon and values along it at even distances.
 
     Parameters
     ----------
     points : ndarray, shape (k, 3)
     values : ndarray, shape (k, c)
     spacing : float
-        The largest distance between two of the new points, along the polygon.
+        The largest distance between two neighboring new points along the polygon.
 
     Returns
     -------
     points : ndarray, shape (m, 3)
-        The first and the last as they were; at least two.
+        At least two; the first and the last point of the polygon are kept.
     values : ndarray, shape (m, c)
     """
     along = arc_length(points)
@@ -88,7 +88,7 @@ def evenly_spaced(points: Array, values: Array, spacing: float) -> tuple[Array, 
 
 
 def without_gaps(points: Array, normals: Array) -> Array:
-    """Normals along a polygon, those that are 0 interpolated from their neighbours, (k, 3)."""
+    """Interpolate the normals along a polygon, (k, 3), where they are 0."""
     given = normals.any(axis=1)
     if not given.any():
         return normals
@@ -101,9 +101,9 @@ def without_gaps(points: Array, normals: Array) -> Array:
 
 
 def smoothed(vectors: Array) -> Array:
-    """Vectors along a curve, (k, 3), each mixed with its neighbours; their lengths as they were.
+    """Mix each vector along a curve, (k, 3), with its neighbors, and keep its length.
 
-    Along a seam, whose patches meet in a slight kink, normals are now the one's, now the other's.
+    Along a seam where patches meet in a slight kink, the normals alternate between the patches.
     """
     length = np.linalg.norm(vectors, axis=1, keepdims=True)
     mixed = vectors
@@ -116,6 +116,6 @@ def smoothed(vectors: Array) -> Array:
 
 
 def arc_length(points: Array) -> Array:
-    """Length of a polygon up to each of its points, shape (k,)."""
+    """Return the length of a polygon up to each of its points, shape (k,)."""
     step = np.linalg.norm(np.diff(points, axis=0), axis=-1)
     return np.concatenate([np.zeros(1), np.cumsum(step)])

@@ -42,7 +42,7 @@ def closeup_directions(axes: Axes) -> list[Array]:
 
 
 def view_along(surface: Surface, towards: Array, up: Array, margin: float) -> View:
-    """The view of a whole surface from a direction."""
+    """Return the view of a whole surface from a direction."""
     upward = up - (up @ towards) * towards
     upward /= np.linalg.norm(upward)
     return framed(surface.points, towards, upward, margin)
@@ -57,7 +57,7 @@ def sights(surface: Surface, axes: Axes, margin: float) -> list[Sight]:
 
 
 def seen_lengths(lines: Sequence[TapeLine], side: Sight) -> list[float]:
-    """How much of each tape is seen from a side, by its length in the picture.
+    """Return the length of each tape in the picture that is seen from a side.
 
     The lengths are in the atlas's unit.
     """
@@ -80,7 +80,7 @@ def seen_lengths(lines: Sequence[TapeLine], side: Sight) -> list[float]:
 
 
 def measurements_seen(scene: TapeScene, side: Sight) -> dict[str, float]:
-    """How much of each measurement is seen from a side: of the best seen of its tapes."""
+    """Return the seen length of each measurement: the longest of those of its tapes."""
     found: dict[str, float] = {}
     for line, length in zip(scene.tapes, seen_lengths(scene.tapes, side), strict=True):
         found[line.key] = max(length, found.get(line.key, 0.0))
@@ -88,13 +88,13 @@ def measurements_seen(scene: TapeScene, side: Sight) -> dict[str, float]:
 
 
 def best_sides(scene: TapeScene, around: Sequence[Sight]) -> Mapping[str, Sight]:
-    """For each measurement with a tape, the side that sees most of it."""
+    """Choose the side that sees most of each measurement with a tape."""
     seen = [measurements_seen(scene, side) for side in around]
     return {key: around[best([by_key[key] for by_key in seen])] for key in seen[0]}
 
 
 def best(seen: Sequence[float]) -> int:
-    """Which of some sides sees most; the first of those that see nearly as much."""
+    """Choose the side that sees most, or the first of those that see nearly as much."""
     chosen = 0
     for number, length in enumerate(seen):
         if length > WORTH * seen[chosen]:
@@ -103,7 +103,7 @@ def best(seen: Sequence[float]) -> int:
 
 
 def marking_ends(places: Array, height: int) -> Ints:
-    """Which ends of a straight tape in a picture mark where it is measured.
+    """Return the ends of a straight tape in a picture that mark where it is measured.
 
     If one end is above the other, it is the upper one: it marks a height.
 
@@ -120,7 +120,7 @@ def marking_ends(places: Array, height: int) -> Ints:
 
 
 def closeup_view(scene: TapeScene, points: Array, side: Sight, aspect: float) -> View:
-    """The view of some points, shape (k, 3), from a side, with a given ratio of width to height."""
+    """Return the view of points, shape (k, 3), from a side, with a ratio of width to height."""
     tight = framed(points, side.view.towards, side.view.up, 0.0)
     height = max(
         tight.height / FILL_HEIGHT, tight.width / FILL_WIDTH / aspect, LEAST_SHOWN * scene.size

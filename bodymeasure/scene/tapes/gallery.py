@@ -143,7 +143,7 @@ def tapes_overview(chart: Chart, key: str | None = None, *, renderer: str | None
 
 
 def _groups(scene: TapeScene) -> dict[str, list[TapeLine]]:
-    """The tapes of each group of measurements."""
+    """Collect the tapes of each group of measurements."""
     groups: dict[str, list[TapeLine]] = {}
     for line in scene.tapes:
         groups.setdefault(line.group, []).append(line)
@@ -173,12 +173,12 @@ def _closeups(scene: TapeScene, axes: Axes) -> Iterator[tuple[str, Picture]]:
 
 
 def _seen(scene: TapeScene, axes: Axes) -> dict[str, Sight]:
-    """What is seen of the body from each of its four sides."""
+    """Find what is seen of the body from each of its four sides."""
     return {side: sight(scene.surface, view) for side, view in roomy_views(scene, axes).items()}
 
 
 def roomy_views(scene: TapeScene, axes: Axes) -> dict[str, View]:
-    """The views of a body's four sides with room for labels beside it."""
+    """Return the views of a body's four sides with room for labels beside it."""
     return {
         side: replace(view, width=view.width + 2.0 * LABEL_ROOM * view.height)
         for side, view in body_views(scene, axes).items()
@@ -186,7 +186,7 @@ def roomy_views(scene: TapeScene, axes: Axes) -> dict[str, View]:
 
 
 def shown_sides(scene: TapeScene, seen: Mapping[str, Sight]) -> dict[str, set[str]]:
-    """On which sides each measurement is numbered, by its key."""
+    """Choose the sides on which each measurement is numbered, by its key."""
     lengths = {side: measurements_seen(scene, view) for side, view in seen.items()}
     shown = {}
     for key in dict.fromkeys(line.key for line in scene.tapes):

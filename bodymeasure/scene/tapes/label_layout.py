@@ -6,15 +6,16 @@ import numpy as np
 
 from bodymeasure._typing import Array, Bools
 
-# Distance of neighbouring labels in a column, in heights of a label.
+# Distance of neighboring labels in a column, in heights of a label.
 PITCH = 1.3
-# Leaders that touch rather than cross: twice the area, in squared pixels, of what they overlap by.
+# Leaders touch rather than cross if twice the area of their overlap is less than this, in squared
+# pixels.
 TOUCHING = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class Columns:
-    """Where labels may stand.
+    """The places where labels may stand.
 
     Parameters
     ----------
@@ -23,7 +24,7 @@ class Columns:
     top, bottom : float
         Ends of both columns.
     label_height : float
-        The labels', if there is room for it.
+        The height of labels, if there is room for it.
     """
 
     left: float
@@ -35,18 +36,18 @@ class Columns:
 
 @dataclass(frozen=True, eq=False)
 class Layout:
-    """Where labels stand.
+    """The places where labels stand.
 
     Parameters
     ----------
     on_right : ndarray of bool, shape (n,)
         Whether a label stands in the right column.
     anchor : ndarray, shape (n, 2)
-        Where its leader ends: the point that it labels.
+        The point that it labels, at which its leader ends.
     y : ndarray, shape (n,)
         The middle of the label.
     label_height : float
-        At most what was asked for; less if the columns hold no more.
+        The height that was asked for, or less if the columns would not hold the labels.
     """
 
     on_right: Bools
@@ -61,9 +62,9 @@ def place_labels(leftmost: Array, rightmost: Array, columns: Columns) -> Layout:
     Parameters
     ----------
     leftmost, rightmost : ndarray, shape (n, 2)
-        Two points of each thing labeled, in pixels from the top left: where a leader from the
-        left, and one from the right, would end. Between the columns; the first is not to the right
-        of the second.
+        Two points of each thing labeled, in pixels from the top left, at which a leader from the
+        left and one from the right would end. They lie between the columns, and the first is not
+        to the right of the second.
     columns : Columns
 
     Returns
@@ -76,8 +77,8 @@ def place_labels(leftmost: Array, rightmost: Array, columns: Columns) -> Layout:
     -----
     All things labeled from the left have their anchors to the left of a vertical line, the others
     to the right of it, which keeps the columns' leaders apart. In a column, places are as near to
-    the anchors' heights as their distance allows. Of two leaders that cross, the labels change
-    places: that shortens the leaders, so that it comes to an end.
+    the anchors' heights as their distance allows. The labels of two leaders that cross change
+    places; that shortens the leaders, so that it comes to an end.
     """
     count = len(leftmost)
     on_right = _sides(leftmost, rightmost)
@@ -95,9 +96,9 @@ def place_labels(leftmost: Array, rightmost: Array, columns: Columns) -> Layout:
 
 
 def _sides(leftmost: Array, rightmost: Array) -> Bools:
-    """Which things are labeled from the right: as many as from the left, if that can be had.
+    """Choose the things that are labeled from the right, if possible as many as from the left.
 
-    They are taken in the order of their middles, and the others must end before they begin.
+    In the order of their middles, those on the left must end before those on the right begin.
     """
     count = len(leftmost)
     order = np.argsort(leftmost[:, 0] + rightmost[:, 0], kind="stable")
@@ -111,9 +112,9 @@ def _sides(leftmost: Array, rightmost: Array) -> Bools:
 
 
 def _spread(wanted: Array, columns: Columns, pitch: float) -> Array:
-    """The places nearest to some wanted ones, in their order, at least a pitch apart.
+    """Return the places nearest to some wanted ones, in their order, at least a pitch apart.
 
-    By pooling neighbours that are too near to one another: the least squares of the distances.
+    Pooling neighbors that are too near to one another minimizes the squared distances.
     """
     count = len(wanted)
     offset = pitch * np.arange(count)
@@ -132,10 +133,10 @@ def _spread(wanted: Array, columns: Columns, pitch: float) -> Array:
 
 
 def _uncrossed(anchors: Array, edge: float, places: Array) -> Array:
-    """Places (n,) for anchors (n, 2), changed among them until no two leaders cross."""
+    """Exchange the places (n,) of anchors (n, 2) until no two leaders cross."""
     y = places.copy()
     while True:
-        # Where leader j's ends lie from leader i: right of it at the column, left at the anchor.
+        # On which side of leader i the ends of leader j lie, at the column and at the anchor.
         along = anchors - np.stack([np.full(len(y), edge), y], axis=1)
         place = y[None, :] - y[:, None]
         anchor = anchors[None, :] - anchors[:, None]

@@ -75,7 +75,7 @@ def _sphere() -> Mesh:
 
 
 def tape_colors(free: Bools, kind: TapeKind) -> Array:
-    """The color of a tape at each of its points, shape (k, 3)."""
+    """Return the color of a tape at each of its points, shape (k, 3)."""
     colors = np.tile(COLORS[kind], (len(free), 1))
     if kind is TapeKind.TAUT:
         band = np.arange(len(colors)) // BAND_POINTS % 2 == 1
@@ -111,7 +111,7 @@ def tape_mesh(lines: Sequence[TapeLine], radius: float, forward: Array) -> Mesh:
 
 
 def forward(scene: TapeScene, lines: Sequence[TapeLine], view: View) -> Array:
-    """The move towards the viewer, shape (3,), that brings all tapes before the body.
+    """Return the move towards the viewer, shape (3,), that brings all tapes before the body.
 
     In an orthographic picture it changes nothing else.
     """

@@ -14,12 +14,12 @@ WHITE = (1.0, 1.0, 1.0)
 LEADER_WIDTH = 0.055
 HALO_WIDTH = 0.12
 DOT = 0.28
-# Between a leader's start and its label.
+# Distance between a leader's start and its label, in sizes of the text.
 TEXT_GAP = 0.18
 
 
 def leaders(layout: Layout, columns: Columns, height: float) -> list[Lines]:
-    """Lines from labels to what they label, with white along them and dots at their ends."""
+    """Draw lines from labels to what they label, with white rims and with dots at their ends."""
     start = np.stack([np.where(layout.on_right, columns.right, columns.left), layout.y], axis=-1)
     lines = list(np.stack([start, layout.anchor], axis=1))
     # A line of no length would not be drawn.
@@ -33,7 +33,7 @@ def leaders(layout: Layout, columns: Columns, height: float) -> list[Lines]:
 
 
 def column_texts(texts: Sequence[str], layout: Layout, columns: Columns, size: float) -> list[Text]:
-    """Texts in their columns, those of the left one ending at its inner edge."""
+    """Place texts in their columns; those of the left column end at its inner edge."""
     gap = TEXT_GAP * size
     return [
         Text(columns.right + gap, y, text, size, horizontal="left")
@@ -44,5 +44,5 @@ def column_texts(texts: Sequence[str], layout: Layout, columns: Columns, size: f
 
 
 def wrapped(name: str, columns: int) -> str:
-    """A name in as many lines as it takes."""
+    """Break a name into lines of at most so many letters."""
     return "\n".join(textwrap.wrap(name, columns))
