@@ -87,6 +87,8 @@ def survey_document(
 def _diagonals(survey: "Survey", unit: Unit) -> list[PatchRecord]:
     atlas, solution, check = survey.atlas, survey.diagonals, survey.cross_check
     start, end = np.asarray(solution.start).tolist(), np.asarray(solution.end).tolist()
+    # The property makes the array anew at each access.
+    contacts, status = solution.contacts, np.asarray(solution.status)
     lengths = {name: getattr(solution, name) for name in ("length", "error_estimate", "raw_length")}
     plain = {"residual": solution.residual}
     if check is not None:
@@ -107,10 +109,10 @@ def _diagonals(survey: "Survey", unit: Unit) -> list[PatchRecord]:
             start=tuple(start[patch][number]),
             end=tuple(end[patch][number]),
             unit=unit.value,
-            status=np.asarray(solution.status)[patch, number].name.lower(),
+            status=status[patch, number].name.lower(),
             contacts="; ".join(
                 f"{contact.edge} from {contact.start:.6g} to {contact.end:.6g}"
-                for contact in solution.contacts[patch, number]
+                for contact in contacts[patch, number]
             )
             or None,
             verdict=None if check is None else check.verdict[patch, number].name.lower(),
