@@ -10,6 +10,7 @@ from trimesh.path import Path3D
 
 import bodymeasure as bm
 from bodymeasure.chart.body import Body
+from bodymeasure.chart.entry import Fault
 from bodymeasure.measure.patches.cross_check import CrossCheck
 
 PUBLIC = {name: getattr(bm, name) for name in bm.__all__}
@@ -103,8 +104,8 @@ def test_what_functions_take_and_return_is_at_the_top() -> None:
 
 
 def test_what_members_of_results_hold_can_be_imported_from_a_package() -> None:
-    # What a new kind of measurement is given, and what is not loaded before libigl is asked for.
-    known = {*CLASSES.values(), Body, CrossCheck}
+    # What kinds of measurements deal in, and what is not loaded before libigl is asked for.
+    known = {*CLASSES.values(), Body, CrossCheck, Fault}
     for inner in INNER:
         package = getattr(bm, inner)
         known |= {getattr(package, name) for name in package.__all__ if name[0].isupper()}

@@ -54,7 +54,11 @@ def measure_chart(
     Examples
     --------
     >>> import bodymeasure as bm
-    >>> chart = measure_chart(bm.load_sample("female_average"))
+    >>> from msgspec.structs import replace
+    >>> every = bm.load_definitions()
+    >>> girths = tuple(each for each in every.measurement if each.key == "waist_girth")
+    >>> few = replace(every, measurement=girths, landmark=())
+    >>> chart = bm.measure_chart(bm.load_sample("female_average"), few)
     >>> waist = chart["waist_girth"]
     >>> print(f"{waist.value:.4f} {chart.atlas.unit}, {waist.outcome}")
     0.7110 m, measured
