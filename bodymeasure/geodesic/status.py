@@ -1,4 +1,4 @@
-"""How a geodesic problem ended."""
+"""The outcome of a geodesic problem, and what happens on a failure."""
 
 from enum import Enum
 from typing import Any, Literal
@@ -10,7 +10,7 @@ from bodymeasure._typing import Bools
 from bodymeasure.errors import InputError
 
 OnFailure = Literal["raise", "status"]
-"""What a function does where it finds no length that can be trusted: raise, or say so."""
+"""What a function does if it finds no length that can be trusted: raise, or say so in a status."""
 
 
 def check_on_failure(on_failure: str) -> None:
@@ -21,7 +21,16 @@ def check_on_failure(on_failure: str) -> None:
 
 
 class Status(Enum):
-    """The outcome of one geodesic problem; each value is a sentence that says what to do."""
+    """The outcome of one geodesic problem; each value is a sentence that says what to do.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> bm.Status.LEAVES_PATCH.has_length
+    False
+    >>> print(bm.Status.CONVERGED.sentence)
+    The path is a geodesic on the patch; its length holds to the stated error.
+    """
 
     CONVERGED = "The path is a geodesic on the patch; its length holds to the stated error."
     ON_BOUNDARY = (
@@ -63,7 +72,7 @@ class Status(Enum):
 
 
 def have_length(statuses: NDArray[Any]) -> Bools:
-    """`Status.has_length` of each of an array of statuses."""
+    """Return `Status.has_length` for each of an array of statuses."""
     result = np.zeros(statuses.shape, bool)
     for status in Status:
         if status.has_length:

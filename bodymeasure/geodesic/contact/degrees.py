@@ -8,37 +8,37 @@ from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 
 # Tried in turn. Strongly bent paths take the highest; past that, rounding errors win.
 DEGREES = (12, 20, 32, 48, 72, 108, 160)
-# Errors fall about geometrically with the degree. Of the degree that this foretells so much is
-# taken, since they fall faster at the end than at the beginning.
+# Errors fall about geometrically with the degree. This part of the degree so predicted is taken,
+# since they fall faster at the end than at the beginning.
 CAUTION = 0.75
-# A path may leave the box by this much, in u or v, and better ones not.
+# A path may leave the box by this much, in u or v, without better ones leaving it.
 OVERSHOOT = 1e-9
-# A path is off by about the square root of what its length is too long by. If it leaves the box by
-# more than so many times that, better paths would too.
+# A path is off by about the square root of the excess of its length. If it leaves the box by more
+# than so many times that, better paths would leave it, too.
 OFF = 10.0
 
 
 def degrees_wanted(degree: int, length: Length, tolerance: float) -> Array:
-    """The degrees that paths seem to take, told from how good they are on one; shape (problems,).
+    """Return the degrees that paths seem to need, by their errors on one; shape (problems,).
 
     Parameters
     ----------
     degree : int
-        That of the paths.
+        The degree of the paths.
     length : Length
         Their lengths, none of which is known to the tolerance.
     tolerance : float
-        Relative error asked for.
+        The relative error asked for.
     """
     with np.errstate(divide="ignore", invalid="ignore"):
         known = np.log(np.clip(length.error / length.raw, tolerance, 0.5))
-        foretold = CAUTION * degree * np.log(tolerance) / known
-    # Of what is not finite nothing is known.
-    return np.where(np.isfinite(foretold), foretold, degree + 1.0)
+        predicted = CAUTION * degree * np.log(tolerance) / known
+    # If nothing is known, the next degree is tried.
+    return np.where(np.isfinite(predicted), predicted, degree + 1.0)
 
 
 def leave_for_certain(space: TrialSpace, values: Array, length: Length) -> Bools:
-    """Which paths leave their patch by so much that no higher degree brings them back.
+    """Return which paths leave their patch by so much that no higher degree brings them back.
 
     Parameters
     ----------

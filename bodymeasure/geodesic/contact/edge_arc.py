@@ -1,4 +1,4 @@
-r"""A part of a path that runs along an edge of its patch: its length, and what presses it there.
+r"""Arcs of paths along an edge of their patch: their lengths, and whether they are pressed there.
 
 A shortest path is held by an edge only where it would leave the patch if it could. There its
 acceleration, as far as it is tangential to the surface and normal to the path, points out of the
@@ -18,11 +18,11 @@ from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.spaces.quadrature import Quadrature
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# Gauss points of an arc, and of its halves, whose difference is its error estimate.
+# The number of Gauss points of an arc, and of each half; their difference gives the error.
 POINTS = 24
-# Rounding errors of a length, relative.
+# The relative rounding error of a length.
 ROUNDING = 1e-15
-# How much an arc may bend inwards, as an angle over its whole length: an edge that is a geodesic
+# The angle by which an arc may bend inwards over its whole length: an edge that is a geodesic
 # itself presses nothing, and must not be refused for rounding errors.
 UNPRESSED = 1e-6
 # Along the edge the parameter is a linear function.
@@ -37,12 +37,12 @@ class EdgeArc(NamedTuple):
 
 
 def edge_arc(surface: Surface, contact: Contact, begin: Array, end: Array) -> EdgeArc:
-    """Along an edge, at constant speed in its parameter.
+    """Return the arc along an edge between two points, at constant speed in its parameter.
 
     Parameters
     ----------
     surface : Surface
-        Of one problem.
+        The surface of one problem.
     contact : Contact
         The edge.
     begin, end : ndarray, shape (2,)
@@ -73,7 +73,7 @@ def edge_arc(surface: Surface, contact: Contact, begin: Array, end: Array) -> Ed
 
 
 def edge_curvature(surface: Surface, contact: Contact, place: Array) -> float:
-    """How much an edge of one patch bends within the surface at a place (u, v): its size."""
+    """Return the size of the geodesic curvature of an edge at a place (u, v)."""
     way = np.array([0.0, 1.0] if contact.axis == 0 else [1.0, 0.0])
     jet = surface.jet(place[None, None], 2)[:, :, 0]
     velocity = jet[1] * way[0] + jet[2] * way[1]
@@ -84,11 +84,11 @@ def edge_curvature(surface: Surface, contact: Contact, place: Array) -> float:
 
 
 def _inward_turn(jet: Array, contact: Contact, velocity: Array, way: Array) -> Array:
-    """The angle, a unit of its parameter t, by which the arc turns into the patch."""
+    """The angle by which the arc turns into the patch for each unit of its parameter."""
     along, across = (2, 1) if contact.axis == 0 else (1, 2)
     acceleration = jet[5 if along == 2 else 3] * way[along - 1] ** 2
     square = (velocity * velocity).sum(axis=0)
-    # Where the edge stands still it turns nowhere that could be told.
+    # Where the edge stands still it has no turn.
     with np.errstate(divide="ignore", invalid="ignore"):
         inward = jet[across] * (1.0 if contact.value == 0.0 else -1.0)
         inward -= velocity * (inward * velocity).sum(axis=0) / square

@@ -1,11 +1,11 @@
 r"""A geodesic whose ends may move along edges of the patch.
 
-Where a shortest path in the patch joins its boundary, it does so tangentially: the derivative of
-the coordinate that the edge fixes is zero there. That is the equation for the place on the edge.
-(That the length is stationary in it says nothing new: its derivative is cos(angle) - 1.)
+A shortest path in the patch joins its boundary tangentially: there, the derivative of the
+coordinate that the edge fixes is zero. That is the equation for the place on the edge. (That the
+length is stationary in it adds nothing: its derivative is cos(angle) - 1.)
 
 At a collapsed edge, u = 0 say, :math:`S_v = S_{vv} = 0`, and the equation :math:`S_v \cdot a = 0`
-says nothing there. Divided by u it says :math:`S_{uv} \cdot a = 0` in the limit; with
+is void there. Divided by u it says :math:`S_{uv} \cdot a = 0` in the limit; with
 :math:`S_u \cdot a = 0` that leaves, for :math:`b = S_{uu} u'^2 + 2 S_{uv} u' v'`,
 
 .. math:: (S_u \cdot S_u) (b \cdot S_{uv}) - (S_u \cdot S_{uv}) (b \cdot S_u) = 0:
@@ -37,12 +37,12 @@ def solve_free_piece(
     Parameters
     ----------
     surface : Surface
-        Of one problem.
+        The surface of one problem.
     space : TrialSpace
         With n + 1 nodes.
     guess : ndarray, shape (2, n + 1)
     ends : pair of End
-        On which edge the first and the last point move; None for a fixed end.
+        The edges along which the first and the last point move; None for a fixed end.
 
     Returns
     -------
@@ -69,7 +69,7 @@ class _Moving:
 
     @cached_property
     def unknowns(self) -> Ints:
-        """Which of u and v at the nodes, one after the other, are to be found."""
+        """The places of the unknowns among the nodal values of u and then v."""
         unknown = np.zeros((2, self.space.size + 1), bool)
         unknown[:, 1:-1] = True
         for node, end in zip((0, -1), self.ends, strict=True):
@@ -79,7 +79,7 @@ class _Moving:
 
     @cached_property
     def slopes(self) -> Array:
-        """From nodal values to derivatives at both ends, shape (2, n + 1)."""
+        """The map from nodal values to derivatives at both ends, shape (2, n + 1)."""
         slopes: Array = self.space.matrices(np.array([0.0, 1.0]))[1]
         return slopes
 

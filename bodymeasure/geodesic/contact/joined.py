@@ -1,4 +1,4 @@
-"""The legs of a path put together to one."""
+"""The legs of a path joined into one."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 
 
 class SolvedLeg(NamedTuple):
-    """One leg: values, shape (2, n + 1), at the nodes of a space, and its length, of shape (1,)."""
+    """A leg: values, shape (2, n + 1), at a space's nodes, and its length, a batch of one."""
 
     space: TrialSpace
     values: Array
@@ -28,13 +28,13 @@ class ContactPath:
     Parameters
     ----------
     space : TrialSpace
-        Piecewise: one piece a leg, in proportion to their lengths.
+        A piecewise space with one piece for each leg, in proportion to their lengths.
     values : ndarray, shape (2, n + 1)
-        u and v at the space's nodes.
+        The values of u and v at the space's nodes.
     length : Length
-        Of shape (1,).
+        The length, as a batch of one.
     contacts : tuple of EdgeContact
-        The edges it runs along, in order.
+        The edges that the path runs along, in order.
     """
 
     space: TrialSpace
@@ -44,8 +44,8 @@ class ContactPath:
 
 
 def join(legs: Sequence[SolvedLeg], contacts: tuple[EdgeContact, ...]) -> ContactPath:
-    """One path of all legs, each taking as much of [0, 1] as it has of the length."""
-    # A corner is touched along no way at all.
+    """Join legs into a path, each taking as much of [0, 1] as it has of the length."""
+    # An arc that only touches a corner has no length.
     parts = [leg for leg in legs if leg.length.raw[0] > 0.0]
     lengths = np.array([length.raw[0] for _, _, length in parts])
     edges = np.concatenate([[0.0], np.cumsum(lengths) / lengths.sum()])

@@ -16,7 +16,7 @@ class Contact:
     axis : int
         The coordinate that is fixed on the edge: 0 for u, 1 for v.
     value : float
-        0 or 1.
+        Its value there, 0 or 1.
     """
 
     axis: int
@@ -30,11 +30,11 @@ class Contact:
 
 @dataclass(frozen=True)
 class Pole(Contact):
-    """An edge that is collapsed to a point: paths from there leave it wherever they like."""
+    """An edge that is collapsed to a point: paths may leave it at any of its parameters."""
 
 
 End = Contact | None
-"""How a free leg ends: on an edge along which its end may move, or (None) at a fixed point."""
+"""The end of a free leg: an edge along which the end may move, or None for a fixed point."""
 
 
 @dataclass(frozen=True)
@@ -44,11 +44,11 @@ class Leg:
     Parameters
     ----------
     contact : Contact or None
-        The edge it runs along.
+        The edge that it runs along; None for a free leg.
     ends : pair of End
-        Of a free leg.
+        The ends of a free leg.
     first, last : int
-        Its points in the polygon that it was read from.
+        Its first and last point in the polygon that it was read from.
     """
 
     contact: Contact | None
@@ -58,14 +58,14 @@ class Leg:
 
 
 def read_legs(points: Array, poles: tuple[End, End] = (None, None)) -> list[Leg]:
-    """The pattern of free legs and contact arcs of a polygon in the box.
+    """Return the pattern of free legs and contact arcs of a polygon in the box.
 
     Parameters
     ----------
     points : ndarray, shape (m + 1, 2)
-        As `descend` leaves it: on an edge exactly where the edge holds it.
+        A polygon from `descend`, which is on an edge exactly where the edge holds it.
     poles : pair of End
-        How the path itself ends.
+        The ends of the path itself.
 
     Returns
     -------
@@ -89,7 +89,7 @@ def read_legs(points: Array, poles: tuple[End, End] = (None, None)) -> list[Leg]
 
 
 def _arcs(points: Array, corners: set[int]) -> list[tuple[Contact, int, int]]:
-    """Edges that hold the polygon, from which point to which, in order."""
+    """The edges that hold the polygon, each with its first and last point, in order."""
     last = len(points) - 1
     arcs: list[tuple[Contact, int, int]] = []
     for axis in (0, 1):
@@ -103,7 +103,7 @@ def _arcs(points: Array, corners: set[int]) -> list[tuple[Contact, int, int]]:
                     final = last if run[-1] == last - 1 and touching[last] else int(run[-1])
                     arcs.append((Contact(axis, value), first, final))
     arcs.sort(key=lambda arc: arc[1:])
-    # A corner is on two edges, of which one says enough, or none if an arc leads there.
+    # A corner is on two edges, of which one is enough, or none if an arc leads there.
     reached = {end for _, first, final in arcs if first < final for end in (first, final)}
     kept = []
     for arc in arcs:

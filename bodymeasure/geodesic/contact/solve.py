@@ -1,8 +1,8 @@
 """Shortest paths that touch the boundary of their patch: free legs and contact arcs.
 
-The legs do not depend on one another: where a free leg joins the boundary is told by its tangency
-there, and an arc runs between the ends of its neighbors. Which legs there are is read off a
-polygon at rest, and read again from the legs themselves where one of them leaves the patch.
+The legs do not depend on one another: a free leg joins the boundary where it is tangential to it,
+and an arc runs between the ends of its neighbors. The pattern of legs is read off a polygon at
+rest, and read again from the legs themselves if one of them leaves the patch.
 """
 
 from collections.abc import Sequence
@@ -28,10 +28,9 @@ from bodymeasure.geodesic.solving.protocol import EdgeContact
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# A polygon that touches edges more often than this has found no rest; five legs are the most that
-# any path had on wild patches.
+# A polygon with more legs than this is not at rest; no path on wild patches had more than five.
 MOST_LEGS = 12
-# How often the pattern is read.
+# How often the pattern is read at most.
 MOST_PATTERNS = 6
 
 
@@ -45,18 +44,18 @@ class _FreeLeg(NamedTuple):
 def solve_contact_path(
     surface: Surface, polygon: Array, poles: tuple[End, End], tolerance: float
 ) -> ContactPath | None:
-    """Each free leg by collocation, each contact arc by quadrature.
+    """Solve for a path, each free leg by collocation and each contact arc by quadrature.
 
     Parameters
     ----------
     surface : Surface
-        Of one problem.
+        The surface of one problem.
     polygon : ndarray, shape (m + 1, 2)
         The polygon to start from, at rest.
     poles : pair of End
         The collapsed edges, `legs.Pole`, on which the path's ends lie.
     tolerance : float
-        Relative to the length of the path.
+        The relative error of the length that is asked for.
 
     Returns
     -------
@@ -65,7 +64,7 @@ def solve_contact_path(
         whose arcs are pressed against their edges.
     """
     points = polygon.copy()
-    # Whatever the parameter along a collapsed edge, it is the same place.
+    # All parameters along a collapsed edge are the same place.
     for place, beside, pole in ((0, 1, poles[0]), (-1, -2, poles[1])):
         if pole is not None:
             points[place, 1 - pole.axis] = points[beside, 1 - pole.axis]
@@ -104,7 +103,7 @@ def _solve_free(surface: Surface, points: Array, leg: Leg, tolerance: float) -> 
         if values is None:
             continue
         length = measure_length(surface, space, values[None])
-        # How wrong a joint is says little of the degree that it takes.
+        # The error of a joint hardly depends on the degree.
         wanted = degrees_wanted(degree, length, tolerance)[0]
         joints = tangency_error(surface, space, values, leg.ends)
         length = replace(length, error=length.error + joints)
@@ -122,7 +121,7 @@ def _solve_free(surface: Surface, points: Array, leg: Leg, tolerance: float) -> 
 def _arc_ends(
     points: Array, legs: Sequence[Leg], free: Sequence[_FreeLeg | None], number: int
 ) -> tuple[Array, Array]:
-    """Where an arc begins and ends: where its neighbors tell, or at a fixed point."""
+    """The ends of an arc: those of its neighbors, or fixed points."""
     leg = legs[number]
     before = free[number - 1] if number > 0 else None
     after = free[number + 1] if number + 1 < len(legs) else None
@@ -139,7 +138,7 @@ def _runs_backwards(
         return False
     begin, end = _arc_ends(points, legs, free, number)
     along = 1 - leg.contact.axis
-    # From the points beside the arc, since an arc of a single point has no direction itself.
+    # The direction is that of the points beside the arc, since a single point has none itself.
     beside = (max(leg.first - 1, 0), min(leg.last + 1, len(points) - 1))
     forward = points[beside[1], along] - points[beside[0], along]
     return bool((end[along] - begin[along]) * forward < 0.0)
@@ -155,10 +154,10 @@ def _read_anew(
     parts: list[Array] = []
     for number, found in enumerate(free):
         if found is not None:
-            # Also what is outside for the shortest while must be seen.
+            # Points between the nodes show even short parts outside.
             path = found.solved.values @ found.solved.space.between_nodes.T
             part = np.clip(path, 0.0, 1.0).T
-            # The ends where it meets an arc that is none are no contact.
+            # Where it meets an arc that is left out, its end is no contact.
             first = 1 if number > 0 and backwards[number - 1] else 0
             last = -1 if number + 1 < len(legs) and backwards[number + 1] else None
             parts.append(part[first:last])

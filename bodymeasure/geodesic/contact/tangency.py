@@ -1,4 +1,4 @@
-r"""What it costs that a free leg meets an edge of its patch not quite where it should.
+r"""The error of a length because a free leg meets an edge of its patch not quite tangentially.
 
 A leg ends on an edge where the computed path is tangential to it; but the geodesic between the ends
 of the leg, whose length is taken, lies a little beside that path and meets the edge at a small
@@ -24,20 +24,20 @@ from bodymeasure.geodesic.lengths.path_geometry import PathGeometry, path_geomet
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# Where joints make most of the error, on wild patches, the formula told at most 1 % too little; but
-# it is leading order, and its curvatures vary.
+# Where joints make most of the error, on wild patches, the formula gave at most 1 % too little; but
+# it is of leading order, and its curvatures vary.
 SAFETY = 3.0
 
 
 def tangency_error(
     surface: Surface, space: TrialSpace, values: Array, ends: tuple[End, End]
 ) -> float:
-    """Estimated error of the length of a leg and its arcs together, for how they are joined.
+    """Return the estimated error of a leg and its arcs together that their joints cause.
 
     Parameters
     ----------
     surface : Surface
-        Of one problem.
+        The surface of one problem.
     space : TrialSpace
     values : ndarray, shape (2, n + 1)
         The leg's u and v at the nodes.
@@ -52,7 +52,7 @@ def tangency_error(
         for number, contact in joints:
             angle = _angle(space, geometry, number)
             curvature = edge_curvature(surface, contact, values[:, -number])
-            # Half the angle's square over as much of the edge as the joint is off, at most all.
+            # Half the angle's square, over the distance by which the joint is off, at most the leg.
             with np.errstate(divide="ignore"):
                 off = np.minimum(np.divide(angle, 3.0 * curvature), length)
             error += SAFETY * 0.5 * angle**2 * float(off)
@@ -60,7 +60,7 @@ def tangency_error(
 
 
 def _angle(space: TrialSpace, geometry: PathGeometry, joint: int) -> float:
-    """Between the geodesic and the computed path at its start (0) or end (1); inf if unknown."""
+    """The angle between geodesic and computed path at its start (0) or end (1); may be inf."""
     speed, kappa, curvature = (each[:, 0] for each in geometry)
     way = space.quadrature.weights * speed
     steps = np.concatenate([[way[0]], way[:-1] + way[1:], [way[-1]]]) / 2.0

@@ -1,6 +1,6 @@
 r"""The geodesic equation for paths that run across their straight line as a graph.
 
-Where a path does not turn back, one unknown function says where it runs: the offset q(t), with
+Where a path does not turn back, one unknown function determines it: the offset q(t), with
 :math:`(u, v) = (t + q, t - q)` on a patch whose corners (0, 0) and (1, 1) are its ends. With
 :math:`T(t, q) = S(t + q, t - q)` the path has the velocity :math:`x' = T_t + T_q q'` and, but for
 :math:`T_q q''`, the acceleration :math:`h = T_{tt} + 2 T_{tq} q' + T_{qq} q'^2`. Its geodesic
@@ -20,7 +20,7 @@ from bodymeasure.geodesic.lengths.path_geometry import PathGeometry
 
 
 def derivatives_by_offset(coefficients: Any, offset: Any, order: int) -> list[Any]:
-    """Values of polynomials in q and their derivatives, by Horner's scheme.
+    """Return the values of polynomials in q and their derivatives, by Horner's scheme.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ def derivatives_by_offset(coefficients: Any, offset: Any, order: int) -> list[An
     """
     q = offset[:, None, :]
     highest = coefficients.shape[0] - 1
-    # Patches of low degree have fewer derivatives than asked for.
+    # Patches of low degree have fewer derivatives than are asked for.
     sums = [(1.0 if k <= highest else 0.0) * coefficients[highest, ...] for k in range(order + 1)]
     for power in range(highest - 1, -1, -1):
         for k in range(min(order, highest - 1 - power), 0, -1):
@@ -49,7 +49,7 @@ def derivatives_by_offset(coefficients: Any, offset: Any, order: int) -> list[An
 
 
 def dot(a: Any, b: Any) -> Any:
-    """Scalar product of vectors whose components run along axis 1."""
+    """Return the scalar products of vectors whose components run along axis 1."""
     result = a[:, 0, :] * b[:, 0, :]
     result += a[:, 1, :] * b[:, 1, :]
     result += a[:, 2, :] * b[:, 2, :]
@@ -57,12 +57,12 @@ def dot(a: Any, b: Any) -> Any:
 
 
 def linearize(coefficients: Any, offset: Any, slope: Any, bend: Any) -> tuple[Any, Any, Any, Any]:
-    """The equation's left side F and its derivatives by q, q' and q''.
+    """Return the equation's left side F and its derivatives by q, q' and q''.
 
     Parameters
     ----------
     coefficients : array, shape (powers, 3, points, 3, problems)
-        As from `offset_maps.offset_map`.
+        As from `graph.maps.offset_map`.
     offset, slope, bend : array, shape (points, problems)
         q, q' and q''.
 

@@ -10,7 +10,7 @@ from bodymeasure.bezier import restrict
 from bodymeasure.geodesic.numerics.array_libraries import constant, to_numpy
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 
-# Rounding errors of the control points of a part of a patch of size 1.
+# The rounding errors of the control points of a part of a patch of size 1.
 RESTRICTION = 2e-15
 
 
@@ -21,7 +21,7 @@ class OffsetProblems:
     Parameters
     ----------
     columns : array, shape ((m + 1) * (n + 1), 3, problems)
-        Control points of the patches, each restricted to the rectangle between its two points.
+        The control points of the patches, each restricted to the rectangle between its two points.
     start, end : ndarray, shape (problems, 2)
         Those points, in the parameters of the whole patches.
     degrees : tuple of int
@@ -35,10 +35,10 @@ class OffsetProblems:
 
     @classmethod
     def of(cls, surface: BezierSurfaces, start: Array, end: Array) -> "OffsetProblems":
-        """The problems of going from start to end, no coordinate of which may be equal."""
+        """Return the problems of going from start to end, no coordinate of which may be equal."""
         nets = surface.control_points
         xp = array_api_compat.array_namespace(nets)
-        # Only differences count, and they have fewer rounding errors near the origin.
+        # Only differences matter, and they have smaller rounding errors near the origin.
         nets = nets - 0.5 * (nets[:, :1, :1, :] + nets[:, -1:, -1:, :])
         if _are_corners(start, end):
             for axis in (0, 1):
@@ -49,32 +49,32 @@ class OffsetProblems:
         else:
             nets = constant(restrict(to_numpy(nets), start, end), nets, xp)
         flat = xp.permute_dims(xp.reshape(nets, (nets.shape[0], -1, 3)), (1, 2, 0))
-        # Joining two axes moves the numbers to where each operation wants them.
+        # Joining two axes and splitting them again makes the array contiguous.
         columns = xp.reshape(xp.reshape(flat, (flat.shape[0], -1)), flat.shape)
         return cls(columns, start, end, surface.degrees)
 
     @property
     def count(self) -> int:
-        """How many problems there are."""
+        """The number of problems."""
         return len(self.start)
 
     @property
     def xp(self) -> Any:
-        """Namespace of the array library of the control points."""
+        """The namespace of the array library of the control points."""
         return array_api_compat.array_namespace(self.columns)
 
     @property
     def rounding(self) -> float:
-        """Error of any length by rounding of the control points."""
+        """The error that rounding of the control points causes in any length."""
         return 0.0 if _are_corners(self.start, self.end) else RESTRICTION
 
     def take(self, rows: Ints) -> "OffsetProblems":
-        """Some of the problems."""
+        """Return some of the problems."""
         columns = self.xp.take(self.columns, constant(rows, self.columns, self.xp), axis=2)
         return OffsetProblems(columns, self.start[rows], self.end[rows], self.degrees)
 
     def parameters(self, times: Array, offset: Any) -> list[Any]:
-        """U and v of the whole patches at times, for offsets of shape (times, problems)."""
+        """Return u and v in the whole patches for offsets of shape (times, problems)."""
         t = constant(times[:, None], offset, self.xp)
         result = []
         for axis, sign in ((0, 1.0), (1, -1.0)):

@@ -1,8 +1,8 @@
 """Many geodesics by collocation with one unknown function each, where that serves.
 
-Nothing is iterated until it converges: each trial space gets one or two Newton steps from the path
-before. What comes out is measured and judged as everywhere, and only what passes is taken. All else
-is left to the form with two unknown functions.
+Nothing is iterated until it converges: each trial space gets one or two Newton steps from the
+previous path. The lengths are measured like all others, and only paths whose lengths are known well
+enough are kept. All others are left to the form with two unknown functions.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -28,21 +28,22 @@ from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 
-# The first guess: Newton steps from the straight line on polynomials of this degree.
+# The first guess is made by Newton steps from the straight line on polynomials of this degree.
 GUESS_DEGREE = 5
 GUESS_STEPS = 2
-# Newton steps on the first of several trial spaces, which serves most problems, and how large the
-# last may be: a second would change the paths of bodies by less than they are off for want of
-# functions, and what is left of a step is about its square, which the correction takes off.
+# The number of Newton steps on the first of several trial spaces, which serves most problems, and
+# the largest last step: a second step would change the paths of bodies by less than their error for
+# want of functions, and the error left by a step is about its square, which the correction removes.
 FIRST = (1, 1e-2)
 # The same on the spaces after it, or on a single one.
 LATER = (2, 1e-4)
 # No step moves a node further: Newton's method from a straight line may go far astray.
 LONGEST_STEP = 0.15
-# Problems in one array operation: long enough to hide the calls, short enough for the cache.
+# The number of problems in one array operation: enough to hide the cost of calls, and few enough
+# for the cache.
 CHUNK = 1024
-# Problems whose failures are gathered for the next trial space; all at once elsewhere than on the
-# CPU. This bounds the memory.
+# The number of problems whose failures are gathered for the next trial space, and that are solved
+# at once elsewhere than on the CPU. This bounds the memory.
 BLOCK = 16384
 # An offset beyond this, where the patch ends at 1, comes from a system that was nearly singular.
 MAX_OFFSET = 1.0
@@ -54,30 +55,30 @@ def solve_offsets(
     ends: tuple[Array, Array],
     tolerance: float,
 ) -> MethodResult:
-    """Geodesics that run across their straight line as a graph, those of the batch that do.
+    """Return those geodesics of a batch that run along their straight line as a graph over it.
 
     Parameters
     ----------
     spaces : sequence of callable
-        Makers of the trial spaces, tried in turn.
+        Functions that make the trial spaces, which are tried in turn.
     surface : BezierSurfaces
-        Of size 1. Their control points may live in any array library and on any device.
+        Patches of size 1. Their control points may be of any array library and on any device.
     ends : tuple of ndarray
         Start and end, both of shape (problems, 2).
     tolerance : float
-        Relative error of the length that is asked for.
+        The relative error of the length that is asked for.
 
     Returns
     -------
     MethodResult
-        Its batches hold only the problems that are solved.
+        Its batches hold only the problems that were solved.
     """
     start, end = ends
     iterations = np.zeros(len(start), np.int64)
     batches: dict[TrialSpace, list[PathBatch]] = {}
-    # Between points on one line of u or v there is nothing to run across.
+    # The straight line between points on one line of u or v has no width to be a graph in.
     across = np.flatnonzero((start != end).all(axis=1))
-    # A system without a solution ends in numbers that are not finite, and is left over.
+    # A system without a solution ends in numbers that are not finite, and its problem is left over.
     with np.errstate(all="ignore"):
         for rows in _slices(len(across), BLOCK):
             block = across[rows]
@@ -127,7 +128,7 @@ def _solve_block(
 
 
 def _chunks(problems: OffsetProblems, rest: Ints) -> list[tuple[slice, OffsetProblems]]:
-    """Those that are left in parts, with where in `rest` they stand."""
+    """The problems that are left, in parts, each with its place in `rest`."""
     size = CHUNK if is_on_cpu(problems.columns) else BLOCK
     if len(rest) == problems.count <= size:
         return [(slice(None), problems)]
@@ -142,7 +143,7 @@ def _guess(space: TrialSpace, problems: OffsetProblems) -> Any:
 def _newton(
     space: TrialSpace, problems: OffsetProblems, offset: Any, steps: int
 ) -> tuple[Any, Array]:
-    """Offsets at the inner nodes, shape (n - 1, problems), and how large the last step was."""
+    """The offsets at the inner nodes, shape (n - 1, problems), and the size of the last step."""
     xp = problems.xp
     coefficients = _coefficients(problems, space.nodes[1:-1])
     for _ in range(steps):
@@ -179,7 +180,7 @@ def _measured(
     values[:, :, 0], values[:, :, -1] = problems.start, problems.end
     for axis, parameter in enumerate(problems.parameters(space.nodes[1:-1], offset)):
         values[:, axis, 1:-1] = to_numpy(parameter).T
-    # Those come from differences of neighboring control points, which this form never sees.
+    # Steep lengths need differences of neighboring control points, which this form does not use.
     good = length.is_known_to(tolerance) & ~is_steep(length.raw, values)
     return PathBatch(
         np.arange(count),
@@ -193,7 +194,7 @@ def _measured(
 
 
 def _coefficients(problems: OffsetProblems, times: Array) -> Any:
-    """Polynomials in the offset, as `offset_equation` takes them."""
+    """The polynomials in the offset that the equation takes."""
     columns, xp = problems.columns, problems.xp
     matrix = constant(offset_map(problems.degrees, tuple(times.tolist())), columns, xp)
     product = matrix @ xp.reshape(columns, (columns.shape[0], -1))
@@ -201,7 +202,7 @@ def _coefficients(problems: OffsetProblems, times: Array) -> Any:
 
 
 def _inner(space: TrialSpace, times: Array) -> Array:
-    """From values at the inner nodes of functions that vanish at the ends, as `matrices`."""
+    """The maps of `matrices` for functions that vanish at the ends, from their inner nodes."""
     return _inner_at(space, tuple(times.tolist()))
 
 
@@ -211,14 +212,14 @@ def _inner_at(space: TrialSpace, times: tuple[float, ...]) -> Array:
 
 
 def _slices(count: int, size: int) -> Iterator[slice]:
-    """The range of a number of problems in parts of nearly equal size, at most `size`."""
+    """Yield the range of a number of problems in nearly equal parts of at most a size."""
     edges = np.linspace(0, count, -(-count // size) + 1).astype(int)
     for first, last in pairwise(edges):
         yield slice(int(first), int(last))
 
 
 def _joined(batches: Sequence[PathBatch]) -> PathBatch:
-    """One batch of several on the same space."""
+    """One batch made of several on the same space."""
     return PathBatch(
         np.concatenate([batch.problems for batch in batches]),
         batches[0].space,

@@ -37,16 +37,16 @@ def collocate(
     Parameters
     ----------
     spaces : sequence of callable
-        Makers of the trial spaces, in the order in which they are tried; called when needed.
+        Functions that make the trial spaces when they are needed, in the order of their use.
     surface : Surface
     ends : tuple of ndarray
-        Start and end, both of shape (problems, 2).
+        The starts and the ends, both of shape (problems, 2).
     tolerance : float
-        Relative error of the length that is asked for.
+        The relative error of the length that is asked for.
     form : {"fast", "full"}
-        Fast: first by `offset_form`, with one unknown function for a path, which serves Bezier
-        patches and paths that run across their straight line; then, for those that are left, with
-        two. Full: with two at once.
+        "fast" first solves with one unknown function for a path, as in `graph.solve`, which serves
+        Bezier patches and paths that are graphs over their straight line, and then with two for
+        those that are left; "full" solves with two at once.
     """
     if form == "full" or not isinstance(surface, BezierSurfaces):
         return solve_on_spaces(spaces, surface, ends, tolerance=tolerance)

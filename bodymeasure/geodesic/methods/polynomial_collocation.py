@@ -22,26 +22,34 @@ LEAST_DEGREE = 2
 class PolynomialCollocation:
     """Collocation with polynomials at Chebyshev-Lobatto points.
 
-    The equations, Newton's method and the judgement of the length are those of `RBFCollocation`;
-    only the trial space is another, so that what the radial functions add or cost can be told.
+    The equations, Newton's method and the error estimate are those of `RBFCollocation`. Only the
+    trial space is another, which shows what the radial functions add or cost.
     The error falls exponentially with the degree (L. N. Trefethen, *Spectral Methods in MATLAB*,
     chapters 4 to 6 and 13). Rounding errors grow with the fourth power of the degree in the
-    equations; past some 60 nothing is won.
+    equations; past some 60 nothing is gained.
 
     Parameters
     ----------
     degrees : int or sequence of int
         The polynomials' degree, at least 2; several are tried in turn.
     tolerance : float
-        Relative error of the length that is asked for.
+        The relative error of the length that is asked for.
     form : {"fast", "full"}
-        Fast: with one unknown function a path where that serves, several times as fast. Full: with
-        u and v as two everywhere.
+        "fast" solves for one unknown function where that serves, which is several times as fast;
+        "full" solves for u and v everywhere.
 
     Raises
     ------
     InputError
         If a setting makes no sense.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> net = bm.load_sample("paraboloid").control_points[0]
+    >>> method = bm.PolynomialCollocation(degrees=(10, 20))
+    >>> round(bm.solve_geodesic(net, (0, 0), (1, 1), method=method).length, 8)
+    2.56200714
     """
 
     degrees: int | Sequence[int] = DEGREES
@@ -54,7 +62,7 @@ class PolynomialCollocation:
         check_positive("tolerance", self.tolerance)
 
     def solve(self, surface: Surface, start: Array, end: Array) -> MethodResult:
-        """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
+        """Return paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
         makers = [
             partial(polynomial_space, n)
             for n in whole_numbers("degrees", self.degrees, LEAST_DEGREE)

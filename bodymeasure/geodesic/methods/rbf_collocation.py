@@ -17,9 +17,9 @@ from bodymeasure.geodesic.spaces.rbf import rbf_space
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# Numbers of functions that are tried in turn. Even, so that symmetric centers and collocation
-# points give a regular system. 8 functions serve 9 of 10 diagonals of a body, 12 nearly all of the
-# rest (tests/benchmarks/patches/rbf_convergence.py).
+# The numbers of functions that are tried in turn. They are even, so that symmetric centers and
+# collocation points give a regular system. 8 functions serve 9 of 10 diagonals of a body, 12 nearly
+# all of the rest (tests/benchmarks/patches/rbf_convergence.py).
 FUNCTIONS = (8, 12, 16, 20)
 # With more functions than the kernel's degree, this many centers stay outside [0, 1].
 OUTER_CENTERS = 8
@@ -33,36 +33,45 @@ class RBFCollocation:
 
     ``u(t) = a_0 + sum a_i phi(|t - c_i| / r)``, and v alike, meet the geodesic equations at the
     collocation points and the end conditions at t = 0 and 1. Newton's method solves for the nodal
-    values, from a straight line in (u, v); the length is measured, corrected and judged by the
-    residual between the collocation points (`length_error`); where the estimate is not under the
-    tolerance, the same is done with more functions, from the path found so far.
+    values, from a straight line in (u, v). The length is measured and corrected, and its error
+    estimated, by the residual between the collocation points (`lengths.measure`). Where the
+    estimate is not under the tolerance, the same is done with more functions, from the path found
+    so far.
 
     Parameters
     ----------
     kernel : Kernel
         Wu's functions `WU_C2` (the paper's), `WU_C4`, `WU_C6`, `WU_C10`, or any other.
     functions : int or sequence of int
-        How many functions, N; several are tried in turn. Ignored if centers are given.
+        The number N of functions; several are tried in turn. It is ignored if centers are given.
     centers : sequence of float, optional
         The c_i. By default half of them lie on each side outside (0, 1), as the paper's 1 and 1.5
         do; there the functions are single polynomials on [0, 1], and convergence is spectral, as
-        long as there are fewer of them than the kernel's degree. Of more functions than that, the
-        rest lie inside at Chebyshev points, and convergence is algebraic.
+        long as there are fewer of them than the kernel's degree. If there are more, the rest lie
+        inside at Chebyshev points, and convergence is algebraic.
     collocation_points : sequence of float, optional
         N - 1 points in (0, 1), by default Chebyshev-Lobatto points. They are moved if the system
         is degenerate on them.
     support_radius : float
         The r above; 2 in the paper.
     tolerance : float
-        Relative error of the length that is asked for.
+        The relative error of the length that is asked for.
     form : {"fast", "full"}
-        Fast: with one unknown function a path where that serves, several times as fast. Full: with
-        u and v as two everywhere.
+        "fast" solves for one unknown function where that serves, which is several times as fast;
+        "full" solves for u and v everywhere.
 
     Raises
     ------
     InputError
         If a setting makes no sense.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> net = bm.load_sample("paraboloid").control_points[0]
+    >>> method = bm.RBFCollocation(bm.WU_C6, functions=(8, 12, 16))
+    >>> round(bm.solve_geodesic(net, (0, 0), (1, 1), method=method).length, 8)
+    2.56200714
     """
 
     kernel: Kernel = WU_C10
@@ -95,7 +104,7 @@ class RBFCollocation:
 
     @property
     def spaces(self) -> Iterator[TrialSpace]:
-        """The trial spaces that are tried in turn, made when they are needed."""
+        """The trial spaces that are tried in turn, each made when it is needed."""
         return map(self._space, self._counts)
 
     def _space(self, count: int) -> TrialSpace:
@@ -108,13 +117,13 @@ class RBFCollocation:
         )
 
     def solve(self, surface: Surface, start: Array, end: Array) -> MethodResult:
-        """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
+        """Return paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
         makers = [partial(self._space, count) for count in self._counts]
         return collocate(makers, surface, (start, end), tolerance=self.tolerance, form=self.form)
 
 
 def default_centers(kernel: Kernel, count: int) -> Array:
-    """Centers for a number of functions; see `RBFCollocation`."""
+    """Return the centers for a number of functions; see `RBFCollocation`."""
     outer = count if count < kernel.degree else OUTER_CENTERS
     left = outer // 2
     reach = REACH / max(left, 1)
@@ -124,7 +133,7 @@ def default_centers(kernel: Kernel, count: int) -> Array:
 
 
 def chebyshev_points(count: int) -> Array:
-    """The inner Chebyshev-Lobatto points of [0, 1]."""
+    """Return the inner Chebyshev-Lobatto points of [0, 1]."""
     return np.asarray(0.5 - 0.5 * np.cos(np.pi * np.arange(1, count + 1) / (count + 1)))
 
 

@@ -35,19 +35,27 @@ class Relaxation:
     O(h^4), and the correction takes most of that away.
 
     The path between the mesh points, a quintic spline, is put on polynomials, and its length is
-    measured and judged as with the other methods; their degree is the solution's `functions`.
+    measured as with the other methods; their degree is the solution's `functions`.
 
     Parameters
     ----------
     points : int
-        Of the mesh, with both ends; at least 7.
+        The number of points of the mesh, with both ends; at least 7.
     tolerance : float
-        Relative error of the length that is asked for.
+        The relative error of the length that is asked for.
 
     Raises
     ------
     InputError
         If a setting makes no sense.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> net = bm.load_sample("paraboloid").control_points[0]
+    >>> method = bm.geodesic.Relaxation(points=257)
+    >>> round(bm.solve_geodesic(net, (0, 0), (1, 1), method=method).length, 8)
+    2.56200714
     """
 
     points: int = POINTS
@@ -60,7 +68,7 @@ class Relaxation:
         check_positive("tolerance", self.tolerance)
 
     def solve(self, surface: Surface, start: Array, end: Array) -> MethodResult:
-        """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
+        """Return paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
         mesh = np.linspace(0.0, 1.0, self.points)
         # Moves away from the start: however close the ends, differences of these are exact.
         moves = straight(0.0 * start, end - start, mesh)

@@ -28,7 +28,7 @@ def _is_between(value: Any, least: float, most: float) -> bool:
 
 
 def whole_numbers(name: str, value: int | Sequence[int], least: int) -> tuple[int, ...]:
-    """One whole number, or several to be tried in turn, as a tuple.
+    """Return one whole number, or several to be tried in turn, as a tuple.
 
     Raises
     ------

@@ -12,7 +12,7 @@ from bodymeasure.geodesic.solving.protocol import MethodResult
 from bodymeasure.geodesic.solving.resampled import Path, resampled
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# The length of a path is off by the square of what the path is: half the digits are enough.
+# The error of a length is about the square of that of its path, so that half the digits are enough.
 RTOL = 1e-8
 # scipy does not go below this.
 LEAST_RTOL = 1e-13
@@ -26,7 +26,7 @@ MAX_SHOTS = 30
 # A correction of the aim this many times halved leads nowhere.
 SMALLEST_STEP = 2.0**-8
 # Where a geodesic gets so far outside [0, 1] in u or v, it is followed no further.
-LOST = 1.0
+FARTHEST_OUTSIDE = 1.0
 # All shots of a problem may take this many evaluations, ten times the usual.
 MAX_EVALUATIONS = 5_000
 
@@ -40,25 +40,33 @@ class Shooting:
     changes. That gives Newton's method exact derivatives of where the path arrives (H. B. Keller,
     *Numerical Methods for Two-Point Boundary-Value Problems*, chapter 2).
     The first velocity is that of the straight line in (u, v). The path is then put on polynomials,
-    and its length is measured and judged as with the other methods; their degree is the solution's
+    and its length is measured as with the other methods; their degree is the solution's
     `functions`.
 
     There is no trial space to be chosen and none that could be too small; but every problem is
-    integrated for itself, a thousand times slower than collocation. And where geodesics spread
+    integrated by itself, a thousand times slower than collocation. Where geodesics spread
     quickly (negative curvature), or near a conjugate point, Newton's method may not find the
-    direction, though a first shot that gets lost is made shorter: ``NOT_CONVERGED``.
+    direction, though a first shot that strays is made shorter: ``NOT_CONVERGED``.
 
     Parameters
     ----------
     rtol : float
-        Relative tolerance of a step of the integration, 1e-13 to 1.
+        The relative tolerance of a step of the integration, from 1e-13 to 1.
     tolerance : float
-        Relative error of the length that is asked for.
+        The relative error of the length that is asked for.
 
     Raises
     ------
     InputError
         If a setting makes no sense.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> net = bm.load_sample("paraboloid").control_points[0]
+    >>> method = bm.geodesic.Shooting(rtol=1e-8)
+    >>> round(bm.solve_geodesic(net, (0, 0), (1, 1), method=method).length, 8)
+    2.56200714
     """
 
     rtol: float = RTOL
@@ -69,7 +77,7 @@ class Shooting:
         check_positive("tolerance", self.tolerance)
 
     def solve(self, surface: Surface, start: Array, end: Array) -> MethodResult:
-        """Paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
+        """Return paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
         paths: list[Path | None] = []
         shots = np.zeros(len(start), np.int64)
         for problem in range(len(start)):
@@ -89,7 +97,7 @@ class _Shot:
     path: Path
 
 
-class _LostError(Exception):
+class _StrayError(Exception):
     """A geodesic that takes too long."""
 
 
@@ -109,7 +117,7 @@ class _Motion:
         """Derivative of a state by t."""
         self.evaluations += 1
         if self.evaluations > MAX_EVALUATIONS or not np.isfinite(state).all():
-            raise _LostError
+            raise _StrayError
         place, velocity = state[:2], state[2:4]
         change, change_velocity = state[4:].reshape(2, 2, 2)
         jet = self.surface.jet(place[None, None], 3)[:, :, 0, 0]
@@ -141,20 +149,20 @@ def _newton(
     start, end = ends
     close = HIT * rtol * float(np.abs(end - start).max())
     direction: Array = np.zeros(2)
-    step, missed = 1.0, np.inf
+    step, least_miss = 1.0, np.inf
     for count in range(1, MAX_SHOTS + 1):
         trial = velocity + step * direction
         shot = _shoot(motion, start, trial, rtol)
         miss = np.inf if shot is None else float(np.linalg.norm(shot.target - end))
-        if shot is None or miss >= missed:
+        if shot is None or miss >= least_miss:
             step *= 0.5
-            if missed == np.inf:
+            if least_miss == np.inf:
                 # Not even the first shot has arrived: try one that does not go so far.
                 velocity = 0.5 * velocity
             if step < SMALLEST_STEP or motion.evaluations > MAX_EVALUATIONS:
                 return velocity, None, count
             continue
-        velocity, missed = trial, miss
+        velocity, least_miss = trial, miss
         if miss <= close:
             return velocity, shot.path, count
         try:
@@ -167,14 +175,14 @@ def _newton(
 
 
 def _shoot(motion: _Motion, start: Array, velocity: Array, rtol: float) -> _Shot | None:
-    """Integrate from t = 0 to 1; None if the path gets lost."""
+    """Integrate from t = 0 to 1; None if the path strays."""
     # Imported here, since it takes some 30 ms to load and no other method needs it.
     from scipy.integrate import solve_ivp
 
-    def is_lost(_: float, state: Array) -> float:
-        return float(0.5 + LOST - np.abs(state[:2] - 0.5).max())
+    def is_outside(_: float, state: Array) -> float:
+        return float(0.5 + FARTHEST_OUTSIDE - np.abs(state[:2] - 0.5).max())
 
-    is_lost.terminal = True  # type: ignore[attr-defined]
+    is_outside.terminal = True  # type: ignore[attr-defined]
     # (u, v), its velocity, and both changed by the first velocity's u' and by its v'.
     first = np.concatenate([start, velocity, np.zeros(4), np.eye(2).ravel()])
     try:
@@ -187,9 +195,9 @@ def _shoot(motion: _Motion, start: Array, velocity: Array, rtol: float) -> _Shot
                 rtol=rtol,
                 atol=ABSOLUTE * rtol,
                 dense_output=True,
-                events=is_lost,
+                events=is_outside,
             )
-    except (_LostError, np.linalg.LinAlgError):
+    except (_StrayError, np.linalg.LinAlgError):
         return None
     if result.status != 0:
         return None

@@ -1,4 +1,4 @@
-"""Arrays of other libraries than numpy, by the Python array API standard."""
+"""Arrays of libraries other than numpy, by the Python array API standard."""
 
 from typing import Any
 
@@ -8,19 +8,19 @@ from numpy.typing import NDArray
 
 
 def constant(values: NDArray[Any], like: Any, xp: Any) -> Any:
-    """A numpy array as one of another library, on the device where the array `like` lives."""
+    """Return a numpy array as one of the library, and on the device, of the array `like`."""
     if isinstance(like, np.ndarray):
         return values
     return xp.asarray(values, device=array_api_compat.device(like))
 
 
 def to_numpy(array: Any) -> NDArray[Any]:
-    """An array of any library as one of numpy, on the CPU."""
+    """Return an array of any library as one of numpy, on the CPU."""
     if isinstance(array, np.ndarray):
         return array
     return np.asarray(array_api_compat.to_device(array, "cpu"))
 
 
 def is_on_cpu(array: Any) -> bool:
-    """Whether an array lives in the memory of the CPU."""
+    """Return whether an array lives in the memory of the CPU."""
     return isinstance(array, np.ndarray) or "cpu" in str(array_api_compat.device(array)).lower()

@@ -15,9 +15,9 @@ from bodymeasure._typing import Array, Ints
 
 
 class _Sweep(NamedTuple):
-    """What one sweep made of the rows 0, 2, 4, ..., which it eliminated.
+    """The rows 0, 2, 4, ... that one sweep eliminated.
 
-    Their inverse pivots, and these times the couplings to the kept rows before and after them.
+    It holds their inverse pivots, and these times the couplings to the kept rows before and after.
     """
 
     inverse: Array
@@ -33,14 +33,14 @@ class Factors:
     ----------
     sweeps : list of _Sweep
     negative : ndarray of int, shape (systems,)
-        How many eigenvalues are below zero. At least 1 where a matrix is singular or not finite.
+        The number of eigenvalues below zero; at least 1 where a matrix is singular or not finite.
     """
 
     sweeps: list[_Sweep]
     negative: Ints
 
 
-# A pivot of zero leaves what is not finite, and counts as negative.
+# A pivot of zero leaves numbers that are not finite, and counts as negative.
 @np.errstate(over="ignore", divide="ignore", invalid="ignore")
 def factorize(diagonal: Array, lower: Array) -> Factors:
     """Eliminate all rows of a batch of matrices.
@@ -57,7 +57,7 @@ def factorize(diagonal: Array, lower: Array) -> Factors:
     while diagonal.shape[2]:
         inverse, signs = _inverses(diagonal[:, :, ::2])
         negative += signs.sum(axis=0)
-        # Of the eliminated rows but the first; and of those that have a row after them.
+        # All eliminated rows but the first have a row before them; some have one after them.
         to_before, to_after = lower[:, :, 1::2], _transposed(lower[:, :, ::2])
         before = _product(inverse[:, :, 1:], to_before)
         after = _product(inverse[:, :, : to_after.shape[2]], to_after)
@@ -71,7 +71,7 @@ def factorize(diagonal: Array, lower: Array) -> Factors:
 
 @np.errstate(over="ignore", invalid="ignore")
 def solve(factors: Factors, right: Array) -> Array:
-    """The solutions for right-hand sides of shape (2, k, systems)."""
+    """Return the solutions for right-hand sides of shape (2, k, systems)."""
     rights = [right]
     for _, before, after in factors.sweeps:
         eliminated, kept = rights[-1][:, ::2], rights[-1][:, 1::2].copy()
@@ -91,7 +91,7 @@ def solve(factors: Factors, right: Array) -> Array:
 
 
 def _inverses(blocks: Array) -> tuple[Array, Ints]:
-    """Inverses of symmetric blocks, and how many of their eigenvalues are not positive."""
+    """The inverses of symmetric blocks, and how many of their eigenvalues are not positive."""
     (a, b), (_, c) = blocks
     determinant = a * c - b * b
     inverse: Array = np.stack([c, -b, -b, a]).reshape(blocks.shape) / determinant
@@ -109,7 +109,7 @@ def _product(a: Array, b: Array) -> Array:
 
 
 def apply(blocks: Array, vectors: Array) -> Array:
-    """Products of blocks, shape (2, 2, k, systems), with vectors of shape (2, k, systems)."""
+    """Return products of blocks, (2, 2, k, systems), with vectors of shape (2, k, systems)."""
     result: Array = blocks[:, 0] * vectors[0]
     result += blocks[:, 1] * vectors[1]
     return result

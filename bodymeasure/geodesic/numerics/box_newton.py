@@ -9,18 +9,18 @@ import numpy as np
 from bodymeasure._typing import Array, Bools
 from bodymeasure.geodesic.numerics.banded import BoxModels
 
-# Steps at most. From straight lines, three to fifteen are usual; the rest is for bad routes.
+# The most steps. From straight lines, three to fifteen are usual; the rest is for bad routes.
 MAX_STEPS = 80
 # At rest when a step would lower the value by less than this part: the next one would, since
 # Newton's method squares its error, lower it by far less than rounding.
 REST = 1e-14
-# With no more damping than this such a step tells of rest, too: there is none to be had where the
-# Hessian is singular, as by where a path that runs along a seam changes sides.
+# With at most this damping such a step shows rest, too: no undamped step exists where the Hessian
+# is singular, as in the place where a path that runs along a seam changes sides.
 REST_DAMPING = 1e-4
-# What a value may rise by rounding, relative.
+# The part of itself by which a value may rise through rounding.
 ROUNDING = 2e-15
-# Damping, as a part of the Hessian's diagonal: first value, factors after a good and a bad step,
-# the value below which it is none, and that past which no step helps.
+# Damping, as a part of the Hessian's diagonal: its first value, its factors after a good and a bad
+# step, the value below which it is zero, and that past which no step helps.
 FIRST, LESS, MORE, LEAST, MOST = 1e-4, 0.1, 8.0, 1e-8, 1e8
 
 
@@ -42,16 +42,16 @@ class SecondOrder(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class BoxMinimum:
-    """Where Newton's method came to rest.
+    """The place where Newton's method came to rest.
 
     Parameters
     ----------
     unknowns : ndarray, shape (unknowns,)
     value : float
     held : ndarray of bool, shape (unknowns,)
-        Those on a bound that the gradient presses outwards.
+        The unknowns on a bound to which the gradient presses them.
     converged : bool
-        Whether a step that is damped little or not would change nothing.
+        Whether a step with little or no damping would change nothing.
     iterations : int
     bands : ndarray
         The Hessian's lower bands there.
@@ -71,20 +71,20 @@ def minimize_in_box(
     idle: Bools,
     most_steps: int = MAX_STEPS,
 ) -> BoxMinimum:
-    """A local minimum over [0, 1]^k.
+    """Find a local minimum over [0, 1]^k.
 
-    Steps with the exact Hessian, damped as by Levenberg and Marquardt, each to the minimum of the
-    quadratic model in the box.
+    Each step leads to the minimum, in the box, of the quadratic model with the exact Hessian,
+    damped as by Levenberg and Marquardt.
 
     Parameters
     ----------
     expand : callable
     start : ndarray, shape (unknowns,)
-        Within the box.
+        A place within the box.
     idle : ndarray of bool, shape (unknowns,)
         Unknowns that stay as they are.
     most_steps : int
-        Steps at most.
+        The most steps.
     """
     place, here, damping = start, expand(start), FIRST
     converged, iterations = False, 0

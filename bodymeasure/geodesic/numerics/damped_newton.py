@@ -8,15 +8,15 @@ import numpy as np
 from bodymeasure._typing import Array
 
 # A Newton step smaller than this part of the way from start to end is the last one: the next would
-# be about its square, and the length, which is stationary, off by the square of that again. What
-# the path then really is worth is measured afterwards, from its residual between the nodes.
+# be about its square, and the error of the length, which is stationary, the square of that again.
+# How good the path really is, is measured afterwards by its residual between the nodes.
 LAST_STEP = 1e-4
 # A step this many times halved leads nowhere.
 SMALLEST_STEP = 2.0**-8
 # No step moves a node further than this in a parameter: the equations say nothing out there.
 LONGEST_STEP = 0.5
-# Of the system, whole and halved steps together. From polygons, legs that have a solution take 3 to
-# 12, a few up to 25; those that have none took 100.
+# The most evaluations of the system, for whole and halved steps together. From polygons, legs that
+# have a solution take 3 to 12, a few up to 25; those that have none took 100.
 MOST_EVALUATIONS = 40
 
 
@@ -39,13 +39,13 @@ def damped_newton(
     Parameters
     ----------
     system : callable
-        From unknowns to the equations' left sides and their derivatives.
+        A function from unknowns to the equations' left sides and their derivatives.
     direction : callable
-        From these to Newton's direction, of the shape of the unknowns; not finite if the system is
-        singular.
+        A function from these to Newton's direction, of the shape of the unknowns, which is not
+        finite if the system is singular.
     guess : ndarray
     span : float
-        What the last step is small beside.
+        The size beside which the last step is small.
 
     Returns
     -------

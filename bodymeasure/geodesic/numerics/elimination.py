@@ -1,7 +1,7 @@
 """Gaussian elimination of many small systems at once: the batch runs along the last axis.
 
-Every step is one operation on arrays as long as the batch. None assigns to a part of an array, so
-that arrays of any library serve (the Python array API standard); ``-=`` works in place where the
+Every step is one operation on arrays as long as the batch. No step assigns to a part of an array,
+so that arrays of any library serve (the Python array API standard); ``-=`` works in place where the
 library does, and makes a new array elsewhere.
 """
 
@@ -15,9 +15,9 @@ from scipy.linalg import cho_solve
 from bodymeasure._typing import Ints
 from bodymeasure.geodesic.numerics.array_libraries import constant
 
-# Up to so many systems, calls cost more than arithmetic.
+# For up to so many systems, calls cost more than arithmetic.
 FEW = 64
-# Of systems as large as this, few are solved one by one.
+# If systems are as large as this, a few of them are solved one by one.
 LARGE = 48
 
 
@@ -52,13 +52,13 @@ def solve_batch(matrix: Any, right: Any, xp: Any) -> Any:
 
 
 class SymmetricSolution(NamedTuple):
-    """Solutions of symmetric systems, and what elimination tells of the matrices.
+    """The solutions of symmetric systems, and the pivots of the matrices.
 
     Parameters
     ----------
     solution : array, shape (n, problems)
     pivots : array, shape (n, problems)
-        As many are negative as eigenvalues are: Sylvester's law of inertia.
+        As many of them are negative as eigenvalues are (Sylvester's law of inertia).
     """
 
     solution: Any
@@ -81,7 +81,7 @@ def solve_symmetric(triangle: Any, right: Any, xp: Any) -> SymmetricSolution:
 
 
 def _one_by_one(triangle: Any, right: Any, xp: Any) -> SymmetricSolution:
-    """By Cholesky factorization; systems that are not positive definite by elimination."""
+    """Solve by Cholesky factorization, or by elimination what is not positive definite."""
     solution, pivots = np.empty_like(right), np.empty_like(right)
     size, count = right.shape
     columns, rows = np.triu_indices(size)
@@ -113,7 +113,7 @@ def _eliminated(triangle: Any, right: Any, xp: Any) -> SymmetricSolution:
 
 
 def _by_column(triangle: Any, right: Any, xp: Any) -> Iterator[tuple[Any, Any]]:
-    """Pivots, and what stands below them divided by them: half the arithmetic, more calls."""
+    """Yield pivots and the entries below them divided by them: half the arithmetic, more calls."""
     # The right side stands below each column as one more row of the matrix.
     columns, first = [], 0
     for j, size in enumerate(range(right.shape[0], 0, -1)):
@@ -127,7 +127,7 @@ def _by_column(triangle: Any, right: Any, xp: Any) -> Iterator[tuple[Any, Any]]:
 
 
 def _at_once(triangle: Any, right: Any, xp: Any) -> Iterator[tuple[Any, Any]]:
-    """The same by one operation a pivot on all that is left of the matrix."""
+    """Yield the same by one operation for each pivot on all that is left of the matrix."""
     size = right.shape[0]
     square = xp.take(triangle, constant(_places(size), triangle, xp), axis=0)
     matrix = xp.concat([xp.reshape(square, (size, size, -1)), right[None, :, :]])
@@ -141,7 +141,7 @@ def _at_once(triangle: Any, right: Any, xp: Any) -> Iterator[tuple[Any, Any]]:
 
 @lru_cache
 def _places(size: int) -> Ints:
-    """Of each entry of a symmetric matrix, in its packed triangle; flattened."""
+    """The place of each entry of a symmetric matrix in its packed triangle, flattened."""
     places = np.zeros((size, size), np.int64)
     columns, rows = np.triu_indices(size)
     places[rows, columns] = places[columns, rows] = np.arange(len(rows))

@@ -10,31 +10,31 @@ from bodymeasure.geodesic.numerics.banded import BoxModels
 from bodymeasure.geodesic.shortest.polygon_energy import PolygonEnergy, polygon_energy
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# Newton steps at most. Nearly all paths take 6 to 15.
+# The most Newton steps; nearly all paths take 6 to 15.
 MAX_STEPS = 60
 # A path is at rest when a step would lower its energy by less than this part.
 REST = 5e-12
-# Damping, as a part of the metric: first value, factors after a good and a bad step, and the
-# value past which no step helps.
+# Damping, as a part of the metric: its first value, its factors after a good and a bad step, and
+# the value past which no step helps.
 FIRST_DAMPING, LESS, MORE, MOST = 1e-3, 0.2, 8.0, 1e8
 
 
 def descend(surface: Surface, start: Array) -> Array:
     """Minimize the energy of polygons on patches, their ends fixed, every point in the patch.
 
-    Newton steps with the exact Hessian, damped as by Levenberg and Marquardt, each to the minimum
-    of the quadratic model in the box. Polygons that are at rest drop out of the work.
+    Each Newton step leads to the minimum, in the box, of the quadratic model with the exact
+    Hessian, damped as by Levenberg and Marquardt. Polygons that are at rest drop out of the work.
 
     Parameters
     ----------
     surface : Surface
     start : ndarray, shape (polygons, m + 1, 2)
-        Put into [0, 1] if they are not.
+        The polygons, which are put into [0, 1] if they are not.
 
     Returns
     -------
     ndarray, shape (polygons, m + 1, 2)
-        (u, v), all in [0, 1], and exactly 0 or 1 where an edge of the patch holds them.
+        Points (u, v) in [0, 1], with coordinates of exactly 0 or 1 where an edge holds them.
     """
     result = np.clip(start, 0.0, 1.0)
     active = np.arange(len(result))

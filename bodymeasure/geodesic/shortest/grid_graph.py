@@ -26,7 +26,7 @@ class Trees(NamedTuple):
     ----------
     distance : ndarray, shape (2, problems, LINES^2)
     before : ndarray of int, shape (2, problems, LINES^2)
-        The point before on the way; LINES^2 for the end itself.
+        The previous point on the way; LINES^2 for the end itself.
     """
 
     distance: Array
@@ -79,7 +79,7 @@ def shortest_trees(surface: Surface, ends: Array) -> Trees:
 
 
 def grid_points() -> Array:
-    """(u, v) of the grid's points, shape (LINES^2, 2)."""
+    """Return the grid's points (u, v), shape (LINES^2, 2)."""
     return _grid().halfway[_grid().on_halfway]
 
 
@@ -138,7 +138,7 @@ def _lattice(lines: int) -> Ints:
 
 
 def _window(places: Array) -> Ints:
-    """Numbers of the grid points round places (u, v), shape (..., WINDOW^2)."""
+    """The numbers of the grid points round places (u, v), shape (..., WINDOW^2)."""
     low = np.floor(places * (LINES - 1)).astype(np.int64) - (WINDOW // 2 - 1)
     low = np.clip(low, 0, LINES - WINDOW)[..., None] + np.arange(WINDOW)
     numbers = LINES * low[..., 0, :, None] + low[..., 1, None, :]
@@ -157,7 +157,7 @@ def _joint_lengths(surface: Surface, places: Array, joined: Ints, positions: Arr
 
 
 def _lengths(begin: Array, middle: Array, end: Array) -> Array:
-    """Of polygons of two edges, their components along axis 0; infinite where not finite."""
+    """The lengths of polygons of two edges, components along axis 0; infinite if not finite."""
     first, last = middle - begin, end - middle
     result: Array = np.sqrt(dot(first, first)) + np.sqrt(dot(last, last))
     return np.where(np.isfinite(result), result, np.inf)

@@ -9,9 +9,9 @@ from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.geodesic.lengths.equations import dot
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# Part of its mean that is added to the metric, which vanishes on a collapsed edge.
+# The part of its mean that is added to the metric, which vanishes on a collapsed edge.
 REGULARIZATION = 1e-10
-# Stiffness, relative to the metric, that stands in for a coordinate that its bound holds.
+# The stiffness, relative to the metric, that stands for a coordinate that its bound holds.
 STIFF = 1e3
 
 
@@ -21,7 +21,7 @@ class PolygonEnergy:
 
     The energy of a polygon of m edges is m times the sum of their squares; its minimum has edges of
     equal length and the least length. The Hessian is block tridiagonal; on its diagonal stands the
-    metric, as the energy of a flat patch would have it, plus what comes of the surface's bending.
+    metric, as for the energy of a flat patch, plus a part that the bending of the surface makes.
 
     Parameters
     ----------
@@ -29,9 +29,9 @@ class PolygonEnergy:
     gradient : ndarray, shape (2, k, polygons)
     metric, bending : ndarray, shape (2, 2, k, polygons)
     lower : ndarray, shape (2, 2, k - 1, polygons)
-        Below the diagonal.
+        The blocks below the diagonal.
     held : ndarray of bool, shape (2, k, polygons)
-        Coordinates that their bound holds: they are on it, and pulled outwards.
+        The coordinates that their bound holds: they are on it, and pulled outwards.
     """
 
     energy: Array
@@ -42,11 +42,11 @@ class PolygonEnergy:
     held: Bools
 
     def take(self, polygons: Ints) -> Self:
-        """The energies of some of the polygons."""
+        """Return the energies of some of the polygons."""
         return type(self)(*(getattr(self, item.name)[..., polygons] for item in fields(self)))
 
     def replaced(self, polygons: Bools, other: Self) -> Self:
-        """With those of another batch put in for some of the polygons."""
+        """Return the energies with those of another batch put in for some of the polygons."""
         if polygons.all():
             return other
         return type(self)(
@@ -57,9 +57,9 @@ class PolygonEnergy:
         )
 
     def restricted_hessian(self, damping: Array | float) -> tuple[Array, Array]:
-        """Blocks on and below the diagonal of the Hessian of the coordinates that are free.
+        """Return the blocks on and below the diagonal of the Hessian of the free coordinates.
 
-        With a multiple of the metric added. Coordinates that are held stand alone in it.
+        A multiple of the metric is added. Coordinates that are held stand alone in it.
         """
         free = ~self.held
         diagonal = self.bending + (1.0 + damping) * self.metric
@@ -70,9 +70,9 @@ class PolygonEnergy:
 
 
 def polygon_lengths(surface: Surface, points: Array) -> Array:
-    """Sums of the straight distances between neighboring points: inscribed polygons' lengths.
+    """Return the lengths of inscribed polygons: sums of straight distances between neighbors.
 
-    A little less than those of the paths on the surface that the polygons stand for.
+    They are a little less than those of the paths on the surface that the polygons stand for.
     """
     steps = np.diff(surface.jet(points, 0)[0], axis=-1)
     result: Array = np.sqrt(dot(steps, steps)).sum(axis=-1)
@@ -80,9 +80,9 @@ def polygon_lengths(surface: Surface, points: Array) -> Array:
 
 
 def polygon_energy(surface: Surface, points: Array) -> PolygonEnergy:
-    """The energies of polygons with points (u, v) of shape (polygons, k + 2, 2)."""
+    """Return the energies of polygons with points (u, v) of shape (polygons, k + 2, 2)."""
     edges = points.shape[1] - 1
-    # The polygons along the last axis, where most of them are.
+    # The polygons, of which there are many, run along the last axis.
     jet = np.ascontiguousarray(surface.jet(points, 2).swapaxes(2, 3))
     step = np.diff(jet[0], axis=1)
     bend = step[:, :-1] - step[:, 1:]

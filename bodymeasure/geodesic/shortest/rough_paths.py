@@ -1,4 +1,4 @@
-"""Some different rough paths between two points of a patch, to start a search from."""
+"""Several different rough paths between two points of a patch, from which a search starts."""
 
 from functools import lru_cache
 from typing import NamedTuple
@@ -15,7 +15,7 @@ from bodymeasure.geodesic.surfaces.protocol import Surface
 WORTH = 1.1
 APART = 0.2
 MOST_PATHS = 4
-# Points halfway between the ends tell paths apart best; so near to it, in steps of the grid.
+# Paths are distinguished best by points halfway between the ends, within so many steps of the grid.
 HALFWAY = 2.0
 
 
@@ -25,9 +25,9 @@ class RoughPaths(NamedTuple):
     Parameters
     ----------
     problems : ndarray of int, shape (paths,)
-        Whose they are.
+        The problems of the polygons.
     points : ndarray, shape (paths, m + 1, 2)
-        (u, v), all edges of about the same length on the surface.
+        Points (u, v); all edges are of about the same length on the surface.
     """
 
     problems: Ints
@@ -35,10 +35,10 @@ class RoughPaths(NamedTuple):
 
 
 def rough_paths(surface: Surface, ends: Array, edges: int) -> RoughPaths:
-    """Paths that may lead to the shortest, at most `MOST_PATHS` for each problem.
+    """Return paths that may lead to the shortest, at most `MOST_PATHS` for each problem.
 
-    Every grid point stands for the shortest path through it, by way of the graph. They are taken in
-    order of length, those that pass near one taken before left out.
+    Every grid point stands for the shortest path of the graph through it. Paths are taken in order
+    of length, except those that pass near one that was taken before.
 
     Parameters
     ----------
@@ -46,12 +46,12 @@ def rough_paths(surface: Surface, ends: Array, edges: int) -> RoughPaths:
     ends : ndarray, shape (2, problems, 2)
         Starts and ends.
     edges : int
-        Of the polygons returned.
+        The number of edges of the polygons returned.
     """
     trees = shortest_trees(surface, ends)
     through = trees.distance.sum(axis=0)
     shortest = through.min(axis=1, keepdims=True)
-    # Points that no way leads to are infinitely far from both ends.
+    # Points that cannot be reached are infinitely far from both ends.
     with np.errstate(invalid="ignore"):
         balance = np.abs(trees.distance[0] - trees.distance[1])
     in_question = (balance <= HALFWAY / (LINES - 1) * shortest) & (through <= WORTH * shortest)
@@ -75,7 +75,7 @@ def rough_paths(surface: Surface, ends: Array, edges: int) -> RoughPaths:
 
 
 def _walk(before: Ints, problems: Ints, point: Ints) -> Ints:
-    """Ways from grid points back to an end, shape (problems, k); short ones stay at the end."""
+    """The ways from grid points back to an end, shape (problems, k); short ones stay at the end."""
     end = before.shape[1]
     way = [point]
     while (way[-1] < end).any():
@@ -99,7 +99,7 @@ def _near() -> Bools:
 
 
 def _places(way: Ints, end: Array) -> Array:
-    """(u, v) along ways over the grid and to an end."""
+    """The points (u, v) along ways over the grid to an end."""
     points = grid_points()
     at_end = (way == len(points))[..., None]
     return np.where(at_end, end[:, None], points[np.minimum(way, len(points) - 1)])

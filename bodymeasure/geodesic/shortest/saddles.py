@@ -1,4 +1,4 @@
-"""Which polygons at rest lie on a saddle of their energy, and which way leads down from it."""
+"""Polygons at rest on a saddle of their energy, and the directions that lead down from it."""
 
 import numpy as np
 
@@ -7,33 +7,33 @@ from bodymeasure.geodesic.numerics.block_tridiagonal import apply, factorize, so
 from bodymeasure.geodesic.shortest.polygon_energy import PolygonEnergy, polygon_energy
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# An eigenvalue below minus this part of the lowest of a flat patch's is a saddle's: more than the
-# rounding errors of a path at rest, and little enough that beyond it lie shorter paths by a part of
-# about 1e-9.
+# An eigenvalue below minus this part of the lowest one of a flat patch means a saddle. It is more
+# than the rounding errors of a path at rest, and so little that paths beyond smaller saddles are
+# shorter by a part of about 1e-9 at most.
 SADDLE = 1e-5
-# Factor between shifts that are tried until one is below all eigenvalues, and at most how many.
+# The factor between shifts that are tried until one is below all eigenvalues, and their number.
 SHIFT_FACTOR = 2.0
 MOST_SHIFTS = 24
-# Steps of inverse iteration. Any direction that leads down will do.
+# The number of steps of inverse iteration; any direction that leads down will do.
 INVERSE_ITERATIONS = 10
 
 
 def descent_directions(surface: Surface, points: Array) -> tuple[Ints, Array]:
-    """Ways along which polygons at rest can still slide down.
+    """Return the directions in which polygons at rest can still slide down.
 
     Parameters
     ----------
     surface : Surface
     points : ndarray, shape (polygons, m + 1, 2)
-        As `descend` returns them.
+        Polygons as `descend` returns them.
 
     Returns
     -------
     saddles : ndarray of int, shape (k,)
-        Those polygons whose energy's Hessian has a negative eigenvalue in the coordinates that are
-        free to move.
+        The polygons whose energy has a Hessian with a negative eigenvalue in the coordinates that
+        are free to move.
     direction : ndarray, shape (k, m + 1, 2)
-        Of each saddle about the lowest eigenvector, of size 1 where it is largest.
+        An approximation of each saddle's lowest eigenvector, of size 1 where it is largest.
     """
     energy = polygon_energy(surface, points)
     finite = np.isfinite(energy.energy)
@@ -47,7 +47,7 @@ def descent_directions(surface: Surface, points: Array) -> tuple[Ints, Array]:
 
 
 def _lowest_of_a_flat_patch(edges: int) -> float:
-    """Size of the lowest eigenvalue of a flat patch's energy, relative to the metric."""
+    """The size of the lowest eigenvalue of a flat patch's energy, relative to the metric."""
     return float(0.5 * (np.pi / edges) ** 2)
 
 
@@ -62,7 +62,7 @@ def _lowest_modes(energy: PolygonEnergy) -> Array:
             break
         shift[indefinite] *= SHIFT_FACTOR
     along = np.linspace(0.0, 1.0, count + 2)[1:-1, None]
-    # Neither symmetric nor antisymmetric, lest it have no part in the mode that is sought.
+    # It is neither symmetric nor antisymmetric, so that it has a part in the mode that is sought.
     bell = along * (1.0 - along) * (1.0 + along)
     mode = np.where(energy.held, 0.0, np.stack([bell, 0.5 * bell]))
     for _ in range(INVERSE_ITERATIONS):

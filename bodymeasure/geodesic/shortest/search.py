@@ -1,15 +1,15 @@
-"""When to look further than a method does from the straight line, and what to make of it.
+"""The search for shorter paths than a method finds from the straight line, and when it is made.
 
 Newton's method from the straight line in (u, v) finds *a* geodesic. It may leave the patch, pass a
 conjugate point, or be longer than one elsewhere. `shortest_paths` looks for the shortest inside the
 patch; the settings say for which problems:
 
 - ``straight``: for none.
-- ``quick``, the default: where the method failed, where the certificate objects, and for paths that
-  are long beside their chord: no convergence, a path outside the patch, no local minimum, more than
-  `ROUNDABOUT` chords. No path is shorter than its chord, so that the others can be too long by 15 %
-  at most. Held against 30 starts of another method, on 500 patches each of the paper's kind, of
-  sides 1 and 0.6, and symmetric about the path, it missed no shorter path
+- ``quick``, the default: where the method did not converge, the path leaves the patch or is not
+  proven to be a local minimum, and for paths longer than `ROUNDABOUT` chords. No path is shorter
+  than its chord, so that the others can be too long by 15 % at most. Compared with 30 starts of
+  another method, on 500 patches each of the paper's kind, of sides 1 and 0.6, and symmetric about
+  the path, it missed no shorter path
   (``tests/benchmarks/patches/multistart.py``). Asking the graph about every path would take fifty
   times as long as finding it.
 - ``thorough``: for all.
@@ -33,11 +33,12 @@ Search = Literal["quick", "thorough", "straight"]
 SEARCHES: tuple[Search, ...] = get_args(Search)
 
 
-# Paths longer than so many chords are searched further: of 752 diagonals of a body four at most.
-# On random patches with heights of twice their side, two proven local minima in 6000 were longer
+# Paths longer than so many chords are searched further: four of a body's 752 diagonals at most. On
+# random patches with heights of twice their side, two proven local minima in 6000 were longer
 # than others, by 0.3 and 6 %; they were 1.24 and 1.20 chords long.
 ROUNDABOUT = 1.15
-# Problems that are searched, and whose chords are calculated, at once, which bounds the memory.
+# The numbers of problems that are searched, and whose chords are calculated, at once: they bound
+# the memory.
 CHUNK = 128
 CHORDS = 16384
 
@@ -56,17 +57,17 @@ def search_further(
     search: Search,
     tolerance: float,
 ) -> MethodResult:
-    """What a method found, with shorter paths and paths inside the patch put in.
+    """Return the paths that a method found, with shorter ones, and ones inside the patch, put in.
 
     Parameters
     ----------
     surface : Surface
     ends : tuple of ndarray
-        Start and end, both of shape (problems, 2).
+        The starts and the ends, both of shape (problems, 2).
     result : MethodResult
     search : {"quick", "thorough", "straight"}
     tolerance : float
-        Relative error asked for.
+        The relative error asked for.
     """
     if search == "straight":
         return result
@@ -102,7 +103,7 @@ def search_further(
 
 
 def _is_roundabout(surface: Surface, ends: tuple[Array, Array], result: MethodResult) -> Bools:
-    """Which paths are so long, beside their chords, that a much shorter one may be."""
+    """Which paths are so long, beside their chords, that there may be much shorter ones."""
     length = np.empty(len(ends[0]))
     for batch in result.batches:
         length[batch.problems] = batch.length.corrected
@@ -111,19 +112,19 @@ def _is_roundabout(surface: Surface, ends: tuple[Array, Array], result: MethodRe
         chunk = np.arange(first, min(first + CHORDS, len(chord)))
         places = surface.take(chunk).positions(np.stack([end[chunk] for end in ends], axis=1))
         chord[chunk] = np.linalg.norm(places[:, 1] - places[:, 0], axis=1)
-    # Not "longer", so that what is not a number is looked at too.
+    # Not `longer` but `not shorter`, so that NaN counts too.
     return np.asarray(~(length <= ROUNDABOUT * chord))
 
 
 def is_outside(batch: PathBatch) -> Bools:
-    """Which paths leave their patch. Of those along edges, each leg was looked at by itself."""
+    """Return which paths leave their patch; the legs of those along edges are checked already."""
     if batch.contacts:
         return np.zeros(len(batch.problems), bool)
     return batch.space.leaves_patch(batch.values, OUTSIDE)
 
 
 def _taken(result: MethodResult, place: Ints) -> list[PathBatch]:
-    """The paths of some problems, given by their batches and rows, numbered anew."""
+    """The paths of some problems, given by their batches and rows, with new numbers."""
     numbers, rows = place
     return [
         result.batches[number]
@@ -134,7 +135,7 @@ def _taken(result: MethodResult, place: Ints) -> list[PathBatch]:
 
 
 def _known(batches: list[PathBatch], good: Bools) -> KnownPaths:
-    """Paths as the search wants them, and the lengths of those that are good."""
+    """The paths in the form that the search takes, with the lengths of those that are good."""
     times = np.linspace(0.0, 1.0, EDGES + 1)
     points, length = np.empty((len(good), EDGES + 1, 2)), np.empty(len(good))
     for batch in batches:
