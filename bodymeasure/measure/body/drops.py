@@ -35,7 +35,7 @@ ROUNDING = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Drop:
-    """A length in a vertical plane, from a place to a level.
+    """A length along the surface in a vertical plane, from a place to a level.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ class Drop:
 def vertical_drop(
     atlas: Atlas, start: Location, level: Location, *, plane: Literal["median", "side"] = "median"
 ) -> Drop:
-    """Length along the surface in a vertical plane, from a place to the height of another one.
+    """Return the length along the surface in a vertical plane, from a place to another's height.
 
     Parameters
     ----------
@@ -135,7 +135,7 @@ def vertical_drop(
 def _direct_way(
     section: PlaneSection, first: Array, last: Array, forth: Array, word: str
 ) -> tuple[SectionLoop, SectionLoop]:
-    """The way from the first point in a direction to the height of the last, and all its curve."""
+    """Return the way from the first point to the height of the last, and its whole curve."""
     loop = section.nearest(first)
     far = float((last - first) @ forth)
     ways: list[tuple[SectionLoop, SectionLoop]] = []
@@ -168,7 +168,7 @@ def _direct_way(
 
 
 def _reached(arc: SectionLoop, last: Array, forth: Array, rounding: float) -> float | None:
-    """The first place at which an arc reaches a level, if it does."""
+    """Return the first place at which an arc reaches a level, if it does."""
     places = sign_changes(arc, lambda x: (x - last) @ forth)
     if len(places):
         return float(places[0])
@@ -178,10 +178,10 @@ def _reached(arc: SectionLoop, last: Array, forth: Array, rounding: float) -> fl
 
 
 def _turn(section: PlaneSection, arc: SectionLoop, middle: Array, forth: Array) -> float | None:
-    """Positive if the body lies to the left of an arc in the plane's frame, else negative.
+    """Return a positive number if the body lies to the left of an arc in the plane's frame.
 
-    Along the horizontal line at a height, one goes into the body and out of it by turns; None if
-    never out.
+    The number is negative if the body lies to the right. The horizontal line at a height enters and
+    leaves the body by turns; None is returned if it does not leave it.
     """
 
     def height(positions: Array) -> Array:
@@ -196,5 +196,5 @@ def _turn(section: PlaneSection, arc: SectionLoop, middle: Array, forth: Array) 
     own = arc.positions_at(sign_changes(arc, height)[:1])[0] @ along
     enters = np.abs(np.sort(crossings) - own).argmin() % 2 == 0
     inwards = along if enters else -along
-    # Seen in the frame, whose two vectors and the normal are right-handed.
+    # The frame's two vectors and the normal are right-handed.
     return float(np.cross(forth, inwards) @ section.plane.normal)

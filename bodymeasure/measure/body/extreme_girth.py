@@ -14,8 +14,8 @@ from bodymeasure.errors import InputError
 from bodymeasure.measure.body.girths import Girth, girth_of_loop, limb_axis, section_loop
 from bodymeasure.section import Plane, SectionLoop, convex_hull
 
-# Planes tried before Brent's method narrows down between the best one's neighbors: bodies have one
-# bulge or hollow a sixteenth of any stretch that a tape is drawn over.
+# Planes that are tried before Brent's method narrows down between the best one's neighbors: bodies
+# have at most one bulge or hollow in a sixteenth of any stretch over which a tape is drawn.
 SAMPLES = 17
 # Part of the stretch: how closely the place is found. The girth is flat there, and so exact to
 # rounding.
@@ -23,7 +23,7 @@ TOLERANCE = 1e-7
 
 
 class Extremum(StrEnum):
-    """Where over the stretch the extreme girth lies."""
+    """The part of the stretch in which the extreme girth lies."""
 
     INSIDE = "inside the stretch"
     AT_START = "at the start of the stretch: a more extreme girth may lie beyond; start farther out"
@@ -89,7 +89,8 @@ def extreme_girth(
 
     Notes
     -----
-    17 planes at equal distances, then Brent's method between the neighbors of the best one.
+    17 planes at equal distances are tried first, and then Brent's method searches between the
+    neighbors of the best one.
 
     Examples
     --------
@@ -119,7 +120,7 @@ def extreme_girth(
     found = scipy.optimize.minimize_scalar(
         cost, bounds=(low, high), method="bounded", options={"xatol": TOLERANCE}
     )
-    # Brent's method stays off the bounds, where the extreme may well be.
+    # Brent's method stays away from the bounds, where the extreme may well be.
     fraction = float(found.x) if found.fun < costs[best] else float(fractions[best])
     status = Extremum.INSIDE
     if fraction <= 2.0 * TOLERANCE:

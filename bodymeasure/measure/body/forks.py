@@ -1,4 +1,4 @@
-"""Where parts of a body fork: armpits and crotch."""
+"""The points at which parts of a body fork: armpits and crotch."""
 
 from functools import lru_cache
 from typing import NamedTuple
@@ -13,7 +13,7 @@ from bodymeasure.errors import InputError
 from bodymeasure.measure.body.height_saddles import saddles_between
 from bodymeasure.section import Plane, PlaneSection, SectionLoop, plane_section
 
-# Heights at which the two parts' common stretch is tried first: some two centimeters apart.
+# Heights at which the common stretch of two parts is cut first: some two centimeters apart.
 LEVELS = 16
 # Part of the stretch: how closely the height of the fork is enclosed before the saddle of the
 # surface is looked for. Two saddles closer together than this are not distinguished.
@@ -101,7 +101,7 @@ def fork_point(atlas: Atlas, regions: tuple[str, str]) -> AtlasPoint:
 
 
 def _enclosed(atlas: Atlas, regions: tuple[str, str]) -> tuple[_Level, _Level]:
-    """Levels close together, the parts in one loop on the upper and in two on the lower one."""
+    """Return two close levels: the parts are in one loop on the upper and in two on the lower."""
     low, high = _stretch(atlas, regions)
     # Above its regions a part still has a loop: the thighs end below the crotch on some bodies.
     heights = low + (high - low) * (np.arange(2 * LEVELS) + 0.5) / LEVELS
@@ -130,7 +130,7 @@ def _enclosed(atlas: Atlas, regions: tuple[str, str]) -> tuple[_Level, _Level]:
 
 
 def _stretch(atlas: Atlas, regions: tuple[str, str]) -> tuple[float, float]:
-    """The heights that both parts, and between them the fork, lie between."""
+    """Return the heights between which both parts lie, and between them the fork."""
     up, ends = atlas.axes.up_vector, []
     for name in regions:
         patches = [i for i, region in enumerate(atlas.regions) if region.startswith(name)]
@@ -153,9 +153,10 @@ def _stretch(atlas: Atlas, regions: tuple[str, str]) -> tuple[float, float]:
 def _level(
     atlas: Atlas, regions: tuple[str, str], height: float, below: _Level | None
 ) -> _Level | None:
-    """The loops at a height; None if one of the parts has none there.
+    """Return the loops at a height; None if one of the parts has none there.
 
-    Those that hold most of each region, or, above a region, run nearest above its loop below.
+    They are the loops that hold most of each region, or, above a region, the nearest ones above its
+    loop below.
     """
     section = _section(atlas, height)
     loops = []
@@ -174,7 +175,7 @@ def _level(
 
 
 def _continued(section: PlaneSection, below: SectionLoop) -> SectionLoop:
-    """The loop of a section that runs nearest to one below it, all along that one."""
+    """Return the loop of a section that is nearest, on average, to one below it."""
     apart = [
         scipy.spatial.KDTree(loop.positions).query(below.positions)[0].mean()
         for loop in section.loops
@@ -182,19 +183,19 @@ def _continued(section: PlaneSection, below: SectionLoop) -> SectionLoop:
     return section.loops[int(np.argmin(apart))]
 
 
-# Both armpits of a symmetric body are sought at the same heights.
+# Cached, since both armpits of a symmetric body are looked for at the same heights.
 @lru_cache(maxsize=64)
 def _section(atlas: Atlas, height: float) -> PlaneSection:
     try:
         return plane_section(atlas, Plane.horizontal(atlas, height))
     except InputError:
-        # At a height where the plane touches the surface.
+        # The plane touches the surface at this height.
         aside = ASIDE * float(np.abs(atlas.points).max())
         return plane_section(atlas, Plane.horizontal(atlas, height + aside))
 
 
 def _narrowest(first: SectionLoop, second: SectionLoop) -> Array:
-    """The two points of two loops' samples that are nearest to each other, shape (2, 3)."""
+    """Return the nearest two points of two loops' samples, shape (2, 3)."""
     apart = np.linalg.norm(first.positions[:, None] - second.positions, axis=-1)
     i, j = np.unravel_index(np.argmin(apart), apart.shape)
     return np.stack([first.positions[i], second.positions[j]])

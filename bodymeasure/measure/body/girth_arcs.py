@@ -1,4 +1,4 @@
-"""Parts of girths: the front or the back of a tape round the body, from one place to another."""
+"""Parts of girths: the front or the back of a tape around the body, between two places."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -26,7 +26,7 @@ UNSETTLED = 4e-8
 
 @dataclass(frozen=True, eq=False)
 class GirthArc:
-    """The part of a girth between two places. The other part is the rest of it.
+    """The part of a girth between two places; the other part is the rest of it.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ def girth_arc(
     front: ArrayLike,
     side: Literal["front", "back"],
 ) -> GirthArc:
-    """The front or the back part of a girth between two places.
+    """Return the front or the back part of a girth between two places.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def girth_arc(
     contact = _run(curve, first, last)
     places = TautPlaces.on(girth.tape, girth.hull)
     taut, rest = places.run(first, last), places.run(last, first)
-    # Neither runs back over the other.
+    # Neither part runs back over the other.
     if not 0.0 < taut <= contact + error or rest > curve.length - contact + error:
         raise InputError(
             "both ends of the arc lie in one hollow, where the taut tape has nothing between "
@@ -115,7 +115,7 @@ def girth_arc(
 def _ends_of(
     curve: Curve, ends: tuple[float, float], front: Array, side: Literal["front", "back"]
 ) -> tuple[float, float]:
-    """Both places in the order in which the curve runs the part on that side."""
+    """Return both places in the order in which the curve runs along the part on that side."""
     one, other = ends
     way = _run(curve, one, other)
     if min(way, curve.length - way) <= ONE_PLACE * curve.length:
@@ -133,13 +133,13 @@ def _ends_of(
 
 
 def _run(curve: Curve, first: float, last: float) -> float:
-    """Length of a closed curve from one place forwards to another; with that back, all of it."""
+    """Return the length of a closed curve from one place forwards to another."""
     start, end = (float(length) for length in curve.arc_length_at(np.array([first, last])))
     return end - start if last >= first else curve.length - (start - end)
 
 
 def _around(curve: Curve, first: float, last: float) -> Array:
-    """Places to draw a closed curve at, from one forwards to another, none above its count."""
+    """Return places at which to draw a closed curve, from one forwards to another."""
     stop = last if last > first else last + curve.count
     inner = np.arange(np.floor(first * DRAWN) + 1.0, np.ceil(stop * DRAWN)) / DRAWN
     places: Array = np.concatenate([[first], inner, [stop]])
@@ -147,7 +147,7 @@ def _around(curve: Curve, first: float, last: float) -> Array:
 
 
 def _middle(curve: Curve, first: float, last: float, front: Array) -> float:
-    """How far in front a part's middle lies, to drawing accuracy."""
+    """Return how far in front a part's middle lies, to drawing accuracy."""
     points = curve.positions_at(_around(curve, first, last))
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
     return float(steps @ (0.5 * (points[1:] + points[:-1]) @ front) / steps.sum())
@@ -159,12 +159,12 @@ def _length_by_region(girth: Girth, first: float, last: float) -> dict[str, floa
     bounds = np.concatenate([[first], np.arange(np.floor(first) + 1.0, np.ceil(stop)), [stop]])
     row = np.floor(0.5 * (bounds[1:] + bounds[:-1]))
     again = np.where(row >= curve.count, curve.count, 0)
-    # Within one piece, whose end is not the next one's start here.
+    # Both ends of a stretch are taken on its own piece, whose end is not the next one's start here.
     begin, end = (curve.arc_length_at(side - again) for side in (bounds[:-1], bounds[1:]))
     patch, _ = curve.surface_points_at(0.5 * (bounds[1:] + bounds[:-1]) - again)
     result: dict[str, float] = {}
     for number, length in zip(patch.tolist(), (end - begin).tolist(), strict=True):
-        # Straight lines over cuts are in none.
+        # Straight lines over cuts lie in no region.
         if number >= 0:
             result[regions[number]] = result.get(regions[number], 0.0) + length
     return result
