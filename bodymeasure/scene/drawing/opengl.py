@@ -84,9 +84,9 @@ class _Session:
         width, height = picture.samples
         found = vtkUnsignedCharArray()
         self.window.GetPixelData(0, 0, width - 1, height - 1, 0, found, 0)
+        samples = Image.fromarray(convert_array(found).reshape(height, width, 3))
         # OpenGL's first row is the lowest.
-        pixels = convert_array(found).reshape(height, width, 3)[::-1]
-        return np.asarray(Image.fromarray(np.ascontiguousarray(pixels)).reduce(SAMPLES))
+        return np.asarray(samples.reduce(SAMPLES))[::-1]
 
     def _depth(self, picture: Picture) -> Array:
         """Read the depth of what the samples show, as `View.project` defines it."""
