@@ -1,4 +1,4 @@
-"""The default set: what it names, and what it takes on the sample bodies."""
+"""The default set: its names, and its measurements of the sample bodies."""
 
 import re
 from collections import Counter
@@ -59,7 +59,7 @@ def test_names_of_pattern_programs_are_theirs_and_used_once() -> None:
     assert set(freesewing) <= FREESEWING
     assert [name for name, count in Counter(seamly).items() if count > 1] == []
     assert [name for name, count in Counter(freesewing).items() if count > 1] == []
-    # Where leg and foot meet; the bodies end above the ankle bones.
+    # The height where leg and foot meet; the bodies end above the ankle bones.
     assert "leg_ankle_circ" not in seamly
     # The bodies have neither.
     assert FREESEWING - set(freesewing) == {"head", "heel"}
@@ -184,7 +184,7 @@ def test_known_girths_of_the_average_body() -> None:
 @pytest.mark.slow
 def test_a_girth_of_both_thighs_is_none_of_a_thigh() -> None:
     body = load_sample("female_average")
-    # As on a body whose thighs touch.
+    # The body is like one whose thighs touch.
     high = replace(
         body, landmarks={**body.landmarks, "upper thigh point left": body.landmarks["crotch point"]}
     )
@@ -196,9 +196,9 @@ def test_a_girth_of_both_thighs_is_none_of_a_thigh() -> None:
 
 
 def turned(atlas: Atlas) -> Atlas:
-    """The body lying on its side, some way off, in coordinates of another sense."""
+    """The body on its side and moved, in coordinates with other axes."""
     rotation = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
-    # Along the floor only, since heights are above it.
+    # The move is along the floor only, since heights are above it.
     moved = atlas.points @ rotation.T + np.array([0.0, 0.3, -0.7])
     return replace(atlas, points=moved, axes=Axes("+x", "-z"))
 

@@ -1,4 +1,4 @@
-"""Landmarks that follow by rule on the sample bodies, and on quadrics."""
+"""Landmarks derived by rules on the sample bodies and on quadrics."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -15,9 +15,9 @@ from bodymeasure.bezier import evaluate
 from bodymeasure.chart import Derived, LandmarkRule, derive_landmarks, load_definitions
 from bodymeasure.chart.landmarks.rules import Boundary, Fork, Level, Median, Prominent
 
-# Of the size of a body: what rules may change under a rigid motion, or from left to right.
+# The change of a position, in meters, that rigid motions and mirroring may cause.
 SAME = 1e-9
-# Of all kinds that need no geodesic; those are slow, and tried on all bodies by the slow test.
+# Rules of all kinds without geodesics; those with them are slow, and only in the slow test.
 RULES: Sequence[LandmarkRule] = (
     Level(name="side waist {side}", of="front waist point", facing="{side}"),
     Level(name="chest {side}", of="bust point {side}", facing="front"),
@@ -38,7 +38,7 @@ def positions(atlas: Atlas, derived: Derived) -> dict[str, Array]:
 
 
 def assert_symmetric(atlas: Atlas, derived: Derived) -> None:
-    """Left ones are mirror images of right ones."""
+    """Check that left landmarks are mirror images of right ones."""
     found = positions(atlas, derived)
     lefts = [name for name in found if name.endswith(" left")]
     assert lefts
@@ -142,7 +142,7 @@ def test_picked_and_derived_landmarks_are_near_each_other(name: str) -> None:
 
 
 def test_prominent_and_boundary_points_of_an_ellipsoid() -> None:
-    """Rational patches, whose extremes are known."""
+    """The extremes of rational patches are known."""
     whole = joined(stretched(sphere_nets(), (2.0, 1.5, 1.0)))
     turn = np.linalg.qr(np.array([[1.0, 0.4, 0.2], [-0.3, 1.0, 0.5], [0.1, -0.6, 1.0]]))[0]
     whole = replace(whole, points=whole.points @ turn.T, regions=("ball",) * len(whole))

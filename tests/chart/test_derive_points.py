@@ -1,4 +1,4 @@
-"""Where rules put landmarks, on surfaces on which the place is known."""
+"""The landmarks that rules derive, on surfaces where their positions are known."""
 
 from dataclasses import replace
 
@@ -30,14 +30,14 @@ def given(atlas: Atlas, **landmarks: AtlasPoint) -> Atlas:
 
 
 def place(atlas: Atlas, rule: LandmarkRule) -> Array:
-    """Where a rule puts its landmark."""
+    """The position of the landmark that a rule derives."""
     derived = derive_landmarks(atlas, [rule])
     assert derived.missing == {}
     return atlas.position(derived.landmarks[rule.name])
 
 
 def reason(atlas: Atlas, rule: LandmarkRule) -> str:
-    """Why a rule can't put its landmark anywhere."""
+    """The reason why a rule derives no landmark."""
     derived: Derived = derive_landmarks(atlas, [rule])
     assert rule.name not in derived.landmarks
     return derived.missing[rule.name]
@@ -49,7 +49,7 @@ def turned_about_z(atlas: Atlas, angle: float) -> Atlas:
 
 
 def quarter_farthest(angle: float) -> Array:
-    """Point of the quarter curve (radius 1) that lies farthest in the direction of an angle."""
+    """The point of the quarter curve (radius 1) that is farthest in the direction of an angle."""
     coordinate = QUARTER @ (np.cos(angle), np.sin(angle))
     first, middle, last = np.diff(coordinate)
     roots = np.roots([first - 2.0 * middle + last, 2.0 * (middle - first), first])
@@ -70,7 +70,7 @@ def root_inside(profile: np.polynomial.Polynomial, low: float, high: float) -> f
 
 
 def _powers(b: tuple[float, ...]) -> list[float]:
-    """Coefficients of powers of v of a cubic in Bernstein form."""
+    """The power coefficients of a cubic in Bernstein form."""
     b0, b1, b2, b3 = b
     return [b0, 3 * (b1 - b0), 3 * (b2 - 2 * b1 + b0), b3 - 3 * b2 + 3 * b1 - b0]
 
@@ -156,7 +156,7 @@ def bump(a: float, b: float) -> Atlas:
     [
         (0.3, 0.6, None, None, (0.3, 0.6)),
         (0.3, 0.6, "low", "high", (0.3, 0.6)),
-        # Cut off by the limits of height, and by edges of the patch.
+        # The region is cut off by the limits of height and by edges of the patch.
         (0.3, 0.6, None, "low", (0.3, 0.2)),
         (0.3, 0.6, "high", None, (0.3, 0.75)),
         (0.3, 1.7, None, None, (0.3, 1.0)),
@@ -202,7 +202,7 @@ def test_hollow_is_deepest_below_the_chord() -> None:
     profile = np.polynomial.Polynomial(_powers(WAISTED))
     slope = (radius(0.9) - radius(0.1)) / 0.8
     v = root_inside(profile.deriv() - slope, 0.1, 0.9)
-    # As exact as the path, which is a generator.
+    # The landmark is as exact as the path, which is a generator.
     np.testing.assert_allclose(found, [radius(v), 0.0, 3.0 * v], rtol=0.0, atol=1e-9)
 
 
@@ -211,7 +211,7 @@ def test_a_path_over_a_bulge_has_no_hollow(flipped: bool) -> None:
     pytest.importorskip("pygeodesic")
     atlas = tube([1.0, 1.2, 1.2, 1.0])
     if flipped:
-        # Patches seen from inside: which side is out is told by the volume, not by u and v.
+        # The patches face inwards: the outside is found from the volume, not from u and v.
         atlas = replace(atlas, index=atlas.index[:, ::-1])
     ends = {
         name: min(
@@ -265,7 +265,7 @@ def test_a_girth_level_at_an_end_of_the_stretch_is_told() -> None:
 
 def test_boundary_is_the_extreme_of_the_open_edges() -> None:
     atlas = turned_about_z(tube(WAISTED), -1.0)
-    # Slanting, so that the upper edge is highest at one point.
+    # The tube slants, so that its upper edge is highest at one point.
     points = atlas.points @ np.array([[1.0, 0.0, 0.4], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
     atlas = replace(atlas, points=points, regions=("sleeve left",) * 4)
     x, y = 2.0 * quarter_farthest(1.0)

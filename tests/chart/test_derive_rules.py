@@ -1,4 +1,4 @@
-"""Names, order and circles of rules for landmarks; what is missing, and what is a mistake."""
+"""Names, order and circles of rules for landmarks; missing landmarks and mistakes."""
 
 from dataclasses import replace
 
@@ -96,7 +96,7 @@ def test_what_needs_a_missing_landmark_is_missing_too(atlas: Atlas) -> None:
             r"called 'crotch pont' \('a' needs 'b' needs 'crotch pont'\); did you mean 'crotch p",
         ),
         ([level("a", "qqq")], r"called 'qqq' \('a' needs 'qqq'\); pick it, or give it a rule"),
-        # A rule that is not needed here may be misspelled all the same.
+        # A rule that is not needed here may still be misspelled.
         ([level("crotch point", "bak neck point")], "did you mean 'back neck point'"),
         (
             [level("a", "crotch point"), level("a", "back neck point")],

@@ -71,7 +71,7 @@ def test_closed_forms(measurement: MeasurementDefinition, expected: float) -> No
         assert drawn == pytest.approx(expected, rel=2e-3)
         if tape.kind is not TapeKind.STRAIGHT:
             np.testing.assert_allclose(np.linalg.norm(tape.normals, axis=1), 1.0, atol=1e-12)
-            # Away from the axis: the sections are round but for some percent.
+            # The landmarks are away from the axis; the sections are round but for some per cent.
             outwards = tape.points[:, :2] / np.linalg.norm(tape.points[:, :2], axis=1)[:, None]
             assert ((tape.normals[:, :2] * outwards).sum(axis=1) > 0.9).all()
         else:
@@ -167,7 +167,8 @@ def test_over_a_tape_between_two_others(out: float) -> None:
 
 
 def test_over_a_bulging_body_the_tape_follows_it() -> None:
-    # 1.5 in the middle of the tube and 1 at its ends: the tape touches it from start to end.
+    # The radius is 1.5 in the middle and 1 at the ends: the tape touches the tube from start to
+    # end.
     atlas = post((1.0, 1.6, 1.6, 1.0))
     over = OverMeasure(
         key="a", name="a", start="high front", level="low front", over=("left", "right")
@@ -200,7 +201,7 @@ def test_formulas_take_what_was_measured() -> None:
     assert chart["slope"].value == pytest.approx(45.0)
     assert total.landmarks == ("front", "left")
     assert np.isnan(total.contact)
-    # In the order of the definitions, whatever was measured first.
+    # The order is that of the definitions, whatever was measured first.
     keys = [one.definition.key for one in chart.measured]
     assert keys == ["twice", "sum", "girth", "way", "slope"]
 
@@ -232,7 +233,7 @@ def test_paths_on_a_plane_are_chords(rng: np.random.Generator) -> None:
     # The one leg is a part of the other measurement, and found once.
     assert chart["back"].value == pytest.approx(np.sqrt(13.0), rel=1e-9)
     assert chart["height"].value == 2.0
-    # Nothing is judged by regions that have no names.
+    # Regions without names are not used to check girths.
     assert chart["way"].length_by_region == {"": pytest.approx(chart["way"].value)}
 
 

@@ -1,4 +1,4 @@
-"""Formulas: what they take, what they give, and how errors go through them."""
+"""Formulas: their operands, their values, and how errors propagate through them."""
 
 import math
 import re

@@ -1,4 +1,4 @@
-"""Parts of girths: halves of rings, hollows at their ends, and what they refuse."""
+"""Parts of girths: halves of rings, hollows at their ends, and mistakes."""
 
 from dataclasses import replace
 from functools import cache
@@ -38,9 +38,9 @@ def post() -> Atlas:
         name: AtlasPoint(patch, 0.0, 0.5)
         for name, patch in (("left", LEFT), ("back", BACK), ("right", RIGHT), ("front", FRONT))
     }
-    # Not at the arc's height.
+    # This landmark is not at the arc's height.
     landmarks["low left"] = AtlasPoint(LEFT, 0.0, 0.25)
-    # Halfway from front to left, and to right.
+    # These are halfway from the front to the left, and to the right.
     landmarks["front left"] = AtlasPoint(FRONT, 0.5, 0.5)
     landmarks["front right"] = AtlasPoint(RIGHT, 0.5, 0.5)
     return replace(joined([tube((RADIUS,) * 4)], ["torso"]), landmarks=landmarks)
@@ -87,7 +87,7 @@ def test_parts_of_a_ring(ends: tuple[str, str], side: Side, share: float) -> Non
         drawn = np.linalg.norm(np.diff(tape.points, axis=0), axis=1).sum()
         assert drawn == pytest.approx(expected, rel=2e-3)
         np.testing.assert_allclose(np.linalg.norm(tape.normals, axis=1), 1.0, atol=1e-12)
-        # From one of the ends to the other.
+        # The tape runs from one of the ends to the other.
         first, last = (chart.atlas.position(chart.landmarks[name])[:2] for name in ends)
         meet = np.array([tape.points[0, :2], tape.points[-1, :2]])
         apart = min(np.abs(meet - [first, last]).max(), np.abs(meet - [last, first]).max())
@@ -190,7 +190,7 @@ def test_front_and_back_are_the_girth(part: str, tape: Literal["contact", "taut"
 
 @pytest.mark.slow
 def test_arcs_of_a_girth_cut_at_the_armpits() -> None:
-    # Above the armpits the loop goes round trunk and arms.
+    # Above the armpits the loop goes around the trunk and the arms.
     kept = [
         GirthArcMeasure(
             key=side,

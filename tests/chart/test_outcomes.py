@@ -1,4 +1,4 @@
-"""Measurements that cannot be taken, and what is said of them."""
+"""Measurements that cannot be taken, and the reasons given."""
 
 from dataclasses import replace
 
@@ -54,7 +54,7 @@ def test_heights_need_a_floor_under_the_body() -> None:
     assert height.reason.startswith("the body reaches 2 cm below the floor, which is where the ")
     assert height.reason.endswith("move the body onto the floor, or check the atlas's axes")
     assert rise.value == 1.5
-    # Of a scan, the soles are not quite flat.
+    # The soles of a scan are not quite flat.
     standing = replace(atlas, points=atlas.points - [0.0, 0.0, 0.05])
     assert chart_of(standing, straight)["height"].value == pytest.approx(1.45, rel=1e-12)
 

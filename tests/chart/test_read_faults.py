@@ -1,4 +1,4 @@
-"""What is said of bad files of definitions."""
+"""The messages about bad files of definitions."""
 
 import re
 

@@ -9,7 +9,7 @@ from bodymeasure.atlas import AtlasPoint
 from bodymeasure.chart import derive_landmarks
 from bodymeasure.chart.landmarks.rules import AtHeight
 
-# Round the tube, where u = 0 on its patches.
+# Landmarks around the tube, where u = 0 on its patches.
 LEFT, FRONT = 0, 3
 LANDMARKS = {
     "bottom": AtlasPoint(FRONT, 0.0, 0.1),
@@ -17,7 +17,7 @@ LANDMARKS = {
     "left": AtlasPoint(LEFT, 0.0, 0.37),
     "high": AtlasPoint(LEFT, 0.0, 0.95),
 }
-# Wider above: heights are known all the same.
+# The tube is wider above, and heights are still known.
 BODY = replace(joined([tube((1.0, 1.2, 1.1, 1.4))], ["torso"]), landmarks=LANDMARKS)
 
 

@@ -1,4 +1,4 @@
-"""Mirrors fitted to bodies, and what is off them; names of landmarks; what measurements lack."""
+"""Mirrors fitted to bodies and deviations from them; names of landmarks; missing landmarks."""
 
 from dataclasses import replace
 
@@ -152,7 +152,7 @@ def test_all_names_of_the_default_set_are_known_to_it() -> None:
     names = names_in(load_definitions())
     assert {"bust point left", "armpit point right", "crotch point"} <= names
     assert not any("{" in name for name in names)
-    # Nothing in it is spelled in two ways.
+    # No name in it is spelled in two ways.
     close = [name for name in names if suggested_name(name, names) is not None]
     assert close == []
 

@@ -1,4 +1,4 @@
-"""The command line run in this process, and small atlases to run it on."""
+"""Fixtures that run the command line in this process, and small atlases to run it on."""
 
 import json
 from collections.abc import Callable
@@ -29,7 +29,7 @@ def run(capsys: pytest.CaptureFixture[str]) -> Run:
 
 @pytest.fixture(scope="session")
 def part(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Six patches of a body."""
+    """The file of an atlas of six patches of a body."""
     path = tmp_path_factory.mktemp("part") / "part.atlas"
     write_atlas(part_of_a_body(100, 106), path)
     return path

@@ -1,4 +1,4 @@
-"""What a user gets to read for a bad atlas or a bad place: words, exit code 2, nothing written."""
+"""A bad atlas or a bad place ends with a message and exit code 2, and nothing is written."""
 
 import errno
 import math
@@ -102,7 +102,7 @@ def folded() -> Atlas:
 
 def gaping() -> Atlas:
     nets = np.array(grid_atlas(1, 2).control_points)
-    # Of two sides that meet, one bulges away by a tenth.
+    # One of two sides that meet bulges away by a tenth.
     nets[1, 1:3, 0, 1] += 0.1
     return Atlas.from_control_points(nets, "cm")
 

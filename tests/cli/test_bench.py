@@ -1,4 +1,4 @@
-"""`bodymeasure bench`, with few problems."""
+"""`bodymeasure bench` with few problems."""
 
 from pathlib import Path
 
@@ -21,7 +21,7 @@ def _small(monkeypatch: pytest.MonkeyPatch) -> None:
         assert size is SMALL
         assert callable(progress)
         document = small_benchmark()
-        # Also where it is not installed, which only the test of that is about.
+        # pygeodesic counts as installed, since only one test is about its absence.
         versions = {"pygeodesic": "0.1", **document.versions}
         return msgspec.structs.replace(document, versions=versions)
 

@@ -88,7 +88,7 @@ def test_the_table_explains_why_there_is_no_length(
     run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def left(atlas: Atlas) -> GeodesicSolution:
-        """Diagonals of which one is said to leave its patch."""
+        """Diagonals, one of which has the status of a path that leaves its patch."""
         solution = diagonals(atlas)
         status, length = np.asarray(solution.status).copy(), solution.length.copy()
         status[0, 1], length[0, 1] = Status.LEAVES_PATCH, math.nan

@@ -1,4 +1,4 @@
-"""Without the packages of the extras."""
+"""Commands without the packages of the extras."""
 
 from pathlib import Path
 from typing import Any
@@ -32,7 +32,7 @@ def test_a_missing_package_is_told_before_any_work(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     hide_here(monkeypatch, hidden)
-    # Were any work begun, that the atlas is missing would be told.
+    # If any work were begun, the missing atlas would be reported.
     ran = run(*arguments, "gone.atlas")
     assert (ran.code, ran.out) == (2, "")
     assert ran.err.startswith("Error: ")

@@ -19,7 +19,7 @@ FILES = ["paper.html", "summary.md", "tables.json", "tables.csv"]
 
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As little as shows that everything is there."""
+    """Run as little of the study as shows that everything is there."""
     monkeypatch.setattr(reproduction, "QUICK_GROUP_SIZE", 1)
     monkeypatch.setattr(reproduce, "READINGS", FEW)
     monkeypatch.setattr(reproduce, "FEW_COUNTS", (4,))
@@ -40,7 +40,7 @@ def untimed(content: dict[str, Any]) -> dict[str, Any]:
 
 
 class Loads(HTMLParser):
-    """What a page would load or lead to."""
+    """The addresses that a page would load or lead to."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -1,4 +1,4 @@
-"""What only shows in a process of its own: signals, pipes, full disks, missing packages."""
+"""Signals, pipes, full disks and missing packages, which need a process of its own."""
 
 import os
 import signal
@@ -14,7 +14,7 @@ from bodymeasure import write_atlas
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals and groups of POSIX")
 
-# Says on stdout when the comparison has come some way.
+# This setup reports the progress of the comparison on stdout.
 TELL_PROGRESS = """
 from contextlib import contextmanager
 import bodymeasure.cli.measuring.report as module
@@ -23,7 +23,7 @@ def bar(label, total):
     yield lambda done: print(label, done, flush=True)
 module.progress_bar = bar
 """
-# Interrupts itself when the second file is being written.
+# This setup has the process interrupt itself while it writes the second file.
 INTERRUPT_WRITING = """
 import os, signal
 calls = []
@@ -67,7 +67,7 @@ def test_an_interrupt_of_the_comparison_leaves_nothing(tmp_path: Path) -> None:
     )
     assert process.stdout is not None
     assert process.stdout.readline().startswith("comparing with libigl")
-    # As a terminal does: to all processes of the group.
+    # A terminal sends the signal to all processes of the group.
     os.killpg(process.pid, signal.SIGINT)
     out, err = process.communicate(timeout=60)
     assert process.returncode == 130
@@ -96,7 +96,7 @@ def test_an_interrupt_of_the_writing_leaves_nothing(tmp_path: Path) -> None:
 
 
 def test_a_disk_with_little_room_leaves_nothing(tmp_path: Path) -> None:
-    # No file may grow beyond 4 KiB, which Python hears as an error: as good as a full disk.
+    # No file may grow beyond 4 KiB, which is an error in Python and as good as a full disk.
     limit = "import resource\nresource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))\n"
     ran = run_apart(
         "report",

@@ -17,7 +17,7 @@ FILES = ["report.html", "measurements.json", "measurements.csv", "measurements.s
 
 
 def checked_content(folder: Path) -> dict[str, Any]:
-    """What a report's JSON holds, valid against its schema and equal to its CSV."""
+    """The content of a report's JSON, after a check against its schema and its CSV."""
     assert sorted(path.name for path in folder.iterdir()) == sorted(FILES)
     content: dict[str, Any] = json.loads((folder / "measurements.json").read_bytes())
     schema = json.loads((folder / "measurements.schema.json").read_bytes())
@@ -53,7 +53,7 @@ def test_a_single_patch_with_pictures_and_progress(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     bars = recorded_bars(monkeypatch, "measuring.report")
-    # Which draws faster here, and has something to say.
+    # Drawing is faster without pyvista, and there is a note to report.
     hide_here(monkeypatch, "pyvista")
     opengl_trouble.cache_clear()
     ran = run("report", "enneper", "-o", tmp_path, "--unit", "mm", "--processes", 1)
@@ -83,7 +83,7 @@ def test_a_second_report_replaces_the_first(run: Run, tmp_path: Path) -> None:
 def test_lengths_that_disagree_are_told(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # The mesh's distances are scaled after the fact: that is as if the lengths were wrong.
+    # The mesh's distances are scaled, which is as if the lengths were wrong.
     def wrong(*arguments: Any, **options: Any) -> MeshDistances:
         true = mesh_distances(*arguments, **options)
         return replace(true, exact=0.9 * true.exact)

@@ -37,7 +37,7 @@ def test_the_help_tells_commands_and_exit_codes(run: Run, option: str) -> None:
     words = " ".join(ran.out.split())
     for said in ("0 done", "1 done, but", "2 bad input", "130 interrupted"):
         assert said in words
-    # No summary of a command is cut off.
+    # No command's summary is cut off.
     assert "..." not in ran.out.partition("Commands:")[2]
 
 

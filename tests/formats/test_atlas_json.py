@@ -23,7 +23,7 @@ VALID = atlas_json.write(
     )
 )
 
-# Any character but lone surrogates, which UTF-8 cannot write.
+# All characters but lone surrogates, which UTF-8 cannot encode.
 texts = st.text(st.characters(exclude_categories=["Cs"]), max_size=12)
 # Patches have names that a table can show.
 names = st.text(st.characters(exclude_categories=["Cs", "Cc"]), max_size=12).filter(str.strip)

@@ -1,4 +1,4 @@
-"""What is wrong with a file is told with its line."""
+"""A fault in a file is reported with its line."""
 
 import json
 from collections.abc import Callable
@@ -117,7 +117,7 @@ def test_colors_and_texture_coordinates_are_left_out() -> None:
 
 
 def test_degrees_of_a_geomview_file_are_those_of_u_and_v() -> None:
-    # u fastest: a net of 3 x 2 control points.
+    # The net has 3 x 2 control points, and u runs fastest.
     content = b"BEZ213 0 0 0  1 0 0  2 0 1   0 1 0  1 1 0  2 1 1"
     (net,) = read(content, "bez").control_points
     np.testing.assert_allclose(

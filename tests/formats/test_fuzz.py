@@ -1,4 +1,4 @@
-"""Damaged files are read or refused, whatever the damage; tests/benchmarks has the long run."""
+"""Damaged files are read or refused, whatever the damage; a benchmark runs many more."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ def test_mutations_are_read_or_refused(name: str) -> None:
     refused = 0
     for seed in range(MUTATIONS):
         refused += read_or_refused(mutated(content, np.random.default_rng(seed)), form) is None
-    # Most damage is seen; some, such as another digit of a coordinate, cannot be.
+    # Most damage is noticed; some, such as another digit of a coordinate, cannot be.
     assert refused > MUTATIONS // 3
 
 

@@ -64,7 +64,7 @@ def test_groups_are_regions_and_can_be_chosen() -> None:
     assert atlas.regions == ("skin dress_form",) * 12 + ("skin",) * 8
     assert atlas.patch_names[0] == "body face 01"
     part = read(grouped(), "obj", ReadOptions(unit=UNIT, groups=("dress_form",)))
-    # The surface of the whole, not of a mesh that ends there.
+    # The surface is that of the whole mesh, and not of a mesh that ends there.
     np.testing.assert_array_equal(part.control_points, atlas.control_points[:12])
     assert len(part.points) == 13 * 10
 
@@ -79,7 +79,7 @@ def test_indices_may_count_back() -> None:
 
 
 def test_triangles_and_polygons_become_quads() -> None:
-    # A prism over a pentagon: five quads, two pentagons.
+    # A prism over a pentagon has five quads and two pentagons.
     angle = 2.0 * np.pi * np.arange(5) / 5
     rings = [np.column_stack([np.cos(angle), np.sin(angle), 0.0 * angle + z]) for z in (0.0, 1.0)]
     points = "".join(f"v {x} {y} {z}\n" for x, y, z in np.concatenate(rings).tolist())
@@ -98,7 +98,7 @@ def crease(sharpness: str) -> bytes:
 
 
 def test_creases_stay_sharp() -> None:
-    # As if the mesh ended there on both sides.
+    # The surface is as if the mesh ended there on both sides.
     halves = [read(text(grid_mesh(half)).encode(), "obj") for half in (POINTS[:3], POINTS[2:])]
     expected = np.concatenate([half.control_points for half in halves])
     found = read(crease("10"), "obj").control_points
@@ -142,7 +142,7 @@ def test_a_mesh_of_an_impossible_size_is_refused() -> None:
     content = "v 1e200 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n"
     with pytest.raises(InputError, match=r"^file: the atlas extends over 1e\+200"):
         read(content.encode(), "obj")
-    # A vertex that no face has does not matter.
+    # A vertex without a face does not matter.
     far = (PLAIN + "v 1e200 0 0\n").encode()
     assert read(far, "obj").digest == read(PLAIN.encode(), "obj").digest
 

@@ -12,7 +12,7 @@ PLAIN = write(body_like(1, 2), "obj").decode()
 
 
 def vertices(points: Array) -> str:
-    """Lines of vertices, in the order of the format: u fastest."""
+    """The lines of the vertices, in the order of the format, in which u runs fastest."""
     rows = points.swapaxes(0, 1).reshape(-1, points.shape[-1]).tolist()
     return "".join("v " + " ".join(map(repr, row)) + "\n" for row in rows)
 
@@ -154,7 +154,7 @@ def test_a_rational_cylinder_is_round() -> None:
     found = on_grid(back, 0, np.linspace(0.0, 1.0, 9))
     np.testing.assert_allclose(np.hypot(found[..., 0], found[..., 1]), 1.0, rtol=0, atol=3e-16)
     np.testing.assert_allclose(found[:, -1, 2], 2.0)
-    # Without `rat` weights do not count.
+    # Without `rat` weights are ignored.
     flat = read(surface(points, (2, 1), "bezier", parameters).encode(), "obj")
     assert not flat.is_rational
 

@@ -1,4 +1,4 @@
-"""Files that others wrote: the Utah teapot in three formats, a sphere, geomdl's surfaces."""
+"""Files from other programs: the Utah teapot in three formats, a sphere, geomdl's surfaces."""
 
 import json
 from collections.abc import Iterator
@@ -18,7 +18,7 @@ TEAPOT = read_atlas(DATA / "teapot.bpt", unit="cm")
 
 
 def turns(net: Array) -> Iterator[Array]:
-    """A net with its parameters reversed and swapped in all ways."""
+    """A net with its parameters reversed and swapped in all eight ways."""
     for quarter in range(4):
         turned = np.rot90(net, quarter)
         yield turned
@@ -34,7 +34,7 @@ def test_the_teapot_of_three_js_is_that_of_the_bpt_file() -> None:
 
 def test_the_teapot_of_geomview_is_that_of_the_bpt_file_without_its_bottom() -> None:
     found = read_atlas(DATA / "teapot.bez", unit="cm").control_points
-    # Mirrored, a quarter of the size, standing elsewhere; heights are 1229/4096 and so on.
+    # This one is mirrored, moved, and a quarter of the size; its heights are 1229/4096 and so on.
     wanted = TEAPOT.control_points[:28] * np.array([0.25, -0.25, 0.25]) + np.array([0.5, 0.0, 0.0])
     height = 4096 * found[..., 2]
     np.testing.assert_allclose(height, np.round(height), rtol=0, atol=0.005)
@@ -55,7 +55,7 @@ def test_the_teapot_of_geomview_is_that_of_the_bpt_file_without_its_bottom() -> 
 def test_the_teapot_is_welded_into_its_four_parts() -> None:
     summary = summarize(TEAPOT)
     assert (summary.patches, summary.parts, summary.seams) == (32, 4, 52)
-    # Lid and bottom have a pole of four patches each.
+    # The lid and the bottom have a pole of four patches each.
     assert summary.collapsed_edges == 8
     for lid in (slice(20, 24), slice(28, 32)):
         assert len(np.unique(TEAPOT.index[lid][:, :, 0])) == 1
@@ -69,11 +69,12 @@ def test_the_teapot_is_welded_into_its_four_parts() -> None:
 def test_every_diagonal_of_the_teapot_has_a_value_or_a_reason() -> None:
     solutions = diagonals(TEAPOT)
     assert solutions.length.shape == (32, 2)
-    # Every one has a value, those too that end at a pole.
+    # Every diagonal has a value, even one that ends at a pole.
     assert np.isfinite(solutions.length).all()
     assert set(np.asarray(solutions.status).ravel()) == {Status.CONVERGED, Status.ON_BOUNDARY}
     assert (solutions.error_estimate < 2e-10).all()
-    # Rim, body, lid and bottom are four turns of one quarter; handle and spout have two halves.
+    # The rim, body, lid and bottom are four turns of one quarter; the handle and spout have two
+    # halves.
     quarters = solutions.length[[*range(12), *range(20, 32)]].reshape(6, 8)
     np.testing.assert_allclose(quarters, quarters[:, :1] + np.zeros(8), rtol=1e-10)
     halves = solutions.length[12:20].reshape(4, 2, 2)
@@ -104,7 +105,7 @@ def test_surfaces_of_geomdl_are_where_geomdl_says() -> None:
     atlas = read_atlas(DATA / "geomdl_surface.json", unit="mm")
     expected = json.loads((DATA / "geomdl_points.json").read_bytes())
     uv = np.array(expected["uv"])
-    # Three pieces along u and three along v, then two along u.
+    # There are three pieces along u and three along v, then two along u.
     pieces = (
         (np.array([0.0, 0.3, 0.6, 1.0]), np.array([0.0, 0.4, 0.7, 1.0]), 0, "sheet"),
         (np.array([0.0, 0.5, 1.0]), np.array([0.0, 1.0]), 9, "rational"),

@@ -74,7 +74,8 @@ def test_faces_of_a_solid_are_joined(tmp_path: Path) -> None:
     atlas = bm.read_atlas(written(tmp_path / "a.3dm", rhino3dm.Brep.CreateFromBox(box)))
     assert len(atlas) == 6
     kinds = {finding.kind.name for finding in bm.check_atlas(atlas)}
-    # All seams joined, and all faces outwards: the edges of a box are kinks, and nothing else.
+    # All seams are joined and all faces point outwards: the only findings are the kinks of the
+    # edges.
     assert kinds == {"KINKED_SEAM"}
 
 

@@ -31,7 +31,7 @@ def test_patches_come_back_to_the_last_bit(form: str, atlas: Atlas) -> None:
     back = read(content, form)
     assert back.control_points.tobytes() == atlas.control_points.tobytes()
     assert back.digest == atlas.digest
-    # Joined as before, and nothing else.
+    # The sides are joined as before, and no others are.
     np.testing.assert_array_equal(joints(back), joints(atlas))
     assert write(back, form) == content or form == "obj"
 
@@ -42,7 +42,7 @@ def test_rational_patches_come_back(form: str, atlas: Atlas) -> None:
     back = read(write(atlas, form), form)
     assert atlas.weights is not None
     assert back.weights is not None
-    # Geomview has points times their weights.
+    # Geomview stores points times their weights.
     np.testing.assert_allclose(back.weights, atlas.weights, rtol=1e-15)
     expected = atlas.points[atlas.index]
     scale = np.abs(expected).max()
@@ -70,7 +70,7 @@ NAMED = replace(
     name="Somebody",
     provenance={"author": "nobody"},
 )
-# In an OBJ file, # begins a remark.
+# In an OBJ file, # begins a comment.
 PLAIN = replace(NAMED, patch_names=("hip left", "hip right", "näve"))
 
 

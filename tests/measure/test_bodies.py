@@ -1,4 +1,4 @@
-"""All diagonals of the five mannequins, against a solver that shares nothing with the library's."""
+"""All diagonals of the five mannequins, compared with an independent solver."""
 
 import numpy as np
 import pytest
@@ -30,7 +30,7 @@ def test_every_diagonal_is_right_or_says_why_not(name: str) -> None:
     assert solution.shape == (376, 2)
     np.testing.assert_array_equal(np.isnan(solution.length), ~solution.converged)
     assert all(isinstance(status, Status) for status in np.asarray(solution.status).ravel())
-    # Few leave their patches, and hardly one resists.
+    # Few paths leave their patches, and hardly one is not found.
     assert (~solution.converged).sum() <= 20
     assert (np.asarray(solution.status) == Status.NOT_CONVERGED).sum() <= 2
 
@@ -40,7 +40,7 @@ def test_every_diagonal_is_right_or_says_why_not(name: str) -> None:
     length = solution.length.ravel()[rows]
     estimate = solution.error_estimate.ravel()[rows]
     known = reference_lengths(nets, start, end)
-    # Where the other solver needs more degrees, or a better start, it gets them.
+    # The other solver is given more degrees or a better start where it needs them.
     missing = np.flatnonzero(np.isnan(known))
     assert len(missing) <= 20
     paths = solution.path(chebyshev_times(25)).reshape(-1, 25, 2)[rows[missing]]
@@ -52,7 +52,7 @@ def test_every_diagonal_is_right_or_says_why_not(name: str) -> None:
     error, known = np.abs(length - known)[at_all], known[at_all]
     estimate = estimate[at_all]
     assert (error <= 1e-8 * known).all()
-    # What rounding does to either solver.
+    # The rounding errors of either solver.
     rounding = 1e-15 * known
     assert (error <= estimate + rounding).mean() >= 0.99
     assert np.median(estimate / np.maximum(error, rounding)) <= 100.0

@@ -14,12 +14,12 @@ def atlas(*nets: Array) -> Atlas:
 
 
 def parabola(end: float) -> float:
-    """Length of (x, x^2) from 0 to `end`."""
+    """The length of (x, x^2) from 0 to `end`."""
     return float(end * np.sqrt(1 + 4 * end**2) / 2 + np.arcsinh(2 * end) / 4)
 
 
 def test_lengths_in_closed_form() -> None:
-    # In the order u = 0, u = 1, v = 0, v = 1. On the cylinder's Pythagorean-hodograph profile the
+    # The order is u = 0, u = 1, v = 0, v = 1. On the cylinder's Pythagorean-hodograph profile the
     # speed is the polynomial 3 + 3u^2.
     lengths = boundary_lengths(atlas(PH_CYLINDER, PARABOLOID, ENNEPER))
     assert lengths.length.shape == lengths.error_estimate.shape == (3, 4)
@@ -34,7 +34,7 @@ def test_lengths_in_closed_form() -> None:
 def test_straight_sides_at_uneven_speed() -> None:
     corners = PLANE[[0, 0, 3, 3], [0, 3, 0, 3]]
     a, b, c, _ = corners
-    # The sides u = 0 and v = 0; the others are curves in the plane.
+    # These are the sides u = 0 and v = 0; the others are curves in the plane.
     chords = [np.linalg.norm(p - a) for p in (b, c)]
     lengths = boundary_lengths(atlas(PLANE)).length[0]
     np.testing.assert_allclose(lengths[[0, 2]], chords, rtol=1e-14)
@@ -56,7 +56,7 @@ def test_scale_and_direction(scale: float) -> None:
 
 
 def with_cusp(place: float) -> tuple[Array, float]:
-    """Control points of (0, (t - t0)^2, (t - t0)^3) and its length."""
+    """The control points of (0, (t - t0)^2, (t - t0)^3) and its length."""
 
     def bezier(*powers: float) -> list[float]:
         return [sum(comb(i, k) / comb(3, k) * a for k, a in enumerate(powers)) for i in range(4)]
@@ -83,7 +83,8 @@ def test_at_a_cusp_the_estimate_is_honest(rng: np.random.Generator) -> None:
 
 
 def test_nearly_a_cusp(rng: np.random.Generator) -> None:
-    # Speeds that all but vanish: against the same curves in 4000 parts.
+    # The speeds nearly vanish; the lengths are compared with those of the same curves in 4000
+    # parts.
     net, _ = with_cusp(0.37)
     for beside in (1e-2, 1e-4, 1e-8):
         curve = net + beside * rng.normal(size=net.shape)

@@ -34,7 +34,7 @@ def test_verdicts(monkeypatch: pytest.MonkeyPatch) -> None:
     exact = length.copy()
     exact[0] += [0.99 * SAFETY * 1e-4, 1.01 * SAFETY * 1e-4]
     exact[1] -= [0.99 * SAFETY * 1e-4, 1.01 * SAFETY * 1e-4]
-    # Below what meshes can tell, nothing counts, however sure they are.
+    # Differences below the resolution of meshes do not count, however certain the meshes are.
     uncertainty[2:] = 0.0
     exact[2] *= [1 + 0.9 * RESOLUTION, 1 - 0.9 * RESOLUTION]
     exact[3] *= [1 + 1.1 * RESOLUTION, 1 - 1.1 * RESOLUTION]
@@ -69,7 +69,7 @@ def test_without_a_length_or_a_distance_nothing_is_compared(
 
 
 def test_a_distance_of_zero_is_no_division(monkeypatch: pytest.MonkeyPatch) -> None:
-    # A patch whose corners coincide: a loop has a length, the mesh distance is 0.
+    # Two corners of this patch coincide: the loop has a length, and the mesh distance is 0.
     exact = np.zeros((4, 2))
     checked = compare(monkeypatch, exact, exact)
     assert (checked.verdict == Verdict.LONGER).all()

@@ -68,7 +68,7 @@ def test_girths_above_the_armpits(name: str) -> None:
     taut, contact = girth.taut_tape, girth.contact_tape
     assert chain(taut.positions) == pytest.approx(girth.taut, rel=1e-3)
     assert chain(contact.positions) == pytest.approx(girth.contact, rel=1e-3)
-    # The tape stands free over both cuts, where no arm is.
+    # The tape is free over both cuts, where the arms have been cut off.
     assert (contact.patch < 0).sum() >= 2
     on_skin = taut.patch >= 0
     assert np.isnan(taut.parameters[~on_skin]).all()

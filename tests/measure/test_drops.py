@@ -40,7 +40,8 @@ def profile(radii: tuple[float, ...], low: float, high: float, count: int = 200_
 def tube_lengths(radii: tuple[float, ...], low: float, high: float) -> tuple[float, float]:
     """Lengths along a tube's side between two heights, on its surface and taut."""
     points = profile(radii, low, high)
-    # The hull of the profile and of two points far inside; less its other sides.
+    # The hull of the profile and of two points far inside has three other sides, which are
+    # subtracted.
     inside = np.array([[-50.0, points[0, 1]], [-50.0, points[-1, 1]]])
     hull = float(ConvexHull(np.concatenate([points, inside])).area)
     taut = hull - (points[[0, -1], 0] + 50.0).sum() - (points[-1, 1] - points[0, 1])

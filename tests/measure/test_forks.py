@@ -1,4 +1,4 @@
-"""Forks: saddles that are known, and those of the bodies."""
+"""Fork points of surfaces with known saddles, and of the bodies."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ KINKED_VALLEY = (smooth(-2.0, 4.0, -3.0), Knot(0.0, 0.0, -1.0, 1.0), smooth(2.0,
 
 
 def hill(*top: Knot) -> tuple[Knot, ...]:
-    """Two valleys with something between."""
+    """A profile of two valleys with the given knots between."""
     return (smooth(-2.0, 2.0, -6.0), smooth(-1.0, -1.0), *top, smooth(1.0, -1.0), smooth(2, 2, 6))
 
 
@@ -78,7 +78,7 @@ def test_armpits_and_crotch_of_bodies(name: str) -> None:
     assert abs(crotch[0]) < 1e-4
     assert np.linalg.norm(crotch - atlas.position(atlas.landmarks["crotch point"])) < 0.03
     if name == "female_average":
-        # The loops divide there, and nowhere else between.
+        # The loops divide there, and nowhere else in between.
         counts = [
             len(plane_section(atlas, Plane.horizontal(atlas, left[2] + move)).loops)
             for move in (-1e-6, 1e-6)

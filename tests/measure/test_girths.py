@@ -37,14 +37,14 @@ def turned(atlas: Atlas, turn: np.ndarray) -> Atlas:
 
 
 def dense_hull(girth: Girth) -> float:
-    """Perimeter of the hull of very many points, extrapolated from two such numbers."""
+    """The perimeter of the hull of many points, extrapolated from two numbers of points."""
     loop = girth.loop
     perimeters = []
     for steps in (2048, 4096):
-        # Ends of pieces are among them: seams may have kinks.
+        # The ends of pieces are among the points, since seams may have kinks.
         place = np.arange(steps * len(loop.pieces), dtype=np.float64) / steps
         flat = loop.positions_at(place) @ loop.surface.plane.frame().T
-        # In the plane, its `area` is the perimeter.
+        # In the plane, the `area` of a hull is its perimeter.
         perimeters.append(float(ConvexHull(flat).area))
     return (4.0 * perimeters[1] - perimeters[0]) / 3.0
 
@@ -118,7 +118,7 @@ def test_units_carry_through() -> None:
 @pytest.mark.parametrize(
     ("landmark", "contact", "taut"),
     [
-        # In centimeters, from trials by another program, which placed its planes by itself: a
+        # Values in centimeters from another program, which placed its planes by itself: a
         # quarter of a millimeter of height is 0.04 cm of girth at the waist and the bust.
         ("bust point left", 84.30, 83.47),
         ("front waist point", 71.07, 71.06),
@@ -203,7 +203,7 @@ def test_a_loop_that_merges_trunk_and_arms_is_refused(name: str) -> None:
 
 
 def test_a_merging_loop_is_refused_though_the_plane_cuts_the_arm_again() -> None:
-    # From nape to waist in front: through the shoulders, and through the bent forearms too.
+    # From the nape to the front of the waist the plane cuts the shoulders and the bent forearms.
     atlas = load_sample("female_average")
     front, back = (
         atlas.position(atlas.landmarks[name]) for name in ("front waist point", "back neck point")

@@ -1,4 +1,4 @@
-"""Table 5's tables, made of comparisons that are written down here."""
+"""The tables for Table 5, made from comparisons with known values."""
 
 import numpy as np
 import pytest
@@ -132,9 +132,9 @@ def speeds(default: tuple[float, float, float], loose: tuple[float, float, float
     ("default", "loose", "method", "met"),
     [
         ((1e-9, 1100.0, 60.0), (1e-6, 2000.0, 70.0), LOOSE, True),
-        # Too inaccurate, so that the slower one counts.
+        # This one is too inaccurate, so that the slower one counts.
         ((1e-9, 900.0, 60.0), (1e-4, 2000.0, 70.0), DEFAULT, False),
-        # Fast beside the paper, not beside two functions.
+        # It is fast compared with the paper, but not with two functions.
         ((1e-9, 1100.0, 40.0), (1e-6, 1200.0, 49.0), LOOSE, False),
         ((1e-4, 1100.0, 60.0), (1e-4, 2000.0, 70.0), None, False),
     ],

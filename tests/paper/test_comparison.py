@@ -23,7 +23,7 @@ TIMES = {"rbf_seconds", "ritz_seconds"}
 
 @pytest.fixture(scope="module")
 def nets() -> Iterator[Array]:
-    """Patches for several parts."""
+    """Enough patches for several parts."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(comparison, "CHUNK", 2)
         yield wild_patches(np.random.default_rng(4), 3, 1.0)

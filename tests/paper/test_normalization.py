@@ -9,7 +9,7 @@ from bodymeasure._typing import Array
 from bodymeasure.paper import normalize
 from bodymeasure.paper.method.normalization import SIDES, Side
 
-# A few roundings of coordinates up to 1000 that are made ones up to 1.
+# A few rounding errors of coordinates up to 1000 that are scaled to 1.
 ROUNDING = 1e-12
 
 nets = arrays(np.float64, (2, 4, 4, 3), elements=st.floats(-1000.0, 1000.0, width=32)).filter(
@@ -69,8 +69,8 @@ def test_the_longest_chord_lies_along_x(net: Array) -> None:
 def test_doing_it_twice_changes_nothing(net: Array, side: Side) -> None:
     once = normalize(net, side)
     twice = normalize(once.control_points, side)
-    # Where two sides are the longest, rounding decides which one it is; then the second turn is
-    # one by a right angle, and no statement about the points is left.
+    # Where two sides are the longest, rounding decides which one is chosen; the second turn may
+    # then differ by a right angle, and nothing can be said about the points.
     if np.abs(twice.rotation - np.eye(3)).max() < 0.1:
         np.testing.assert_allclose(twice.control_points, once.control_points, atol=1e-6)
         np.testing.assert_allclose(twice.scale, 1.0, rtol=1e-6)

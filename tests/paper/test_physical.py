@@ -30,7 +30,7 @@ def spline_points(net: Array, u: Array, v: Array) -> Array:
 
 
 def arc(u0: float, u1: float) -> float:
-    """Length of the cylinder's base between two of its parameters."""
+    """The length of the cylinder's base between two of its parameters."""
 
     def speed(u: float) -> float:
         slope = spline_matrix(len(CYLINDER), np.array([u]), order=1) @ CYLINDER[:, 0]
@@ -143,7 +143,7 @@ def test_closest_points_though_what_is_kept_round_them_touches_at_a_corner() -> 
 
 
 def test_a_laid_curve_tells_how_far_off_it_was() -> None:
-    """A line at a distance d outside a cylinder, along its axis, and round it."""
+    """A line at a distance d outside a cylinder, along its axis and around it."""
     u0, v0, u1, v1 = 3.0, 3.0, 7.0, 6.0
     t = np.linspace(0.0, 1.0, 65)
     u = u0 + (u1 - u0) * t
@@ -161,7 +161,7 @@ def test_a_laid_curve_tells_how_far_off_it_was() -> None:
         assert abs(laid.offset[0]) == pytest.approx(0.01, abs=2.5e-4)
         assert laid.length[0] == pytest.approx(own, rel=2e-5)
         assert abs(laid.length[0] - own) <= laid.uncertainty[0]
-        # The quads run from u to v, so that their normals are those above, turned round.
+        # The quads run from u to v, so that their normals are the opposite of those above.
         assert np.sign(laid.offset[0]) == np.sign(side) * _outwards(normal[0])
 
 
@@ -172,7 +172,7 @@ def test_a_laid_curve_tells_its_sharpest_bend() -> None:
     arc_points = np.stack([-np.cos(angle), 0.0 * angle + 1.2, np.sin(angle)], axis=-1)
     outer = arc_points * [1.1, 1.0, 1.1]
     laid = lay_curves(surface, outer[None], arc_points[None, [0, -1]], np.array([1.1 * 1.3]))
-    # A bend is seen over five faces of the mesh, which turn by whole angles.
+    # A bend is measured over five faces of the mesh, which turn by whole angles.
     assert laid.bend[0] == pytest.approx(1.0, abs=0.1)
     assert laid.own_bend[0] == pytest.approx(1.1, rel=1e-12)
     error = abs(laid.length[0] - 1.3)

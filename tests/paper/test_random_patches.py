@@ -42,7 +42,7 @@ def test_one_seed_gives_one_set_of_patches(reading: Reading) -> None:
     assert (one.folded, one.intersecting) == (again.folded, again.intersecting)
     assert (one.control_points != other.control_points).any()
     assert (one.control_points[0] != one.control_points[1]).any()
-    # A group does not depend on how many there are.
+    # A group does not depend on the number of groups.
     fewer = make_testing_data(reading, 1, groups=1, size=5)
     np.testing.assert_array_equal(one.control_points[0], fewer.control_points[0])
 
@@ -65,7 +65,7 @@ def test_a_loop_cuts_through_itself() -> None:
     loop = sheet(1.0)
     assert intersects_itself(loop)
     assert fault(loop) == "intersecting"
-    # The same profile without the crossing.
+    # This is the same profile without the crossing.
     wave = loop.copy()
     wave[1:3, :, 0] = [[0.3], [0.7]]
     assert not intersects_itself(wave)

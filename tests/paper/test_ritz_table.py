@@ -57,7 +57,7 @@ def test_where_the_true_path_turns_back_ritz_cannot_follow() -> None:
     assert truth.length[0] == pytest.approx(math.sqrt(2.0), rel=1e-9)
     assert (truth.turns_back[0], truth.along_edge[0]) == (True, False)
     assert ritz.length[0] > 1.01 * truth.length[0]
-    # With u and v exchanged it is a function again.
+    # With u and v exchanged the path is a function again.
     turned = TURNING.swapaxes(0, 1)[None]
     assert not true_diagonals(turned).turns_back[0]
     assert solve_ritz(turned).length[0] == pytest.approx(math.sqrt(2.0), rel=1e-5)
@@ -86,7 +86,7 @@ def test_paths_along_an_edge_are_told() -> None:
     truth, ritz = true_diagonals(net[None]), solve_ritz(net[None])
     assert (truth.along_edge[0], truth.turns_back[0]) == (True, False)
     assert truth.length[0] == pytest.approx(along + straight, rel=1e-8)
-    # Nothing keeps Ritz in the patch: it takes the straight line.
+    # Nothing keeps Ritz's method in the patch, and so it takes the straight line.
     assert not ritz.inside[0]
     assert ritz.length[0] == pytest.approx(math.hypot(1.0, 1.5), rel=1e-5)
 

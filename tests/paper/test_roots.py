@@ -25,7 +25,7 @@ from bodymeasure.paper.method.two_functions import (
 
 
 def test_all_intersections_of_lines_are_found() -> None:
-    # (x - 1)(x + 2)(y - x) and (y - 3)(x + y): eight points, one of them in infinity.
+    # (x - 1)(x + 2)(y - x) and (y - 3)(x + y) share eight points, one of which is at infinity.
     first = np.zeros((1, 4, 2))
     first[0, :, 1] = [-2.0, 1.0, 1.0, 0.0]
     first[0, 1:, 0] -= first[0, :3, 1]
@@ -144,7 +144,7 @@ def test_no_root_of_a_dense_multistart_is_missed(
     for net, roots in zip(nets, system_roots(nets, space).real, strict=True):
         found = multistart_roots(net, motion, guesses)
         total += len(found)
-        # What Newton's method takes for another root must be one in exact arithmetic.
+        # A further root that Newton's method finds must be one in exact arithmetic.
         others = np.array(missed(roots, found)).reshape(-1, 2)
         exact = sharpened(net, motion, others)
         assert not missed(roots, distinct(exact[np.isfinite(exact).all(axis=1)]))

@@ -30,10 +30,10 @@ def test_the_meshes_share_their_quads_and_are_wide_enough_for_the_limit_surface(
     mesh, covered = load_source_mesh("female_average")
     inner = np.unique(mesh.quads[:covered])
     on_boundary = np.unique(mesh.edges.ends[mesh.edges.boundary])
-    # Two rings of quads lie between what is covered and the mesh's boundary, at least.
+    # At least two rings of quads lie between the covered part and the mesh's boundary.
     near = quads_within(mesh, inner, 2)
     assert not np.isin(on_boundary, mesh.quads[near]).any()
-    # One closed curve on each of five openings.
+    # There is one closed curve on each of five openings.
     assert len(on_boundary) == mesh.edges.boundary.sum()
     for name in BODIES[1:]:
         other, count = load_source_mesh(name)

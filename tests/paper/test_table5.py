@@ -14,7 +14,7 @@ from bodymeasure.subdivision import QuadMesh
 
 NET = hilly_net(8, 9)
 MESH = grid_mesh(NET)
-# Exactly the mesh's limit surface, two quads inside its boundary.
+# The patches are exactly the mesh's limit surface, two quads inside its boundary.
 ATLAS = spline_atlas(NET, margin=2)
 
 
@@ -28,7 +28,7 @@ def test_an_atlas_that_is_the_surface_differs_by_what_the_meshes_are_off() -> No
         assert error.max() < 3e-5
         assert (error * comparison.physical <= comparison.uncertainty + 1e-9).mean() > 0.9
         assert np.abs(comparison.of_path).max() < 3e-5
-        # The rest is the finest mesh's sag.
+        # The rest is due to the sag of the finest mesh.
         assert comparison.distance.max() < 1e-3
         assert comparison.end_distance.max() < 1e-7
     np.testing.assert_array_equal(table.diagonals.calculated, diagonals(ATLAS).length.ravel())
@@ -37,7 +37,7 @@ def test_an_atlas_that_is_the_surface_differs_by_what_the_meshes_are_off() -> No
 
 
 def test_an_atlas_outside_the_surface_is_longer_by_the_angle_times_the_distance() -> None:
-    """Cylinders on arcs of (nearly) circles of radii 1 and 1 + s: lengths differ round the axis."""
+    """Cylinders on near-circular arcs of radii 1 and 1 + s; lengths differ around the axis."""
     s = 1e-3
     net = arc_net(11, 12)
     atlas = spline_atlas(net * [1.0 + s, 1.0, 1.0 + s], margin=3)
@@ -57,7 +57,7 @@ def test_an_atlas_outside_the_surface_is_longer_by_the_angle_times_the_distance(
 
 
 def test_diagonals_without_a_length_are_counted_and_still_measured_on_the_surface() -> None:
-    """Two functions are too few for the solver's standards, so that no diagonal has a length."""
+    """With two functions the solver gives no diagonal a length, since they are too few."""
     table = compare_with_surface(ATLAS, MESH, method=RBFCollocation(WU_C2, 2), rows=6)
     spread, boundary = table.distributions()
     assert (spread.count, spread.without_length) == (6, 6)
@@ -137,7 +137,7 @@ def test_the_average_females_diagonals_are_right_to_a_five_hundredth() -> None:
     spread, boundary = table.distributions()
     assert (spread.count, spread.without_length) == (752, 0)
     assert spread.mean_absolute < 0.002
-    # The meshes tell lengths a hundred times better than the atlas gives them.
+    # The meshes give lengths a hundred times more accurately than the atlas.
     assert spread.uncertainty < 0.01 * spread.mean_absolute
     assert (table.diagonals.uncertainty < 5e-4 * table.diagonals.physical).all()
     assert spread.largest is not None

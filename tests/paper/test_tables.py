@@ -1,4 +1,4 @@
-"""Tables made of results that are written down here, so that every figure can be told."""
+"""Tables made from known results, so that every figure is known."""
 
 import csv
 import io

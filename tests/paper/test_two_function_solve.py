@@ -41,7 +41,7 @@ def symmetric_root(height: float, t: float) -> tuple[Array, Array]:
 
 
 def determinant_across(height: float) -> float:
-    """How the equations change across the diagonal: zero where the determinant is."""
+    """The change of the equations across the diagonal, which is zero where the determinant is."""
     jacobian = symmetric_root(height, 0.5)[1]
     return float(jacobian[0, 0] - jacobian[0, 1])
 
@@ -55,7 +55,7 @@ def test_a_symmetric_patch_with_a_zero_determinant_moves_the_collocation_point()
     assert solution.degenerate[0] >= 1
     assert solution.collocation_point[0] in COLLOCATION_POINTS[1:]
     assert np.isfinite(solution.length[0])
-    # A little lower the middle serves.
+    # A little lower, the middle point serves.
     lower = solve_two_functions(pyramid(0.9 * critical)[None], "all")
     assert (lower.degenerate[0], lower.collocation_point[0]) == (0, 0.5)
     # Without another collocation point there is no length.
@@ -87,7 +87,7 @@ def test_the_solution_meets_the_solvers_equations(rule: Rule, rng: np.random.Gen
 
 
 def test_newtons_method_finds_one_of_the_solutions(rng: np.random.Generator) -> None:
-    # The solver that is used elsewhere, on the same trial space.
+    # The solution is that of the general solver on the same trial space.
     nets = wild_patches(rng, 20, 1.0)
     method = RBFCollocation(
         WU_C2,
@@ -144,7 +144,7 @@ def test_an_unknown_rule_is_refused() -> None:
 
 def test_lengths_of_curves_known_in_closed_form() -> None:
     nets = np.stack([PH_CYLINDER, HYPERBOLIC_PARABOLOID])
-    # Along u at v = 0, at a speed that changes: (u, v) = (t^2, 0).
+    # The path (u, v) = (t^2, 0) has a speed that changes.
     space = polynomial_space(4)
     values = np.stack([space.nodes**2, 0.0 * space.nodes])[None].repeat(2, axis=0)
     lengths = arc_lengths(BezierSurfaces(nets), space, values)
@@ -155,5 +155,5 @@ def test_lengths_of_curves_known_in_closed_form() -> None:
 def test_curves_that_leave_the_patch_between_nodes_are_seen() -> None:
     space = polynomial_space(2)
     values = np.array([[[0.0, 0.9, 1.0], [0.0, 0.5, 1.0]], [[0.0, 0.6, 1.0], [0.0, 0.5, 1.0]]])
-    # 2.6 t - 1.6 t^2 has its top above 1.
+    # 2.6 t - 1.6 t^2 has a maximum above 1.
     np.testing.assert_array_equal(inside_patch(space, values), [False, True])

@@ -1,4 +1,4 @@
-"""A small survey with made-up numbers: what is tested is how they are reported."""
+"""A small survey with made-up numbers, for tests of how they are reported."""
 
 from collections.abc import Callable
 from types import SimpleNamespace

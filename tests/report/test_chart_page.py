@@ -48,17 +48,18 @@ def test_every_tape_has_its_picture_and_its_number(page: Page) -> None:
         for i in images
     ]
     assert seen[:3] == ["Girths, front", "Girths, back", "Other measurements, left"]
-    # The numbers are those drawn; without pictures, they are those of what has a value.
+    # The numbers are those in the pictures; without pictures, measurements with a value are
+    # numbered.
     assert "8. Shoulder slope" in page.text
     assert "5. Shoulder slope" in page_of().text
-    # What was not drawn has none.
+    # A measurement that was not drawn has no number.
     assert re.search(rf"\d\. {re.escape(HOSTILE)}", page.text) is None
 
 
 def test_values_have_the_digits_of_a_tape(page: Page) -> None:
     for shown in ("91.3", "92.3", "10.2 mm", "30.2", "23.6°", "torso front 50.0", "elsewhere 42.3"):
         assert shown in page.text
-    # The left arm is known to 4 mm only.
+    # The left arm is known only to 4 mm.
     assert "30.1" not in page.text
     assert "91.32" not in page.text
     assert re.search(r"\b(nan|None|inf)\b", page.text) is None

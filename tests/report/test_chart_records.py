@@ -47,7 +47,7 @@ def test_records_say_all_that_is_known() -> None:
     assert (bust.seamly, bust.freesewing) == (["bust_circ"], "chest")
     assert (bust.status, bust.words) == ("converged", BUST.words)
     assert (shoulder.value, shoulder.gap, shoulder.status) == (None, None, "no_route")
-    # Numbers are those of the pictures, which show what has a value.
+    # The numbers are those of the pictures, which show the measurements with a value.
     assert [m.number for m in document.measurements] == [1, 2, 3, None, None, 4, 5]
     assert shoulder.iso_clause is None
     assert (height.outcome, height.status) == ("missing landmark", None)
@@ -65,7 +65,7 @@ def test_csv_holds_the_same_columns_flattened() -> None:
     assert len(rows) == len(MEASURED)
     for row, record in zip(rows, document.measurements, strict=True):
         assert list(row) == list(record.__struct_fields__)
-        # Every float round-trips.
+        # Every float survives a round trip.
         assert (float(row["value"]) if row["value"] else None) == record.value
         assert row["landmarks"] == "; ".join(record.landmarks)
     assert rows[3]["name"] == HOSTILE

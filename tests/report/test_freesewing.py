@@ -15,7 +15,7 @@ from bodymeasure.report.body import (
     to_freesewing,
 )
 
-# As FreeSewing's config/measurements.mjs lists them.
+# The list is that of FreeSewing's config/measurements.mjs.
 KEYS = re.findall(
     r"\w+",
     """
@@ -38,7 +38,7 @@ def test_values_are_in_millimeters_and_degrees(unit: str) -> None:
     content = json.loads(to_freesewing(document))
     assert set(content) == {"name", "units", "notes", "measurements"}
     assert content["units"] == "metric"
-    # The wearer's right arm; the height could not be measured.
+    # The value is that of the wearer's right arm; the height could not be measured.
     assert content["measurements"] == {"biceps": 302.0, "chest": 913.2, "shoulderSlope": 23.58}
     missing = missing_freesewing(document)
     assert sorted([*missing, *content["measurements"]]) == sorted(KEYS)

@@ -39,7 +39,8 @@ def test_names_are_escaped(page: Page) -> None:
 
 def test_every_picture_has_an_alternative_text_and_a_size(page: Page) -> None:
     images = page.all("img")
-    # Four sides, the color bar, and one for each patch that is a worst case or not measured.
+    # There are four sides, the color bar, and a picture of each patch that is a worst case or
+    # unmeasured.
     assert len(images) >= 4 + 1 + 2
     for image in images:
         assert len(image["alt"] or "") > 20
@@ -57,7 +58,7 @@ def test_each_status_is_explained_in_its_own_words(survey_of: Callable[..., Any]
 
 
 def test_lengths_are_rounded_and_missing_ones_are_not_shown(survey_of: Callable[..., Any]) -> None:
-    # Without a cross-check, whose distances the page shows where a length is missing.
+    # There is no cross-check, whose distances the page would show where a length is missing.
     survey = survey_of(check=False)
     text = page_of(survey).text
     diagonals = survey.diagonals

@@ -1,4 +1,4 @@
-"""SeamlyMe's files against the rules of the published schema, individual measurements 0.3.4."""
+"""SeamlyMe's files, checked by the published schema of individual measurements, 0.3.4."""
 
 import re
 import unicodedata
@@ -29,7 +29,7 @@ def _anything(_text: str) -> bool:
     return True
 
 
-# Elements in their order, each with what its text must be or what it holds.
+# The elements in their order, each with the text or the elements that it must hold.
 PERSONAL: list[tuple[str, Check]] = [
     ("family-name", _anything),
     ("given-name", _anything),
@@ -50,7 +50,7 @@ FORBIDDEN = set('*/&|!<>^-()\u2013+\u2212=?:;"')
 
 
 def faults(content: bytes) -> list[str]:
-    """What the schema would refuse in a file; nothing if it is valid."""
+    """The faults that the schema would find in a file; none if it is valid."""
     root = ElementTree.fromstring(content)
     found = [] if root.tag == "smis" else [f"root {root.tag}"]
     expected = [*(tag for tag, _ in HEAD), "personal", "body-measurements"]
@@ -94,7 +94,7 @@ def values(content: bytes) -> dict[str, str]:
         ("cm", "cm", "91.320"),
         ("mm", "mm", "913.20"),
         ("inch", "inch", "35.9528"),
-        # The format has no metres.
+        # The format has no meters.
         ("m", "cm", "91.320"),
     ],
 )
@@ -104,7 +104,8 @@ def test_the_file_is_valid_in_each_unit(unit: str, written: str, bust: str) -> N
     root = ElementTree.fromstring(content)
     assert root.findtext("version") == "0.3.4"
     assert root.findtext("unit") == written
-    # The wearer's right arm, though the left one comes first; and no unmeasured ones.
+    # The value is that of the right arm, though the left one comes first; unmeasured ones are left
+    # out.
     arm = f"{float(bust) * 302.0 / 913.2:.{len(bust.partition('.')[2])}f}"
     assert values(content) == {"bust_circ": bust, "arm_upper_circ": arm, "shoulder_slope": "23.58"}
     assert "Anna <Muster>" in (root.findtext("notes") or "")

@@ -19,7 +19,7 @@ def plain(text: str) -> str:
         (0.0625, "1/16"),
         (0.5, "1/2"),
         (12.75, "12 3/4"),
-        # Carries: the nearest sixteenth is the next inch.
+        # The nearest sixteenth carries to the next inch.
         (32 + 31 / 32, "33"),
         (32 + 30.9 / 32, "32 15/16"),
         (0.99, "1"),
@@ -61,7 +61,7 @@ def test_fractions_are_the_nearest_and_in_lowest_terms(inches: float) -> None:
         (913.24, "mm", 1e-9, "913"),
         (35.954, "inch", 1e-9, "35.95"),
         (23.578, "deg", 0.001, "23.6"),
-        # The error leaves no digit after the point, or one less, sure.
+        # The error leaves no certain digit after the point, or one digit less.
         (91.324, "cm", 0.4, "91"),
         (35.954, "inch", 0.01, "36.0"),
         (-0.01, "cm", None, "0.0"),

@@ -34,7 +34,7 @@ def body() -> Atlas:
 
 @pytest.fixture(scope="session")
 def square() -> Atlas:
-    """A flat square of 10 cm, upright, facing the front."""
+    """An upright, flat square of 10 cm that faces the front."""
     ticks = np.linspace(0.0, 0.1, 4)
     net = np.zeros((4, 4, 3))
     net[..., 0], net[..., 2] = ticks[:, None], ticks
@@ -94,7 +94,7 @@ def views(survey_scene: BodyScene, body: Atlas) -> Mapping[str, View]:
 
 @pytest.fixture(scope="module", params=[SOFTWARE, pytest.param(PYVISTA, marks=pytest.mark.slow)])
 def draw(request: pytest.FixtureRequest) -> Iterator[Draw]:
-    """Draws pictures with each of the renderers."""
+    """A function that draws pictures with the renderer of the test."""
     if request.param == PYVISTA and opengl_trouble():
         pytest.skip(opengl_trouble())
     with RENDERERS[request.param]() as draw:

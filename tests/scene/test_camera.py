@@ -56,12 +56,12 @@ def test_a_patch_is_seen_from_outside_and_whole(body: Atlas, patch: int) -> None
     pixels, _ = view.project(surface.points[~surface.faded], view.size(400))
     assert (pixels > 20).all()
     assert (pixels < 380).all()
-    # Nothing is drawn that stands far before the patch.
+    # Nothing that is far in front of the patch is drawn.
     size = view.size(200)
     places, depth = view.project(surface.points, size)
     buffer = rasterize(places, depth, surface.triangles, size, nearest=view.nearest)
     assert buffer.depth.max() <= depth[~surface.faded].max() + 0.1 * view.height + 1e-12
-    # All of the patch is drawn that nothing hides.
+    # All of the patch that nothing hides is drawn.
     assert view.nearest >= depth[~surface.faded].max()
 
 

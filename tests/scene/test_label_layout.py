@@ -73,7 +73,7 @@ def test_each_label_is_led_to_its_own_thing(
     ends, layout = placed(drawn)
     expected = np.where(layout.on_right[:, None], ends[:, 1], ends[:, 0])
     np.testing.assert_array_equal(layout.anchor, expected)
-    # What is labeled from the left is to the left of what is labeled from the right.
+    # Anchors labeled from the left are to the left of those labeled from the right.
     left, right = layout.anchor[~layout.on_right, 0], layout.anchor[layout.on_right, 0]
     assert left.max(initial=-np.inf) <= right.min(initial=np.inf)
 

@@ -26,7 +26,7 @@ def test_all_pictures_of_a_small_atlas(square: Atlas, monkeypatch: pytest.Monkey
     assert front.size == (200, 200)
     closeup = np.asarray(Image.open(io.BytesIO(shots.closeups[0])))
     assert closeup.shape == (640, 640, 3)
-    # The scale bar says 2 cm of a square of 10 cm, drawn over 1 / 1.36 of the picture.
+    # The scale bar is 2 cm long; the square of 10 cm is drawn over 1 / 1.36 of the picture.
     dark = np.asarray((closeup[600:620] < 80).all(axis=-1).any(axis=0))
     assert dark[:300].sum() == pytest.approx(640 * 2 / 13.6, abs=4)
 
@@ -47,6 +47,6 @@ def test_the_overview_holds_four_sides_side_by_side(body: Atlas) -> None:
     image = np.asarray(Image.open(io.BytesIO(body_overview(survey, renderer="software"))))
     views = body_views(body_scene(survey), body.axes)
     assert image.shape[1] > sum(view.size(900)[0] for view in views.values())
-    # Four bodies, with white between them.
+    # There are four bodies, with white between them.
     inked = (image[44:944] < 250).any(axis=(0, 2))
     assert np.count_nonzero(np.diff(inked.astype(int)) == 1) == 4

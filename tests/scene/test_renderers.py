@@ -92,7 +92,7 @@ def test_colors_follow_the_difference(square: Atlas, draw: Draw) -> None:
     image = draw(picture(survey, body_views(scene, square.axes)["front"])) / 255.0
     scale = ColorScale.of(scene.paths)
     assert scale is not None
-    # A quarter along each diagonal of the square: (u, v) runs right and up in the picture.
+    # Points a quarter along each diagonal of the square; (u, v) runs right and up in the picture.
     low, high = scale.rgb(np.array([1e-9, 1e-4]))
     first, second = image[PIXELS * 3 // 4, PIXELS // 4], image[PIXELS // 4, PIXELS // 4]
     for found, expected in ((first, low), (second, high)):

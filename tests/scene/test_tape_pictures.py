@@ -30,7 +30,7 @@ TONE = 0.25
 
 @pytest.fixture(scope="module")
 def sides(scene: TapeScene, around: list[Sight]) -> Mapping[str, Sight]:
-    """The side that each measurement is looked at from."""
+    """The side from which each measurement is looked at."""
     return best_sides(scene, around)
 
 
@@ -72,7 +72,7 @@ def test_contact_taut_and_straight_look_different(
     assert bust.shape == span.shape == (SIZE[1], SIZE[0], 3)
     blue, orange = (like(bust, COLORS[kind]) for kind in (TapeKind.CONTACT, TapeKind.TAUT))
     band = like(bust, BAND) & (bust.max(axis=-1) - bust.min(axis=-1).astype(int) > 40)
-    # All three in the middle of the picture, where the tape bridges the hollow.
+    # All three are in the middle of the picture, where the tape bridges the hollow.
     middle = slice(SIZE[0] * 2 // 5, SIZE[0] * 3 // 5)
     for seen in (blue, orange, band):
         assert seen[:, middle].sum() > 30
@@ -93,7 +93,8 @@ def test_numbers_stand_beside_the_body(
         assert blank.shape == image.shape
         margin = blank.min(axis=(0, 2)) == 255
         inked = image.min(axis=-1) < 250
-        # Ink in both margins, and none at the picture's border, so that nothing is cut off.
+        # There is ink in both margins, and none at the picture's border, so that nothing is cut
+        # off.
         left = np.flatnonzero(~margin)[0]
         right = np.flatnonzero(~margin)[-1]
         assert inked[:, :left].any() or inked[:, right + 1 :].any()

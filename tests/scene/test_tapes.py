@@ -33,7 +33,7 @@ def test_tapes_are_evenly_spaced_and_keep_their_ends(chart: Chart, scene: TapeSc
         assert step.max() < 1.001 * scene.size / 300
         np.testing.assert_allclose(line.points[[0, -1]], tape.points[[0, -1]], atol=1e-15)
         given = np.linalg.norm(np.diff(tape.points, axis=0), axis=1).sum()
-        # A chord of 5 mm round an arm is shorter than its arc by a 2500th.
+        # A chord of 5 mm around an arm is shorter than its arc by a 2500th.
         assert given * (1 - 5e-4) < step.sum() < given * (1 + 1e-12)
 
 
@@ -84,7 +84,8 @@ def test_tubes_stand_off_the_skin_by_less_than_their_radius(scene: TapeScene) ->
     rings = mesh.points[: 8 * len(line.points)].reshape(-1, 8, 3)
     away = ((rings - line.points[:, None]) * line.normals[:, None]).sum(axis=-1)
     on_skin = ~line.free
-    # Part of each ring is under the skin, most of it above: nothing floats, nothing sinks in.
+    # Most of each ring is above the skin and a part below it, so that it neither floats nor sinks
+    # in.
     assert (away[on_skin].min(axis=1) < 0.0).all()
     assert (away[on_skin].max(axis=1) > 0.01).all()
 

@@ -14,12 +14,12 @@ from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.bezier import elevate, project
 from bodymeasure.taut import TautStatus
 
-# There are no wheels of it for the latest versions of Python.
+# The latest versions of Python have no wheels of it.
 pytest.importorskip("pygeodesic")
 
-# Along y from start to end.
+# The distance along y from start to end.
 WAYS = pytest.mark.parametrize("along", [0.0, 0.3, 2.2])
-# Where estimates end: below, rounding and the takeoffs' own steps rule.
+# Estimates hold down to this: below it, rounding and the steps of the takeoffs dominate.
 SMALL = 2e-6
 
 

@@ -29,7 +29,7 @@ def test_jets_are_the_derivatives(degree: int, coordinates: int, rng: np.random.
         nets[..., 3] = rng.uniform(0.5, 2.0, nets.shape[:-1])
     found = jets(power_coefficients(nets), x)
     expected = derivatives(nets, x, order=2)
-    # Powers of high degrees cancel one another.
+    # The terms of high powers cancel one another.
     cancelled = 1e-11 * 10.0 ** (degree - 3)
     np.testing.assert_allclose(found, expected, atol=cancelled * np.abs(expected).max())
 
@@ -73,7 +73,7 @@ def test_gaps_are_signed_distances(rng: np.random.Generator) -> None:
     s = derivatives(body.control_points[patch], x, order=1)
     normal = np.cross(s[:, 1, 0], s[:, 0, 1])
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
-    # The samples face outwards: `tests/test_samples.py`.
+    # The samples face outwards, as `tests/test_samples.py` checks.
     for far in (-1e-3, 1e-3):
         feet = skin.feet(s[:, 0, 0] + far * normal)
         np.testing.assert_allclose(feet.gap, far, rtol=1e-9)

@@ -11,7 +11,7 @@ from bodymeasure.taut import string
 from bodymeasure.taut.skin import skin_of
 from bodymeasure.taut.solve import draw_taut
 
-# There are no wheels of it for the latest versions of Python.
+# The latest versions of Python have no wheels of it.
 pytest.importorskip("pygeodesic")
 
 SIDES = ("left", "right")
@@ -37,7 +37,7 @@ def test_from_bust_to_bust_it_bridges_the_hollow(body: bm.Atlas) -> None:
     assert tape.gap == tape.contact.length - tape.length > 0.005
     assert tape.unit is body.unit
     assert tape.error_estimate < 1e-7
-    # Free in the middle, on the skin at both ends.
+    # The tape is free in the middle, and on the skin at both ends.
     middle = len(tape.points) // 2
     assert not tape.touching[middle]
     assert tape.touching[[0, -1]].all()

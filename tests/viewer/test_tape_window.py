@@ -135,7 +135,7 @@ def test_one_measurement_is_shown_alone(chart: Chart, tmp_path: Path) -> None:
     assert view_chart(chart, path, key="chord_bust_point_left_bust_point_right") == ""
     image = np.asarray(Image.open(io.BytesIO(path.read_bytes()))).astype(int)
     body = image[100:900]
-    # One straight line of the bust points' distance, drawn over the body; nothing colored.
+    # There is one straight line between the bust points, drawn over the body without colors.
     assert (body.max(axis=-1) - body.min(axis=-1)).max() < 60
     dark = (body.max(axis=-1) < 70).sum(axis=1)
     span = chart["chord_bust_point_left_bust_point_right"].value

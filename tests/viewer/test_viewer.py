@@ -104,7 +104,7 @@ def test_picking_finds_the_patch_under_the_pointer(body: Atlas, landmark: str) -
         window.toggle_paths()  # so that the surface is hit
         patch = body.landmarks[landmark].patch
         framed = window.framed("front")
-        # Half-way between the patch's middle and the middle of an edge: on no diagonal.
+        # This is halfway between the patch's middle and that of an edge, and on no diagonal.
         from bodymeasure.bezier import evaluate
 
         spot = evaluate(body.control_points[patch], (0.5, 0.25))
@@ -129,7 +129,7 @@ def test_picking_a_diagonal_names_only_it(body: Atlas) -> None:
         mesh = next(
             actor.mapper.dataset for actor in window.path_actors if actor.mapper.dataset.n_cells
         )
-        # One line a path, in their order.
+        # There is one line for each path, in their order.
         assert window.pick(mesh, 2 * 30 + 1) == describe(survey, 30, 1)
         assert window.pick(mesh, 2 * 30) == describe(survey, 30, 0)
         window.plotter.close()
