@@ -1,4 +1,5 @@
 import os
+import sys
 
 # This has to be set before numpy loads its linear algebra. The tests run in as many processes as
 # there are cores, and more threads slow down small systems by a factor of five.
@@ -6,6 +7,11 @@ os.environ["OMP_NUM_THREADS"] = os.environ.get("OMP_NUM_THREADS", "1")
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, settings
+
+# Compiled modules are kept even where the environment says otherwise: without them, each process
+# that a test starts would compile the package anew.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
 
 # There are no deadlines, since shared machines stall. In CI the examples are the same each time, so
 # that a failure means a change; on a developer's machine they differ from run to run.

@@ -151,9 +151,11 @@ PAIRS = {"bust": "bust_girth", "waist": "waist_girth", "hip": "hip_girth"}
 
 @cache
 def chart_of(tape: Literal["contact", "taut"]) -> Chart:
+    arcs = {f"{part}_{side}_arc" for part in PAIRS for side in SIDES}
+    keys = arcs | set(PAIRS.values())
     kept: list[MeasurementDefinition] = []
     for one in DEFAULT.measurement:
-        if isinstance(one, GirthArcMeasure | GirthMeasure):
+        if isinstance(one, GirthArcMeasure | GirthMeasure) and one.key in keys:
             members = {name: getattr(one, name) for name in one.__struct_fields__}
             kept.append(type(one)(**{**members, "tape": tape}))
     definitions = Definitions(

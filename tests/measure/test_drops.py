@@ -90,7 +90,7 @@ def test_drops_of_bodies(name: str) -> None:
     atlas = load_sample(name)
     for start, level, plane in MEASURES:
         both = []
-        for side in ("left", "right"):
+        for side in ("left", "right") if "{side}" in start else ("",):
             found: Drop = vertical_drop(
                 atlas,
                 start.format(side=side),
@@ -108,8 +108,8 @@ def test_drops_of_bodies(name: str) -> None:
                 assert 0.0 <= length - chain(tape.positions) < 1e-3 * length
                 assert (tape.patch >= 0).all()
             both.append(found)
-        assert both[0].contact == pytest.approx(both[1].contact, rel=1e-6)
-        assert both[0].taut == pytest.approx(both[1].taut, rel=1e-6)
+        assert both[0].contact == pytest.approx(both[-1].contact, rel=1e-6)
+        assert both[0].taut == pytest.approx(both[-1].taut, rel=1e-6)
 
 
 def test_the_level_tells_front_from_back() -> None:
