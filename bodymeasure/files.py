@@ -151,7 +151,7 @@ def _try_writing(folder: Path) -> None:
 
 
 def _is_device(path: Path) -> bool:
-    """Whether a path is a pipe or a device such as /dev/stdout."""
+    """Return whether a path is a pipe or a device such as /dev/stdout."""
     return path.exists() and not (path.is_file() or path.is_dir())
 
 

@@ -93,7 +93,7 @@ def sides_of(nets: NDArray[Any]) -> NDArray[Any]:
 
 
 def weights_differ(first: Array, second: Array) -> Bools:
-    """Whether weights along edges, shape (..., k), are not proportional to others."""
+    """Return whether weights along edges, shape (..., k), are not proportional to others."""
     # Weights may be of many magnitudes; logarithms of their quotients are not.
     quotient = np.log(first) - np.log(second)
     return np.asarray(np.ptp(quotient, axis=-1) > SAME_RATIO)

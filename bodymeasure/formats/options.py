@@ -11,7 +11,7 @@ from bodymeasure.errors import InputError
 
 @dataclass(frozen=True)
 class ReadOptions:
-    """What is given about a file that is read.
+    """The options with which a file is read.
 
     Parameters
     ----------

@@ -164,7 +164,7 @@ def _problems(surface: ArrayLike | HasDerivatives, start: Array, end: Array) -> 
 
 @dataclass(frozen=True)
 class _Outcome:
-    """What is known of each problem, by the names of `GeodesicSolution`; shape (problems,)."""
+    """The facts known of each problem, by the names of `GeodesicSolution`; shape (problems,)."""
 
     length: Array
     raw_length: Array

@@ -66,7 +66,7 @@ class TautTape:
 
     @property
     def gap(self) -> float:
-        """By how much the taut tape is shorter than the one that follows the skin."""
+        """The length that the taut tape saves over the one that follows the skin."""
         return self.contact.length - self.length
 
     @property

@@ -54,7 +54,7 @@ def _nearest_sides(skin: Skin, feet: Feet) -> tuple[Ints, Array]:
 
 
 def _rises(skin: Skin, patch: Ints, seam: Array, side: Ints) -> Bools:
-    """Whether the patches over some sides rise from the tangent planes of those before."""
+    """Return whether the patches over some sides rise from the tangent planes of those before."""
     _, normal, _ = skin.frame(patch, seam)
     to_patch, start = skin.entered(patch, seam, side)
     to_side = skin.to_side[patch, side]

@@ -1,4 +1,4 @@
-"""What is wrong with an atlas."""
+"""The check of an atlas: what is wrong with its geometry."""
 
 import numpy as np
 

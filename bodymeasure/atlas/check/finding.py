@@ -12,7 +12,7 @@ class Severity(StrEnum):
 
 
 class FindingKind(StrEnum):
-    """What is found; the values are words for tables."""
+    """The kinds of findings; the values are words for tables."""
 
     COLLAPSED_PATCH = "collapsed patch"
     FOLDED_PATCH = "folded patch"

@@ -128,7 +128,7 @@ def _near_known(
     width: float,
     degeneracy: Degeneracy,
 ) -> Bools:
-    """Whether a cell touches an edge or corner that is known to collapse."""
+    """Return whether a cell touches an edge or corner that is known to collapse."""
     near = np.zeros(len(patches), dtype=np.bool_)
     touches = np.concatenate([corners <= 0.0, corners + width >= 1.0], axis=1)
     # Columns of `touches` are u = 0, v = 0, u = 1, v = 1; EDGES has both of u first.

@@ -19,7 +19,7 @@ _WITH_THE_ROUND = np.array([False, True, True, False])
 
 
 def round_of_side(side: Ints) -> Bools:
-    """Whether sides, numbered as in `EDGES`, run so that the patch is on their left."""
+    """Return whether sides, numbered as in `EDGES`, run so that the patch is on their left."""
     return _WITH_THE_ROUND[side]
 
 

@@ -121,7 +121,7 @@ class Neighbors:
         return list(found.values())
 
     def are_same(self, place: AtlasPoint, other: AtlasPoint) -> bool:
-        """Whether two places are the same point of the atlas."""
+        """Return whether two places are the same point of the atlas."""
         return self._key(other) in {self._key(same) for same in self.same(place)}
 
     def ways(self, start: AtlasPoint, end: AtlasPoint) -> list[tuple[Step, ...]]:

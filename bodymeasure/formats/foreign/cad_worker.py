@@ -105,7 +105,7 @@ def _covered(surface: Any, bounds: tuple[float, ...]) -> Array:
 
 
 def _is_trimmed(face: Any, bounds: tuple[float, ...]) -> bool:
-    """Whether edges run elsewhere than along the borders of the face's range."""
+    """Return whether edges run elsewhere than along the borders of the face's range."""
     from OCP.BRepAdaptor import BRepAdaptor_Curve2d
     from OCP.TopAbs import TopAbs_ShapeEnum
     from OCP.TopExp import TopExp_Explorer

@@ -108,7 +108,7 @@ def _layer(file: Any, index: int) -> str:
 
 
 def _is_trimmed(brep: Any, face: Any, surface: Any) -> bool:
-    """Whether a face's edges run elsewhere than along its surface's sides."""
+    """Return whether a face's edges run elsewhere than along its surface's sides."""
     if len(face.Loops) != 1:
         return True
     sides = np.concatenate(_sides(surface))

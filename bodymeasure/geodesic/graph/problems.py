@@ -84,5 +84,5 @@ class OffsetProblems:
 
 
 def _are_corners(start: Array, end: Array) -> bool:
-    """Whether all points are corners of their patches."""
+    """Return whether all points are corners of their patches."""
     return bool(((start == 0.0) | (start == 1.0)).all() and (end == 1.0 - start).all())

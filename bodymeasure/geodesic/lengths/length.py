@@ -127,7 +127,7 @@ class Length:
 
 
 def is_leading_order(correction: Any, residual: Any, length: Any) -> Any:
-    """Whether corrections are small parts of the length, and residuals small angles.
+    """Return whether corrections are small parts of the length, and residuals small angles.
 
     Parameters
     ----------

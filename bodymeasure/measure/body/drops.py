@@ -67,7 +67,7 @@ class Drop:
 
     @property
     def gap(self) -> float:
-        """By how much the taut tape is shorter than the one that follows the skin."""
+        """The length that the taut tape saves over the one that follows the skin."""
         return self.contact - self.taut
 
     @property

@@ -68,7 +68,7 @@ class Girth:
 
     @property
     def gap(self) -> float:
-        """By how much the taut tape is shorter than the one that follows the skin."""
+        """The length that the taut tape saves over the one that follows the skin."""
         return self.contact - self.taut
 
     @property

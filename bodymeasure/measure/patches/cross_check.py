@@ -140,7 +140,7 @@ def cross_check(
 
 
 def _along_an_edge(solution: GeodesicSolution) -> Bools:
-    """Whether paths run along an edge of their patch, or may, since both ends lie on it."""
+    """Return whether paths run along an edge of their patch, or may, since both ends lie on it."""
     start, end = solution.start, solution.end
     common = (start == end) & ((start == 0.0) | (start == 1.0))
     return np.asarray(common.any(axis=-1) | (solution.status == Status.ON_BOUNDARY))

@@ -112,7 +112,7 @@ def rasterize(
             kept = z <= nearest
             z, pixel, which = z[kept], pixel[kept], which[kept]
         np.maximum.at(buffer, pixel, z)
-        # Of triangles at the same depth, any one will do.
+        # Any one of several triangles at the same depth will do.
         wins = z == buffer[pixel]
         shown[pixel[wins]] = which[wins]
     shape = (height, width)

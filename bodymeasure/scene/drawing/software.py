@@ -61,7 +61,7 @@ class _Drawn(NamedTuple):
     image: Array
 
     def serves(self, picture: Picture) -> bool:
-        """Whether a picture shows the same surface from the same side."""
+        """Return whether a picture shows the same surface from the same side."""
         same = self.surface is picture.surface and self.view is picture.view
         return same and self.buffer.depth.shape == picture.samples[::-1]
 

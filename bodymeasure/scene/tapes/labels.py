@@ -14,7 +14,7 @@ from bodymeasure.scene.tapes.label_layout import Columns, Layout, place_labels
 # A leader should end where its tape is this far from others, as a fraction of the picture's height;
 # a larger distance is no better.
 CLEAR = 0.02
-# By how many pixels a leader may be longer to end a pixel farther from other tapes.
+# A leader may be this many pixels longer if it ends one pixel farther from other tapes.
 CLEARANCE_WORTH = 3.0
 
 

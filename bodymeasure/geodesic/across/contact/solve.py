@@ -88,7 +88,7 @@ def _polygon(refined: RefinedPath) -> RefinedPath:
 
 
 def _held_from_all_sides(atlas: Atlas, neighbors: Neighbors, refined: RefinedPath) -> bool:
-    """Whether the edges that hold a path seem to hold it on all patches beside them."""
+    """Return whether the edges that hold a path seem to hold it on all patches beside them."""
     held, route = refined.held_nodes, refined.problem.route
     inner = refined.values[:, :, 1:-1]
     for piece, patch in enumerate(route.patches):

@@ -191,7 +191,7 @@ def _wanted(atlas: Atlas, neighbors: Neighbors, best: RefinedPath) -> Iterator[R
 
 
 def _on_boundary(neighbors: Neighbors, refined: RefinedPath) -> bool:
-    """Whether an edge without a neighbor holds a path."""
+    """Return whether an edge without a neighbor holds a path."""
     held, values = refined.held_nodes, refined.values[:, :, 1:-1]
     for piece, patch in enumerate(refined.problem.route.patches):
         for side, edge in enumerate(EDGES):
