@@ -2,40 +2,17 @@
 
 import numpy as np
 import pytest
+from helpers.surfaces.height_fields import bent_plane, heights
 from scipy.optimize import brentq
 
 import bodymeasure as bm
-from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
-from bodymeasure.geodesic.contact.edge_arc import edge_arc
-from bodymeasure.geodesic.contact.legs import Contact, read_legs
+from bodymeasure.geodesic.contact.legs import read_legs
 from bodymeasure.geodesic.contact.solve import solve_contact_path
-from bodymeasure.geodesic.contact.tangency import SAFETY, tangency_error
-from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.oracle import mesh_distances
 
 START, END = np.zeros(2), np.ones(2)
-
-
-def heights(z: Array, side: float = 1.0) -> Array:
-    """Control points over a square grid."""
-    line = np.linspace(0.0, side, 4)
-    x, y = np.meshgrid(line, line, indexing="ij")
-    return np.stack([x, y, z], axis=-1)
-
-
-def bent_plane() -> Array:
-    """A plane patch whose edge u = 0 bulges inwards, across the chord of its diagonal.
-
-    x = u + bulge v (1 - v) (1 - u), y = v: the patch is flat, so its shortest paths are those of a
-    plane region.
-    """
-    u, v = np.meshgrid(np.linspace(0, 1, 4), np.linspace(0, 1, 4), indexing="ij")
-    net = np.stack([u, v, np.zeros_like(u)], axis=-1)
-    bulge = np.array([0.0, 1.0, 1.0, 0.0]) / 3.0
-    net[..., 0] = u + 2.4 * bulge * (1.0 - u)
-    return net
 
 
 def test_a_flat_patch_with_an_edge_in_the_way() -> None:
@@ -116,24 +93,6 @@ def test_a_wall_round_the_straight_line_is_gone_round() -> None:
     mesh = mesh_distances(net[None], START[None, None], END[None, None])
     difference = thorough.length - mesh.exact[0, 0]
     assert abs(difference) <= 3.0 * mesh.exact_uncertainty[0, 0]
-
-
-def test_the_pattern_of_a_polygon() -> None:
-    inside = [0.3, 0.5]
-    polygon = np.array(
-        [[0, 0], [0, 0.2], [0, 0.4], inside, [0.6, 1], [0.8, 1], [0.9, 0.9], [1, 0.5]]
-    )
-    legs = read_legs(polygon)
-    assert [leg.contact.name if leg.contact else "free" for leg in legs] == [
-        "u = 0",
-        "free",
-        "v = 1",
-        "free",
-    ]
-    assert [(leg.first, leg.last) for leg in legs] == [(0, 2), (2, 4), (4, 5), (5, 7)]
-    # A free leg slides where it meets an arc, and is fixed at the ends of the path.
-    slides = [tuple(s.name if s else None for s in leg.ends) for leg in legs if not leg.contact]
-    assert slides == [("u = 0", "v = 1"), ("v = 1", None)]
 
 
 def test_a_search_is_one_of_three() -> None:
@@ -248,29 +207,6 @@ def test_paths_along_edges_of_wild_patches(levels: list[list[int]]) -> None:
     assert 0.0 < solution.length - edges < 3e-3
 
 
-@pytest.mark.parametrize("bulge", [2.4, -2.4])
-def test_an_edge_presses_where_it_is_in_the_way(bulge: float) -> None:
-    # x = bulge v (1 - v) on u = 0: an arc along it is shortest if the patch lies outside its bend.
-    net = bent_plane()
-    net[:, :, 0] += (bulge / 2.4 - 1.0) * (net[:, :, 0] - np.linspace(0, 1, 4)[:, None])
-    surface = BezierSurfaces(net[None])
-    arc = edge_arc(surface, Contact(0, 0.0), np.array([0.0, 0.2]), np.array([0.0, 0.9]))
-    assert arc.is_pressed == (bulge > 0.0)
-    t = np.linspace(0.2, 0.9, 20001)
-    along = np.hypot(np.diff(bulge * t * (1.0 - t)), np.diff(t)).sum()
-    assert arc.solved.length.raw[0] == pytest.approx(along, rel=1e-8)
-
-
-def test_a_straight_edge_presses_nothing_and_is_not_refused(rng: np.random.Generator) -> None:
-    surface = BezierSurfaces(heights(np.zeros((4, 4)))[None])
-    for axis, value in ((0, 0.0), (0, 1.0), (1, 0.0), (1, 1.0)):
-        begin, end = rng.random((2, 2))
-        begin[axis] = end[axis] = value
-        arc = edge_arc(surface, Contact(axis, value), begin, end)
-        assert arc.is_pressed
-        assert arc.solved.length.raw[0] == pytest.approx(np.abs(end - begin).sum(), rel=1e-14)
-
-
 @pytest.mark.parametrize("search", ["quick", "thorough"])
 @pytest.mark.parametrize("along", [(0.0, 0.01, 0.02, 1.0), (0.0, 0.98, 0.99, 1.0)])
 def test_a_straight_edge_of_uneven_speed_holds_its_path(
@@ -285,18 +221,6 @@ def test_a_straight_edge_of_uneven_speed_holds_its_path(
     assert (contact.edge, contact.start, contact.end) == ("u = 0", 0.0, 1.0)
 
 
-def test_legs_that_meet_at_a_corner_are_fixed_there() -> None:
-    polygon = np.array([[0.5, 0.5], [0.2, 0.8], [0.0, 1.0], [0.3, 0.9], [0.6, 0.6]])
-    legs = read_legs(polygon)
-    assert [(leg.first, leg.last, leg.ends) for leg in legs if not leg.contact] == [
-        (0, 2, (None, None)),
-        (2, 4, (None, None)),
-    ]
-    round_it = np.array([[0.0, 0.5], [0.0, 0.8], [0.0, 1.0], [0.3, 1.0], [0.6, 0.6]])
-    names = [leg.contact.name if leg.contact else "free" for leg in read_legs(round_it)]
-    assert names == ["u = 0", "v = 1", "free"]
-
-
 def test_a_shallow_saddle_is_left() -> None:
     # Symmetric about the diagonal, on which lies a geodesic with an eigenvalue of -6e-4. Beside it
     # are two that are shorter by 6e-8.
@@ -309,34 +233,6 @@ def test_a_shallow_saddle_is_left() -> None:
     assert 1e-8 < over.raw_length - beside.length < 1e-6
     u, v = beside.path(0.5)
     assert abs(u - v) > 1e-3
-
-
-@pytest.mark.parametrize("off", [-0.03, -0.01, 0.01, 0.03])
-def test_a_joint_in_the_wrong_place_is_told(off: float) -> None:
-    # In the plane: along the edge x = 2.4 y (1 - y) to a joint beside the right one, then on a
-    # curve that is tangential there, as a polynomial of low degree would be, to (0.3, 1).
-    target, corner = np.array([0.3, 1.0]), np.zeros(2)
-
-    def on_edge(t: float) -> Array:
-        return np.array([2.4 * t * (1.0 - t), t])
-
-    def whole(t: float) -> float:
-        arc = edge_arc(surface, Contact(0, 0.0), corner, np.array([0.0, t]))
-        chord = np.linalg.norm(target - on_edge(t))
-        return float(arc.solved.length.raw[0] + chord)
-
-    surface = BezierSurfaces(bent_plane()[None])
-    right = 1.0 - np.sqrt(0.3 / 2.4)  # where the tangent of the edge meets (0.3, 1)
-    joint = right + off
-    begin, tangent = on_edge(joint), np.array([2.4 * (1.0 - 2.0 * joint), 1.0])
-    space = polynomial_space(24)
-    t = space.nodes[:, None]
-    control = begin + 0.3 * tangent / np.linalg.norm(tangent)
-    x, y = ((1 - t) ** 2 * begin + 2 * t * (1 - t) * control + t**2 * target).T
-    edge = 2.4 * y * (1.0 - y)
-    values = np.stack([(x - edge) / (1.0 - edge), y])
-    told = tangency_error(surface, space, values, (Contact(0, 0.0), None)) / SAFETY
-    assert told == pytest.approx(abs(whole(joint) - whole(right)), rel=0.2)
 
 
 @pytest.mark.parametrize(
