@@ -10,6 +10,7 @@ runs on earlier states of the package, whose names it tries in turn.
 
 import argparse
 import importlib
+import inspect
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -70,8 +71,7 @@ def control_points_to_row() -> bytes:
     atlas = bm.Atlas(points.reshape(-1, 3), np.arange(16).reshape(1, 4, 4), bm.Unit.CM)
     survey = bm.Survey(atlas, bm.diagonals(atlas), bm.boundary_lengths(atlas))
     document = report.survey_document(survey, "cm")
-    rows: bytes = report.to_csv(document.measurements)
-    return rows
+    return _rows(report.to_csv, document)
 
 
 def points_to_length(body: bm.Atlas) -> float:
@@ -87,8 +87,13 @@ def definition_to_cell(body: bm.Atlas) -> bytes:
     (one,) = (each for each in definitions.measurement if each.key == DEFINITION)
     chart = bm.measure_chart(body, msgspec.structs.replace(definitions, measurement=(one,)))
     document = report.chart_document(chart, "cm")
-    cell: bytes = report.chart_to_csv(document.measurements)
-    return cell
+    return _rows(report.chart_to_csv, document)
+
+
+def _rows(to_csv: Callable[..., bytes], document: Any) -> bytes:
+    """Call a writer of CSV that takes a document or, in earlier states, its measurements."""
+    (parameter,) = inspect.signature(to_csv).parameters
+    return to_csv(document if parameter == "document" else document.measurements)
 
 
 def _imported(name: str) -> Any:
