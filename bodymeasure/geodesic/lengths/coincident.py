@@ -1,9 +1,8 @@
 """Points that coincide: equal ones, and those on one collapsed edge."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.lengths.measure import CANCELLATION
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
@@ -12,9 +11,7 @@ from bodymeasure.geodesic.surfaces.protocol import Surface
 TIMES = np.linspace(0.0, 1.0, 17)
 
 
-def distances_in_one_place(
-    surfaces: Surface, surface_of: NDArray[np.int64], start: Array, end: Array
-) -> Array:
+def distances_in_one_place(surfaces: Surface, surface_of: Ints, start: Array, end: Array) -> Array:
     """Return bounds of the distances between coincident points, and infinity for all others.
 
     The bound is zero for equal points. Along a line of u or of v the surface may stand still, as on

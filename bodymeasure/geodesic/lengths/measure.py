@@ -33,9 +33,8 @@ It is of leading order: callers trust it only where the correction is a small pa
 
 import array_api_compat.numpy
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 from bodymeasure.geodesic.lengths.jacobi import length_and_error
 from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.lengths.path_geometry import path_geometry
@@ -72,7 +71,7 @@ def measure_length(surface: Surface, space: TrialSpace, values: Array) -> Length
     return length
 
 
-def is_steep(length: Array, values: Array) -> NDArray[np.bool_]:
+def is_steep(length: Array, values: Array) -> Bools:
     """Return which paths are so short, for their way in u and v, that rounding errors count.
 
     Parameters
@@ -81,7 +80,7 @@ def is_steep(length: Array, values: Array) -> NDArray[np.bool_]:
     values : ndarray, shape (problems, 2, n + 1)
     """
     way = np.abs(values[:, :, 1:] - values[:, :, :-1]).sum(axis=(1, 2))
-    result: NDArray[np.bool_] = length < STEEP * way
+    result: Bools = length < STEEP * way
     return result
 
 

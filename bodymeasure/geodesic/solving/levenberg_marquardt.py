@@ -1,9 +1,8 @@
 """Newton's method with Levenberg-Marquardt damping for the minima of many problems at once."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 from bodymeasure.geodesic.lengths.functionals import Functional, SecondOrder
 from bodymeasure.geodesic.numerics.damped_newton import LAST_STEP, LONGEST_STEP
 from bodymeasure.geodesic.solving.newton import NewtonResult
@@ -106,9 +105,7 @@ def _slope_products(space: TrialSpace, unknowns: int) -> Array:
     return result
 
 
-def _damped_step(
-    here: SecondOrder, metric: Array, damping: Array
-) -> tuple[Array, NDArray[np.bool_]]:
+def _damped_step(here: SecondOrder, metric: Array, damping: Array) -> tuple[Array, Bools]:
     """The steps, and which of them could be computed."""
     finite = np.asarray(
         np.isfinite(here.gradient).all(axis=1) & np.isfinite(here.hessian).all(axis=(1, 2))
@@ -126,7 +123,7 @@ def _damped_step(
     return np.where(finite[:, None], step, 0.0), finite
 
 
-def _chosen(accepted: NDArray[np.bool_], there: SecondOrder, here: SecondOrder) -> SecondOrder:
+def _chosen(accepted: Bools, there: SecondOrder, here: SecondOrder) -> SecondOrder:
     return SecondOrder(
         np.where(accepted, there.value, here.value),
         np.where(accepted[:, None], there.gradient, here.gradient),

@@ -8,9 +8,8 @@ begin at the start, they are 1e-16 of the way.
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.solving.protocol import Method, MethodResult, PathBatch
 from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE, Surface
 
@@ -42,8 +41,8 @@ class MagnifiedSurface:
         self,
         surface: Surface,
         center: Array,
-        extent: NDArray[np.int64],
-        unit: NDArray[np.int64],
+        extent: Ints,
+        unit: Ints,
     ) -> None:
         self._surface = surface
         self._center = center
@@ -73,7 +72,7 @@ class MagnifiedSurface:
         powers = np.clip(self._extent.T - self._unit, -MOST, MOST)
         return np.asarray(magnitude * np.ldexp(1.0, powers)[:, :, None])
 
-    def take(self, problems: NDArray[np.int64]) -> "MagnifiedSurface":
+    def take(self, problems: Ints) -> "MagnifiedSurface":
         """Return the surfaces of some of the problems."""
         return MagnifiedSurface(
             self._surface.take(problems),
@@ -123,9 +122,7 @@ def _magnified(method: Method, surface: Surface, start: Array, end: Array) -> Me
     return MethodResult(tuple(batches), result.iterations)
 
 
-def _sizes(
-    surface: Surface, start: Array, move: Array
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _sizes(surface: Surface, start: Array, move: Array) -> tuple[Ints, Ints]:
     """The size of the part of the patch that a way takes up, in u and v and in length.
 
     The sizes are exponents of powers of two. A short way takes up less of a coordinate in which the

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.geodesic.lengths.equations import residual_and_jacobian
 from bodymeasure.geodesic.numerics.damped_newton import LAST_STEP, LONGEST_STEP, SMALLEST_STEP
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
@@ -29,13 +29,13 @@ class NewtonResult:
     iterations : ndarray of int, shape (problems,)
     """
 
-    values: NDArray[np.float64]
-    converged: NDArray[np.bool_]
-    singular: NDArray[np.bool_]
-    iterations: NDArray[np.int64]
+    values: Array
+    converged: Bools
+    singular: Bools
+    iterations: Ints
 
     @classmethod
-    def unsolved(cls, start: NDArray[np.float64]) -> "NewtonResult":
+    def unsolved(cls, start: Array) -> "NewtonResult":
         """Return the state before the first step, for a guess of shape (problems, 2, n + 1)."""
         none = np.zeros(len(start), bool)
         return cls(start.copy(), none, none.copy(), np.zeros(len(start), np.int64))
@@ -44,7 +44,7 @@ class NewtonResult:
 def newton(
     surface: Surface,
     space: TrialSpace,
-    start: NDArray[np.float64],
+    start: Array,
     *,
     max_iterations: int = MAX_ITERATIONS,
 ) -> NewtonResult:
@@ -116,14 +116,12 @@ def newton(
     return result
 
 
-def _first_step(direction: NDArray[np.float64]) -> NDArray[np.float64]:
+def _first_step(direction: Array) -> Array:
     size = np.abs(direction).max(axis=(1, 2))
     return np.asarray(np.minimum(1.0, LONGEST_STEP / np.maximum(size, LONGEST_STEP)))
 
 
-def _direction(
-    jacobian: NDArray[np.float64], residual: NDArray[np.float64], like: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+def _direction(jacobian: Array, residual: Array, like: Array) -> tuple[Array, Bools]:
     """The Newton directions, zero at the end nodes, and which systems could be solved."""
     problems, _, points = residual.shape
     matrix = jacobian.reshape(problems, 2 * points, 2 * points)
@@ -145,9 +143,7 @@ def _direction(
     return direction, solvable
 
 
-def _solve_one_by_one(
-    matrix: NDArray[np.float64], right: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+def _solve_one_by_one(matrix: Array, right: Array) -> tuple[Array, Bools]:
     """The same where some systems of the batch are exactly singular, solved one by one."""
     solution = np.zeros_like(right)
     regular = np.ones(len(matrix), bool)

@@ -4,9 +4,8 @@ from collections.abc import Callable, Sequence
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.solving.newton import MAX_ITERATIONS, NewtonResult, newton
 from bodymeasure.geodesic.solving.protocol import MethodResult, PathBatch
@@ -90,7 +89,7 @@ def solve_on_spaces(
 def _measured(
     surface: Surface,
     space: TrialSpace,
-    problems: NDArray[np.int64],
+    problems: Ints,
     found: NewtonResult,
     tolerance: float,
 ) -> PathBatch:
@@ -99,7 +98,7 @@ def _measured(
     return PathBatch(problems, space, found.values, length, converged, found.singular)
 
 
-def is_far_outside(batch: PathBatch, solved: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def is_far_outside(batch: PathBatch, solved: Bools) -> Bools:
     """Return which paths leave their patch so far that more functions would not bring them back.
 
     They have no length on the patch, and the polynomials that continue it may be wild.

@@ -4,8 +4,8 @@ from dataclasses import dataclass, replace
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.geodesic.lengths.arc_length_times import times_at
 from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
@@ -56,16 +56,16 @@ class PathBatch:
         part of the length that has been covered.
     """
 
-    problems: NDArray[np.int64]
+    problems: Ints
     space: TrialSpace
-    values: NDArray[np.float64]
+    values: Array
     length: Length
-    converged: NDArray[np.bool_]
-    singular: NDArray[np.bool_]
+    converged: Bools
+    singular: Bools
     contacts: tuple[EdgeContact, ...] = ()
-    speed: NDArray[np.float64] | None = None
+    speed: Array | None = None
 
-    def take(self, rows: NDArray[np.int64]) -> "PathBatch":
+    def take(self, rows: Ints) -> "PathBatch":
         """Return some of the paths, by their place in this batch."""
         return PathBatch(
             self.problems[rows],
@@ -78,7 +78,7 @@ class PathBatch:
             None if self.speed is None else self.speed[rows],
         )
 
-    def points(self, parts: NDArray[np.float64]) -> NDArray[np.float64]:
+    def points(self, parts: Array) -> Array:
         """Return (u, v) after parts of the paths' lengths, shape (problems, parts, 2)."""
         if self.speed is None:
             places = self.values @ self.space.matrices(parts)[0].T
@@ -90,7 +90,7 @@ class PathBatch:
         points[:, parts == 1.0] = self.values[:, None, :, -1]
         return points
 
-    def renumbered(self, problems: NDArray[np.int64]) -> "PathBatch":
+    def renumbered(self, problems: Ints) -> "PathBatch":
         """Return the same paths under other problem numbers."""
         return replace(self, problems=problems)
 
@@ -107,7 +107,7 @@ class MethodResult:
     """
 
     batches: tuple[PathBatch, ...]
-    iterations: NDArray[np.int64]
+    iterations: Ints
 
 
 class Method(Protocol):
@@ -117,7 +117,5 @@ class Method(Protocol):
     def tolerance(self) -> float:
         """The relative error of the length that is asked for."""
 
-    def solve(
-        self, surface: Surface, start: NDArray[np.float64], end: NDArray[np.float64]
-    ) -> MethodResult:
+    def solve(self, surface: Surface, start: Array, end: Array) -> MethodResult:
         """Return paths from start to end, both of shape (problems, 2), on a batch of surfaces."""

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +49,7 @@ class PiecewisePolynomials:
             result[here] = vandermonde @ self.coefficients[0, :, :, number].astype(np.float64)
         return result
 
-    def _by_piece(self, t: NDArray[Any]) -> Iterator[tuple[int, NDArray[np.int64], NDArray[Any]]]:
+    def _by_piece(self, t: NDArray[Any]) -> Iterator[tuple[int, Ints, NDArray[Any]]]:
         """The number of each piece, which t lie on it, and these scaled to [-1, 1]."""
         piece = np.clip(np.searchsorted(self.edges, t, side="right") - 1, 0, len(self.edges) - 2)
         for number in np.unique(piece):

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 from numpy.polynomial import legendre
-from numpy.typing import NDArray
 
+from bodymeasure._typing import Array
 from bodymeasure.geodesic.numerics.array_libraries import constant
 
 # How many quarters of the degrees lie between the middle of the last one and degree 2m, less a
@@ -27,7 +27,7 @@ class Quadrature:
         The number of points on each piece.
     """
 
-    def __init__(self, edges: NDArray[np.float64], count: int) -> None:
+    def __init__(self, edges: Array, count: int) -> None:
         self.count = count
         self.widths = np.diff(edges)
         nodes, weights = legendre.leggauss(count)
@@ -35,7 +35,7 @@ class Quadrature:
         self.weights = (self.widths[:, None] * weights / 2.0).ravel()
 
     @cached_property
-    def _coefficients(self) -> NDArray[np.float64]:
+    def _coefficients(self) -> Array:
         """The map from values on a piece to its Legendre coefficients beyond the first quarter."""
         nodes, weights = legendre.leggauss(self.count)
         transform = legendre.legvander(nodes, self.count - 1) * weights[:, None]
@@ -48,7 +48,7 @@ class Quadrature:
         return self.count // 4, self.count // 2, 3 * self.count // 4
 
     @cached_property
-    def antiderivative(self) -> NDArray[np.float64]:
+    def antiderivative(self) -> Array:
         """The map from values at the points to the integrals from 0 to them."""
         nodes, weights = legendre.leggauss(self.count)
         transform = legendre.legvander(nodes, self.count - 1) * weights[:, None]
@@ -59,7 +59,7 @@ class Quadrature:
         result += np.kron(before, np.ones((self.count, self.count))) * self.weights
         return result
 
-    def integrate(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    def integrate(self, values: Array) -> Array:
         """Return integrals over [0, 1] of functions given at the points, shape (points, ...)."""
         return np.asarray(np.tensordot(self.weights, values, 1))
 

@@ -4,9 +4,9 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 from bodymeasure.geodesic.spaces.piecewise import PiecewisePolynomials
 from bodymeasure.geodesic.spaces.quadrature import Quadrature
 
@@ -88,7 +88,7 @@ class TrialSpace:
         coefficients[:, :, [0, -1]] = lines - inner @ coefficients[:, :, 1:-1]
         return replace(self, functions=PiecewisePolynomials(edges, coefficients))
 
-    def leaves_patch(self, values: Array, margin: float) -> NDArray[np.bool_]:
+    def leaves_patch(self, values: Array, margin: float) -> Bools:
         """Return which paths go further than a margin outside [0, 1], in u or v.
 
         Parameters

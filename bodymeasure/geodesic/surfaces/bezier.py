@@ -5,9 +5,8 @@ from typing import Any
 
 import array_api_compat
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import bernstein_values, elevate, evaluate
 from bodymeasure.geodesic.numerics.array_libraries import constant, to_numpy
 from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE
@@ -87,7 +86,7 @@ class BezierSurfaces:
             columns // self.coordinates, self.coordinates, problems, count
         )
 
-    def take(self, problems: NDArray[np.int64]) -> "BezierSurfaces":
+    def take(self, problems: Ints) -> "BezierSurfaces":
         """Return the patches of some of the problems."""
         points = self.control_points
         xp = array_api_compat.array_namespace(points)

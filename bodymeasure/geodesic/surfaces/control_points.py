@@ -5,9 +5,8 @@ from typing import Any
 
 import array_api_compat
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import project
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.numerics.array_libraries import constant, to_numpy
@@ -97,12 +96,12 @@ def _as_doubles(value: Any) -> Any:
     return xp.astype(value, xp.float64, copy=False)
 
 
-def collapsed_patches(control_points: Any) -> NDArray[np.int64]:
+def collapsed_patches(control_points: Any) -> Ints:
     """Return the numbers of the patches, shape (..., m + 1, n + 1, 3), whose points are equal."""
     return _collapsed(*extremes(control_points))
 
 
-def _collapsed(low: Array, high: Array) -> NDArray[np.int64]:
+def _collapsed(low: Array, high: Array) -> Ints:
     return np.flatnonzero((low == high).all(axis=1))
 
 

@@ -3,9 +3,9 @@
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE
 
@@ -51,7 +51,7 @@ class CustomSurface:
         u, v = np.abs(np.moveaxis(parameters, -1, 0))
         return np.stack([s_u + s_uu * u + s_uv * v, s_v + s_uv * u + s_vv * v])
 
-    def take(self, problems: NDArray[np.int64]) -> "CustomSurface":
+    def take(self, problems: Ints) -> "CustomSurface":
         """Return the same surface, which serves all problems."""
         del problems
         return self

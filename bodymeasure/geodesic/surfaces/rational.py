@@ -4,9 +4,8 @@ from math import comb
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE
@@ -67,7 +66,7 @@ class RationalSurfaces:
         # so that their terms are the greatest of all, up to a small factor.
         return self._homogeneous.magnitude(parameters)
 
-    def take(self, problems: NDArray[np.int64]) -> "RationalSurfaces":
+    def take(self, problems: Ints) -> "RationalSurfaces":
         """Return the patches of some of the problems."""
         return RationalSurfaces(self.control_points[problems])
 

@@ -21,10 +21,10 @@ from helpers.surfaces.surfaces import (
     SURFACES,
     Surface,
 )
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 import bodymeasure as bm
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 from bodymeasure.bezier import evaluate
 
@@ -101,7 +101,7 @@ def test_helices_on_a_cylinder_with_curved_seams(rng: np.random.Generator) -> No
     "net", [ENNEPER, PARABOLOID, HYPERBOLIC_PARABOLOID, PH_CYLINDER], ids=["e", "p", "h", "c"]
 )
 def test_cutting_along_curves_that_meet_at_kinks_changes_no_length(
-    net: NDArray[np.float64], rng: np.random.Generator
+    net: Array, rng: np.random.Generator
 ) -> None:
     compared = 0
     for _ in range(8):
