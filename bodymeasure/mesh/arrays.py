@@ -81,3 +81,10 @@ def part_of(mesh: TriangleMesh, keep: NDArray[Any]) -> tuple[TriangleMesh, Ints]
     """Return the mesh of some of the faces, and the old numbers of its vertices."""
     used, faces = np.unique(mesh.faces[keep], return_inverse=True)
     return TriangleMesh(mesh.vertices[used], faces.reshape(-1, 3).astype(np.int64)), used
+
+
+def face_spheres(mesh: TriangleMesh) -> tuple[Array, Array]:
+    """Return spheres that hold the faces: their centers, shape (f, 3), and their radii (f,)."""
+    corners = mesh.vertices[mesh.faces]
+    centers = corners.mean(axis=1)
+    return centers, np.linalg.norm(corners - centers[:, None], axis=2).max(axis=1)

@@ -6,7 +6,7 @@ import scipy
 from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas.components import connected_components
 from bodymeasure.errors import InputError, MissingExtraError
-from bodymeasure.mesh.arrays import TriangleMesh, part_of
+from bodymeasure.mesh.arrays import TriangleMesh, face_spheres, part_of
 
 # Room for rounding in what a shortest path can reach.
 ROOM = 1e-9
@@ -32,7 +32,7 @@ def exact_path(mesh: TriangleMesh, source: int, target: int) -> Array:
     -----
     J. Mitchell, D. Mount and C. Papadimitriou, "The discrete geodesic problem", SIAM J. Comput. 16
     (1987). No path that is as short as the shortest along the edges leaves the ellipsoid about the
-    two points whose axis is that long; what is outside is left out.
+    two points whose axis is that long; faces that are wholly outside are left out.
     """
     try:
         from pygeodesic.geodesic import PyGeodesicAlgorithmExact
@@ -47,11 +47,12 @@ def exact_path(mesh: TriangleMesh, source: int, target: int) -> Array:
             "part, or merge the vertices that should be one (trimesh: merge_vertices, pyvista: "
             "clean)"
         )
-    vertices = mesh.vertices
-    way = np.linalg.norm(vertices - vertices[source], axis=1)
-    way += np.linalg.norm(vertices - vertices[target], axis=1)
-    inside = way <= longest * (1.0 + ROOM)
-    part, used = part_of(mesh, inside[mesh.faces].any(axis=1))
+    # A path may cross a large face whose vertices are all outside. No point of a face has a sum of
+    # distances that is less than the center's by more than twice the radius of the face's sphere.
+    center, radius = face_spheres(mesh)
+    way = np.linalg.norm(center - mesh.vertices[source], axis=1)
+    way += np.linalg.norm(center - mesh.vertices[target], axis=1)
+    part, used = part_of(mesh, way - 2.0 * radius <= longest * (1.0 + ROOM))
     first, last = (int(np.searchsorted(used, number)) for number in (source, target))
     # The solver's tolerances are lengths. A power of 2 rounds nothing.
     scale = float(np.ldexp(1.0, np.frexp(longest)[1]))

@@ -11,7 +11,7 @@ from bodymeasure.atlas import Unit
 from bodymeasure.atlas.queries.locations import FARTHEST, far_words
 from bodymeasure.atlas.size import require_size
 from bodymeasure.errors import InputError
-from bodymeasure.mesh.arrays import TriangleMesh, part_of, triangle_mesh
+from bodymeasure.mesh.arrays import TriangleMesh, face_spheres, part_of, triangle_mesh
 from bodymeasure.mesh.curved import curved, vertex_normals
 from bodymeasure.mesh.exact import exact_path, joined_to, length_of
 from bodymeasure.mesh.insert import inserted
@@ -176,9 +176,10 @@ def _near(mesh: TriangleMesh, path: Array, length: float) -> Bools:
     steps = max(1, int(np.ceil(edges.max() / np.median(edges))))
     t = np.arange(steps)[:, None, None] / steps
     dense = ((1.0 - t) * path[:-1] + t * path[1:]).reshape(-1, 3)
-    distance, _ = scipy.spatial.KDTree(np.vstack([dense, path[-1:]])).query(mesh.vertices)
-    edge = float(np.median(edges))
-    near = (distance <= max(ASIDE * length, RINGS * edge))[mesh.faces].any(axis=1)
+    # A large face may lie beside a path though none of its vertices does.
+    center, radius = face_spheres(mesh)
+    distance, _ = scipy.spatial.KDTree(np.vstack([dense, path[-1:]])).query(center)
+    near = distance - radius <= max(ASIDE * length, RINGS * float(np.median(edges)))
     part, used = part_of(mesh, near)
     start = int(np.searchsorted(used, np.argmin(np.linalg.norm(mesh.vertices - path[0], axis=1))))
     near[near] = joined_to(part, start)[part.faces].all(axis=1)

@@ -180,3 +180,37 @@ def test_the_estimate_covers_that_places_beside_an_edge_are_moved_onto_it() -> N
     path = bm.measure_mesh(mesh, start, end)
     off = abs(path.length - np.linalg.norm(end - start))
     assert 1e-9 < off <= path.error_estimate <= 1e-6
+
+
+def plate(depth: float) -> TriangleMesh:
+    """A plate of 10 x 10 x 2, whose top is two triangles and whose bottom has a row of vertices.
+
+    The last two vertices lie in the middle of two opposite sides, `depth` below the top.
+    """
+    square = np.array([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
+    row = np.stack([np.linspace(0.0, 10.0, 21), np.full(21, 5.0), np.full(21, -2.0)], axis=1)
+    box = [np.column_stack([square, np.full(4, z)]) for z in (0.0, -2.0)]
+    ends = [(0.0, 5.0, -depth), (10.0, 5.0, -depth)]
+    bottom = [face for k in range(8, 28) for face in ((4, k, k + 1), (7, k + 1, k))]
+    rims = [((0, 3, 7, 8, 4), 29), ((1, 5, 28, 6, 2), 30)]
+    sides = [
+        (*pair, tip) for rim, tip in rims for pair in zip(rim, (*rim[1:], rim[0]), strict=True)
+    ]
+    rest = [
+        (0, 1, 2),
+        (0, 2, 3),
+        (4, 28, 5),
+        (7, 6, 28),
+        (0, 4, 5),
+        (0, 5, 1),
+        (3, 2, 6),
+        (3, 6, 7),
+    ]
+    return TriangleMesh(np.vstack([*box, row, ends]), np.array([*bottom, *sides, *rest]))
+
+
+@pytest.mark.parametrize("depth", [0.1, 0.2, 0.7])
+def test_a_path_crosses_large_faces_whose_vertices_are_far_away(depth: float) -> None:
+    path = bm.measure_mesh(plate(depth), 29, 30)
+    assert path.length == pytest.approx(10.0 + 2.0 * depth, rel=1e-12)
+    assert path.points[:, 2].max() == 0.0
