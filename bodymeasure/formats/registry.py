@@ -143,12 +143,13 @@ def decode(content: bytes, source: str, form: Format, options: ReadOptions) -> A
         options.known_unit(source, form.title)
     read = form.read(content, source)
     axes = options.axes or Axes()
+    if not isinstance(read, Atlas):
+        for note in read.notes:
+            warnings.warn(f"{source}: {note}", ReadWarning, stacklevel=3)
     if isinstance(read, Atlas):
         options.require_none(source, read.unit, read.axes)
         atlas = read
     elif isinstance(read, ReadPatches):
-        for note in read.notes:
-            warnings.warn(f"{source}: {note}", ReadWarning, stacklevel=3)
         if read.unit is not None:
             options.require_unit(source, read.unit)
         unit = read.unit or options.known_unit(source, form.title)

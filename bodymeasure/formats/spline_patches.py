@@ -10,6 +10,10 @@ from bodymeasure.atlas import LARGEST_DEGREE
 from bodymeasure.bezier import BezierPieces, bezier_pieces, restrict
 from bodymeasure.errors import InputError
 
+# Part of a surface's range: an end of the wanted part that is so close to a knot is that knot, from
+# which only rounding parts it.
+ROUNDING = 1e-5
+
 
 def spline_patches(
     points: Array,
@@ -103,6 +107,7 @@ def _clipped(
     """The part of patches (pieces_u, pieces_v, m + 1, n + 1, k) inside a parameter rectangle."""
     kept, lower, upper = [], [], []
     for direction, pieces, (start, end) in zip("uv", breaks, ranges, strict=True):
+        start, end = (_rounded(pieces, bound) for bound in (start, end))
         if not pieces[0, 0] <= start < end <= pieces[-1, 1]:
             raise InputError(
                 f"in {direction}: the range from {start:g} to {end:g} is not inside the "
@@ -121,3 +126,10 @@ def _clipped(
         nets = nets.copy()
         nets[cut] = restrict(nets[cut], corner[cut], opposite[cut])
     return nets
+
+
+def _rounded(pieces: Array, bound: float) -> float:
+    """The end of a piece from which a bound differs by rounding, or the bound itself."""
+    ends = np.append(pieces[:, 0], pieces[-1, 1])
+    nearest = float(ends[np.abs(ends - bound).argmin()])
+    return nearest if abs(nearest - bound) <= ROUNDING * (ends[-1] - ends[0]) else bound

@@ -4,7 +4,7 @@ import bisect
 import codecs
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Self
 
@@ -15,6 +15,14 @@ from bodymeasure.errors import InputError
 
 # How many characters of an offending word an error quotes.
 _QUOTED = 24
+# Byte order marks and the encodings that they tell; that of UTF-32 begins with that of UTF-16.
+_MARKS = {
+    codecs.BOM_UTF8: "utf-8",
+    codecs.BOM_UTF32_LE: "utf-32-le",
+    codecs.BOM_UTF32_BE: "utf-32-be",
+    codecs.BOM_UTF16_LE: "utf-16-le",
+    codecs.BOM_UTF16_BE: "utf-16-be",
+}
 _REMARK = re.compile(rb"(?:^|(?<=\s))#.*", re.DOTALL)
 
 
@@ -34,22 +42,30 @@ class TextFile:
     lines: list[bytes]
 
     @classmethod
-    def parse(cls, content: bytes, source: str, *, continued: bool = False) -> Self:
-        """The lines of a file's content.
+    def parse(
+        cls, content: bytes, source: str, *, continued: bool = False, names: Collection[bytes] = ()
+    ) -> Self:
+        """The lines of a file's content, in UTF-8 if a byte order mark tells the encoding.
 
-        With `continued`, a backslash at the end of a line makes the next line part of it.
+        With `continued`, a backslash at the end of a line makes the next line part of it. On lines
+        that begin with one of the words `names`, all that follows is a name, with any ``#`` in it.
 
         Raises
         ------
         InputError
             If nothing is on them, or the content is binary.
         """
-        content = content.removeprefix(codecs.BOM_UTF8)
+        content = _decoded(content, source)
         if b"\0" in content:
             raise InputError(f"{source}: is binary; expected text")
         lines = content.splitlines()
         if b"#" in content:
-            lines = [_REMARK.sub(b"", line) if b"#" in line else line for line in lines]
+            lines = [
+                _REMARK.sub(b"", line)
+                if b"#" in line and line.split(None, 1)[0] not in names
+                else line
+                for line in lines
+            ]
         if continued and b"\\" in content:
             lines = _joined(lines)
         if not any(line.strip() for line in lines):
@@ -65,6 +81,24 @@ class TextFile:
     def place(self, line: int) -> str:
         """How an error calls a line."""
         return f"{self.source}, line {line}"
+
+
+def _decoded(content: bytes, source: str) -> bytes:
+    """The content without its byte order mark, and in UTF-8 where the mark tells UTF-16 or 32."""
+    for mark, encoding in _MARKS.items():
+        if content.startswith(mark):
+            content = content.removeprefix(mark)
+            if encoding == "utf-8":
+                return content
+            try:
+                return content.decode(encoding).encode()
+            except UnicodeDecodeError as error:
+                raise InputError(
+                    f"{source}: begins as text in {encoding.upper()}, but byte "
+                    f"{len(mark) + error.start} is no such text; expected text; save the file in "
+                    "UTF-8"
+                ) from None
+    return content
 
 
 def _joined(lines: list[bytes]) -> list[bytes]:
@@ -160,9 +194,17 @@ def whole_number(word: bytes, what: str, place: str) -> int:
     raise InputError(f"{place}: {quoted(word)} is not a whole number; expected {what}")
 
 
+def decoded(text: bytes) -> str:
+    """Return a name in UTF-8, or else in Latin-1, in which every byte is a character."""
+    try:
+        return text.decode("utf-8")
+    except UnicodeDecodeError:
+        return text.decode("latin-1")
+
+
 def quoted(word: bytes) -> str:
     """Return a word as an error shows it: short, and without control characters."""
-    text = word.decode("utf-8", "replace")
+    text = decoded(word)
     return repr(text if len(text) <= _QUOTED else text[:_QUOTED] + "...")
 
 

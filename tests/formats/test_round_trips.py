@@ -70,8 +70,6 @@ NAMED = replace(
     name="Somebody",
     provenance={"author": "nobody"},
 )
-# In an OBJ file, # begins a comment.
-PLAIN = replace(NAMED, patch_names=("hip left", "hip right", "näve"))
 
 
 def test_npz_keeps_everything() -> None:
@@ -82,16 +80,16 @@ def test_npz_keeps_everything() -> None:
 
 
 def test_obj_keeps_names_and_regions() -> None:
-    back = read(write(PLAIN, "obj"), "obj")
-    assert back.patch_names == PLAIN.patch_names
-    assert back.regions == PLAIN.regions
+    back = read(write(NAMED, "obj"), "obj")
+    assert back.patch_names == NAMED.patch_names
+    assert back.regions == NAMED.regions
 
 
 def test_geomdl_keeps_names() -> None:
     assert read(write(NAMED, "geomdl"), "geomdl").patch_names == NAMED.patch_names
 
 
-@pytest.mark.parametrize("name", ["a  b", "a #b", "#a", "a\\", "a\ud800"])
+@pytest.mark.parametrize("name", ["a  b", "a\\", "a\ud800"])
 def test_names_that_an_obj_file_cannot_hold_are_refused(name: str) -> None:
     atlas = replace(body_like(1, 1), patch_names=(name,))
     with pytest.raises(InputError, match=r"the patch name .* cannot be written to a Wavefront OBJ"):

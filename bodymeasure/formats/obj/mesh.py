@@ -30,11 +30,12 @@ SHARP = 10.0
 
 
 class Faces(NamedTuple):
-    """A mesh, and the name and group of each of its faces."""
+    """A mesh, the name and group of each of its faces, and notes on what was left out."""
 
     mesh: PolygonMesh
     names: list[str]
     groups: list[str]
+    notes: tuple[str, ...]
 
 
 def read(content: bytes, source: str) -> Faces:
@@ -67,7 +68,7 @@ def from_statements(file: ObjFile, source: str) -> Faces:
         mesh = PolygonMesh(file.points, corners, sizes, ends, called)
     except InputError as error:
         raise InputError(f"{source}: {error}") from None
-    return Faces(mesh, names, groups)
+    return Faces(mesh, names, groups, file.notes)
 
 
 def _corners(faces: list[Statement], count: int, source: str) -> Ints:

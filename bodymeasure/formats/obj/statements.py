@@ -8,7 +8,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
-from bodymeasure.formats.text import TextFile, Words, quoted, whole_number
+from bodymeasure.formats.text import TextFile, Words, decoded, quoted, whole_number
 
 # The statements of the format's description that have no bearing on shape: display, materials,
 # curves' and points' data, and how surfaces join, which their edges show.
@@ -20,8 +20,16 @@ MEANINGFUL = frozenset(
     {"cstype", "deg", "bmat", "step", "f", "fo", "curv", "curv2", "surf", "parm", "trim", "hole"}
     | {"scrv", "end", "g", "o", "t", "bzp", "bsp", "cdc", "cdp", "res", "call", "csh"}
 )
+# Statements whose words are a name, in which # begins no remark.
+NAMES = frozenset({b"o", b"g"})
+# Lines that are no statement and that a note quotes; it counts the others.
+_QUOTED_LINES = 4
+# A line of so many numbers after an unknown word may be a misspelled vertex or face.
+_NUMBERS = 3
 # Numbers of a vertex: its coordinates alone, with a weight, with a color, or with both.
 _VERTEX_WORDS = (3, 4, 6, 7)
+# How many of them are coordinates and weight at most.
+_MOST_USED = 4
 
 
 class Statement(NamedTuple):
@@ -59,6 +67,8 @@ class ObjFile:
     text : TextFile
     lines, vertices : list of int
         The line of each statement, and how many vertices came before.
+    notes : tuple of str
+        What was left out.
     """
 
     points: Array
@@ -67,6 +77,7 @@ class ObjFile:
     text: TextFile
     lines: list[int]
     vertices: list[int]
+    notes: tuple[str, ...] = ()
 
     def statements(self) -> Iterator[Statement]:
         """All statements in order."""
@@ -81,13 +92,15 @@ def parse(content: bytes, source: str) -> ObjFile:
     Raises
     ------
     InputError
-        If a vertex is not made of numbers, or a statement is unknown; the message has the line.
+        If a vertex is not made of numbers, or a line that is no statement might be meant to change
+        the shape; the message has the line.
     """
-    file = TextFile.parse(content, source, continued=True)
+    file = TextFile.parse(content, source, continued=True, names=NAMES)
     vertices = Words()
     lines: list[int] = []
     before: list[int] = []
     keywords: set[str] = set()
+    unknown: list[tuple[int, list[bytes]]] = []
     for line, words in file:
         if words[0] == b"v":
             del words[0]
@@ -99,12 +112,43 @@ def parse(content: bytes, source: str) -> ObjFile:
             lines.append(line)
             before.append(len(vertices.lines))
         elif keyword not in IGNORED:
+            unknown.append((line, words))
+    if unknown:
+        head = min((*vertices.lines[:1], *lines[:1]), default=0)
+        _check_unknown(unknown, head, "surf" in keywords, file)
+    points, weights = _vertices(vertices, source)
+    notes = (_left_out(unknown),) if unknown else ()
+    return ObjFile(points, weights, frozenset(keywords), file, lines, before, notes)
+
+
+def _check_unknown(
+    unknown: list[tuple[int, list[bytes]]], head: int, free_form: bool, file: TextFile
+) -> None:
+    """Refuse lines that may be misspelled statements on which the shape depends.
+
+    Lines of numbers may be vertices or faces, and so may those, after the line `head`, the first
+    that is known, whose first word has a digit. Free-form surfaces depend on all lines after it.
+    """
+    for line, words in unknown:
+        numbers = all(word.lstrip(b"+-.")[:1].isdigit() for word in words[1:])
+        mangled = free_form or any(sign in b"0123456789" for sign in words[0])
+        if (line > head and mangled) or (numbers and len(words) > _NUMBERS):
             raise InputError(
                 f"{file.place(line)}: begins with {quoted(words[0])}, which is no statement of a "
-                "Wavefront OBJ file"
+                "Wavefront OBJ file; correct the line or remove it"
             )
-    points, weights = _vertices(vertices, source)
-    return ObjFile(points, weights, frozenset(keywords), file, lines, before)
+
+
+def _left_out(unknown: list[tuple[int, list[bytes]]]) -> str:
+    """What a user is told about lines that are no statements."""
+    listed = ", ".join(
+        f"line {line} ({quoted(words[0])})" for line, words in unknown[:_QUOTED_LINES]
+    )
+    more = len(unknown) - _QUOTED_LINES
+    also = f" and {more} more" if more > 0 else ""
+    if len(unknown) == 1:
+        return f"{listed} is no statement of a Wavefront OBJ file; it is left out"
+    return f"{listed}{also} are no statements of a Wavefront OBJ file; they are left out"
 
 
 def vertices(content: bytes, source: str) -> Array:
@@ -118,7 +162,7 @@ def vertices(content: bytes, source: str) -> Array:
         If a vertex is not made of numbers; the message has the line.
     """
     words = Words()
-    for line, (keyword, *numbers) in TextFile.parse(content, source, continued=True):
+    for line, (keyword, *numbers) in TextFile.parse(content, source, continued=True, names=NAMES):
         if keyword == b"v":
             words.add(line, numbers)
     return _vertices(words, source)[0]
@@ -134,12 +178,23 @@ def _vertices(words: Words, source: str) -> tuple[Array, Array]:
             f"{source}, line {words.lines[wrong[0]]}: a vertex of {widths[wrong[0]]} numbers; "
             "expected v x y z, and perhaps a weight or a color"
         )
+    if widths.max(initial=0) > _MOST_USED:
+        words, ends, widths = _without_colors(words, ends, widths)
     values = words.numbers(source)
     begin = ends - widths
     weights = np.ones(len(ends))
-    weighted = (widths == 4) | (widths == 7)
+    weighted = widths == 4
     weights[weighted] = values[begin[weighted] + 3]
     return values[begin[:, None] + np.arange(3)], weights
+
+
+def _without_colors(words: Words, ends: Ints, widths: Ints) -> tuple[Words, Ints, Ints]:
+    """Vertices without their colors, which need not be numbers."""
+    used = np.where(widths > _MOST_USED, widths - 3, widths)
+    last = np.cumsum(used)
+    kept = np.arange(last[-1]) + np.repeat(ends - widths - (last - used), used)
+    chosen = Words([words.words[k] for k in kept.tolist()], words.lines, last.tolist())
+    return chosen, last, used
 
 
 def vertex_numbers(statement: Statement, words: Sequence[bytes], count: int, source: str) -> Ints:
@@ -164,9 +219,13 @@ def vertex_numbers(statement: Statement, words: Sequence[bytes], count: int, sou
     numbers = np.where(numbers < 0, numbers + statement.vertices, numbers - 1)
     outside = np.flatnonzero((numbers < 0) | (numbers >= count))
     if len(outside):
+        back = statement.vertices
+        expected = f"expected 1 to {count}" + (f", or -1 to -{back} to count back" if back else "")
+        if not count:
+            expected = "but the file holds no vertex (v); it may be the part of another file"
         raise InputError(
-            f"{source}, line {statement.line}: refers to vertex {quoted(words[outside[0]])}; "
-            f"expected 1 to {count}, or -1 to -{statement.vertices} to count back"
+            f"{source}, line {statement.line}: refers to vertex {quoted(words[outside[0]])}"
+            f"{'; ' if count else ', '}{expected}"
         )
     return numbers
 
@@ -190,7 +249,7 @@ def labelled(statements: Iterable[Statement]) -> Iterator[tuple[Statement, Label
     labels = Labels("", "")
     for statement in statements:
         if statement.keyword in ("o", "g"):
-            text = b" ".join(statement.words).decode("utf-8", "replace")
+            text = decoded(b" ".join(statement.words))
             labels = (
                 Labels(text, labels.groups)
                 if statement.keyword == "o"

@@ -74,7 +74,7 @@ def from_statements(file: ObjFile, source: str) -> ReadPatches:
         names += [surface.labels.name] * count
         groups += [surface.labels.groups] * count
         places += [place] * count
-    return ReadPatches(nets, weights, names, groups, places)
+    return ReadPatches(nets, weights, names, groups, places, notes=file.notes)
 
 
 def _surfaces(file: ObjFile, source: str) -> Iterator[_Surface]:
@@ -235,15 +235,11 @@ def _label(text: str, what: str) -> str:
     try:
         encoded = text.encode()
     except UnicodeEncodeError:
-        encoded = b"#"
+        encoded = b"\\"
     words = encoded.split()
-    if (
-        b" ".join(words) != encoded
-        or any(word.startswith(b"#") for word in words)
-        or (encoded.endswith(b"\\"))
-    ):
+    if b" ".join(words) != encoded or encoded.endswith(b"\\"):
         raise InputError(
             f"the {what} {text!r} cannot be written to a Wavefront OBJ file; expected words with "
-            "single spaces between, without # before or a backslash after them; rename it"
+            "single spaces between, without a backslash after them; rename it"
         )
     return text

@@ -1,5 +1,6 @@
 """Valid files, and copies of them that are damaged at random."""
 
+import warnings
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -8,6 +9,7 @@ from helpers.files.format_atlases import body_like, read, write
 from helpers.surfaces.quad_grids import grid_mesh, hilly_net
 
 from bodymeasure import Atlas, InputError
+from bodymeasure.errors import ReadWarning
 
 Random = np.random.Generator
 # Words at which readers of numbers and of counts stumble.
@@ -135,7 +137,9 @@ def read_or_refused(content: bytes, form: str) -> Atlas | None:
         if the error does not name the file.
     """
     try:
-        atlas = read(content, form)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ReadWarning)
+            atlas = read(content, form)
     except InputError as error:
         message = str(error)
         if not message.startswith("file"):
