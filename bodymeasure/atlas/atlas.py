@@ -18,7 +18,7 @@ from bodymeasure.atlas.tessellation import tessellate
 from bodymeasure.atlas.units import Unit
 from bodymeasure.bezier import evaluate, homogeneous, project
 from bodymeasure.errors import InputError
-from bodymeasure.wording import counted
+from bodymeasure.wording import counted, hint
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
@@ -181,7 +181,9 @@ class Atlas:
         try:
             return self.patch_names.index(name)
         except ValueError:
-            raise InputError(f"the atlas has no patch named {name!r}") from None
+            raise InputError(
+                f"the atlas has no patch named {name!r}; {hint(name, self.patch_names)}"
+            ) from None
 
     def position(self, point: AtlasPoint) -> Array:
         """Position of a point of the atlas, shape (3,), in the atlas's unit."""

@@ -43,7 +43,7 @@ def measure_chart(
     Raises
     ------
     InputError
-        If rules for landmarks need one another in a circle.
+        If rules for landmarks need one another in a circle, or two measurements have one key.
     MissingExtraError
         If paths are asked for and pygeodesic is not installed.
 
@@ -67,7 +67,11 @@ def measure_chart(
     definitions = load_definitions() if definitions is None else definitions
     derived = derive_landmarks(atlas, definitions.landmark, strict=False)
     body = Body(atlas, derived.landmarks, derived.missing)
-    every = {one.key: one for one in both_sides(definitions.measurement)}
+    every: dict[str, MeasurementDefinition] = {}
+    for one in both_sides(definitions.measurement):
+        if one.key in every:
+            raise InputError(f"two measurements have the key {one.key!r}; rename or remove one")
+        every[one.key] = one
     taken = _Taken(body, every)
     measured = []
     for number, key in enumerate(every, start=1):
@@ -105,6 +109,8 @@ class _Taken(dict[str, Measured]):
         self._begun.add(key)
         definition = self.definitions[key]
         try:
+            if fault := next(definition.faults(), None):
+                raise InputError(fault.words)
             found = definition.measure(self.body, self)
         except MissingLandmarkError as error:
             found = Measured(definition, Outcome.MISSING_LANDMARK, str(error))

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.queries.locations import Location
+from bodymeasure.atlas.queries.locations import Location, listed
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
 from bodymeasure.geodesic.across.routes.topology import topology
@@ -64,6 +64,7 @@ def geodesic_between(
     0.3300 m
     """
     check_on_failure(on_failure)
+    via = listed(via, "via")
     names = ("the start", *(f"via point {number}" for number in range(len(via))), "the end")
     points = checked_points(atlas, (start, *via, end), names)
     legs = [shortest_leg(atlas, topology(atlas).neighbors, *ends) for ends in pairwise(points)]
@@ -114,6 +115,7 @@ def geodesics_between(
     >>> [f"{path.length:.4f}" for path in bm.geodesics_between(body, shoulders, elbows)]
     ['0.2572', '0.2572']
     """
+    starts, ends = listed(starts, "starts"), listed(ends, "ends")
     if len(starts) != len(ends):
         raise InputError(f"there are {len(starts)} starts and {len(ends)} ends; expected as many")
     pairs = [

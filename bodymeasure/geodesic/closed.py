@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.queries.locations import Location
+from bodymeasure.atlas.queries.locations import Location, listed
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.across.pieces.error import LoopKind
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
@@ -15,6 +15,7 @@ from bodymeasure.geodesic.across.routes.topology import topology
 from bodymeasure.geodesic.across.search.ends import checked_points
 from bodymeasure.geodesic.across.search.search import shortest_along
 from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure
+from bodymeasure.wording import counted
 
 # The points that a loop has at least.
 FEWEST = 3
@@ -99,8 +100,9 @@ def contracted_loop(
     0.6539 m, MINIMUM
     """
     check_on_failure(on_failure)
+    loop = listed(loop, "the loop")
     if len(loop) < FEWEST:
-        raise InputError(f"the loop has {len(loop)} points; expected at least {FEWEST}")
+        raise InputError(f"the loop has {counted(len(loop), 'point')}; expected at least {FEWEST}")
     names = [f"point {number} of the loop" for number in range(len(loop))]
     points = checked_points(atlas, loop, names)
     neighbors = topology(atlas).neighbors

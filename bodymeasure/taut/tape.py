@@ -8,7 +8,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.queries.locations import Location, atlas_point
+from bodymeasure.atlas.queries.locations import Location, atlas_point, listed
 from bodymeasure.atlas.queries.outside import Outside
 from bodymeasure.atlas.units import Unit
 from bodymeasure.errors import ConvergenceError, InputError
@@ -147,6 +147,7 @@ def taut_tape(
         raise InputError(
             f"outside is {outside!r}; expected 'determined', 'along normals' or 'against normals'"
         )
+    via = listed(via, "via")
     names = ("the start", *(f"via point {i}" for i in range(len(via))), "the end")
     given = zip((start, *via, end), names, strict=True)
     points = tuple(atlas_point(atlas, location, name) for location, name in given)

@@ -95,7 +95,7 @@ def test_loose_patches_of_another_shape_are_refused(net: Any) -> None:
 def test_patches_are_found_by_name() -> None:
     atlas = replace(grid_atlas(2, 1), patch_names=("left", "right"))
     assert atlas.patch_number("right") == 1
-    with pytest.raises(InputError, match="the atlas has no patch named 'middle'"):
+    with pytest.raises(InputError, match="no patch named 'middle'; expected one of left, right"):
         atlas.patch_number("middle")
 
 

@@ -168,8 +168,21 @@ def test_definitions_made_in_python_may_be_wrong() -> None:
             FormulaMeasure(key="a", name="a", formula="b + b"),
             FormulaMeasure(key="b", name="b", formula="2 * a"),
             FormulaMeasure(key="c", name="c", formula="nothing + nothing"),
+            PathMeasure(key="d", name="d", through=()),
         ],
     )
     assert {one.outcome for one in chart.measured} == {Outcome.MISSING_OPERAND, Outcome.REFUSED}
     assert "'a' is needed to compute itself" in chart["b"].reason
     assert "no measurement has the key 'nothing'" in chart["c"].reason
+    assert chart["d"].reason == "through needs two landmarks or more"
+
+
+def test_no_name_is_no_landmark() -> None:
+    knee = GirthMeasure(key="a", name="a", at=None)  # type: ignore[arg-type]
+    assert "the atlas has no landmark None; expected one of" in chart_of(post(), [knee])["a"].reason
+
+
+def test_two_measurements_of_one_key_are_refused() -> None:
+    both = [FormulaMeasure(key="a", name=name, formula="1 + 1") for name in ("one", "other")]
+    with pytest.raises(InputError, match="two measurements have the key 'a'; rename or remove"):
+        chart_of(post(), both)

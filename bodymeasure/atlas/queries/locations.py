@@ -1,5 +1,6 @@
 """Points that users name, as points of an atlas and as positions."""
 
+import operator
 from collections.abc import Sequence
 
 import numpy as np
@@ -52,6 +53,19 @@ def atlas_point(atlas: Atlas, location: Location, name: str = "the point") -> At
         return _checked(atlas, location, name)
     points, _ = points_near(atlas, [_position(location, name)], [name])
     return points[0]
+
+
+def listed(locations: Sequence[Location], name: str) -> tuple[Location, ...]:
+    """Return several locations, once it is known that they are several.
+
+    Raises
+    ------
+    InputError
+        If they are a single name or point, or no sequence at all.
+    """
+    if isinstance(locations, (str, AtlasPoint)) or not hasattr(locations, "__len__"):
+        raise InputError(f"{name} is {locations!r}; expected a list of locations")
+    return tuple(locations)
 
 
 def position_of(atlas: Atlas, location: Location, name: str = "the point") -> Array:
@@ -188,12 +202,18 @@ def _shown(location: ArrayLike) -> str:
 
 
 def _checked(atlas: Atlas, point: AtlasPoint, name: str) -> AtlasPoint:
-    """The point in plain numbers, on the atlas."""
-    if not 0 <= point.patch < len(atlas):
+    """Return a point in plain numbers, once it is known to be on the atlas."""
+    try:
+        patch, u, v = operator.index(point.patch), float(point.u), float(point.v)
+    except (TypeError, ValueError):
         raise InputError(
-            f"{name} is on patch {point.patch}, but the patches are numbered 0 to {len(atlas) - 1}"
+            f"{name} is {point}; expected the number of a patch, and u and v in [0, 1]"
+        ) from None
+    if not 0 <= patch < len(atlas):
+        raise InputError(
+            f"{name} is on patch {patch}, but the patches are numbered 0 to {len(atlas) - 1}"
         )
     # `not inside` rather than `outside`, so that NaN is refused too.
-    if not (0.0 <= point.u <= 1.0 and 0.0 <= point.v <= 1.0):
-        raise InputError(f"{name} has (u, v) = ({point.u}, {point.v}); expected both in [0, 1]")
-    return AtlasPoint(int(point.patch), float(point.u), float(point.v))
+    if not (0.0 <= u <= 1.0 and 0.0 <= v <= 1.0):
+        raise InputError(f"{name} has (u, v) = ({u}, {v}); expected both in [0, 1]")
+    return AtlasPoint(patch, u, v)

@@ -45,6 +45,9 @@ def test_parts_that_meet_in_a_corner_only_are_separate() -> None:
     [
         (AtlasPoint(9, 0.5, 0.5), r"the end is on patch 9, .* numbered 0 to 3"),
         (AtlasPoint(-1, 0.5, 0.5), r"the end is on patch -1"),
+        (AtlasPoint("left", 0.5, 0.5), r"the end is AtlasPoint.*expected the number of a patch"),  # type: ignore[arg-type]
+        (AtlasPoint(1.5, 0.5, 0.5), r"patch=1.5.*expected the number of a patch"),  # type: ignore[arg-type]
+        (AtlasPoint(0, None, 0.5), r"u=None.*and u and v in \[0, 1\]"),  # type: ignore[arg-type]
         (AtlasPoint(0, 1.5, 0.5), r"the end has \(u, v\) = \(1.5, 0.5\)"),
         (AtlasPoint(0, 0.5, float("nan")), r"expected both in \[0, 1\]"),
         ((0, 0.5), r"expected three finite numbers, a landmark's name or an AtlasPoint"),
@@ -67,6 +70,13 @@ def test_other_mistakes() -> None:
     ends = AtlasPoint(0, 0.5, 0.5), AtlasPoint(1, 0.5, 0.5)
     with pytest.raises(bm.InputError, match="on_failure is 'ignore'"):
         bm.geodesic_between(atlas, *ends, on_failure="ignore")  # type: ignore[arg-type]
+    for via in ("bust point left", ends[0], None):
+        with pytest.raises(bm.InputError, match=r"via is .*; expected a list of locations"):
+            bm.geodesic_between(atlas, *ends, via=via)  # type: ignore[arg-type]
+    with pytest.raises(bm.InputError, match="starts is 'left'; expected a list"):
+        bm.geodesics_between(atlas, "left", "left")
+    with pytest.raises(bm.InputError, match="the loop is 'left'; expected a list"):
+        bm.contracted_loop(atlas, "left")
     path = bm.geodesic_between(atlas, *ends)
     for wrong in (1.5, [0.0, float("nan")], "half"):
         with pytest.raises(bm.InputError, match="path parameters"):

@@ -1,6 +1,9 @@
 """The common contract of all methods, their rates of convergence and their agreement."""
 
+import importlib
+import inspect
 import math
+import pkgutil
 from collections.abc import Callable
 
 import numpy as np
@@ -14,7 +17,7 @@ from helpers.surfaces.surfaces import (
 
 import bodymeasure as bm
 from bodymeasure._typing import Array
-from bodymeasure.geodesic import Method, Relaxation, Shooting
+from bodymeasure.geodesic import Method, Relaxation, Shooting, methods
 from bodymeasure.geodesic.solving.protocol import PathBatch
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.geodesic.surfaces.protocol import JET
@@ -54,6 +57,19 @@ def solved(method: Method, surface: Surface) -> PathBatch:
 
 def raw_error(method: Method, surface: Surface) -> float:
     return abs(float(solved(method, surface).length.raw[0]) / surface.length - 1.0)
+
+
+def test_every_method_is_exported_and_tried_here() -> None:
+    package = "bodymeasure.geodesic.methods"
+    modules = [f"{package}.{module.name}" for module in pkgutil.iter_modules(methods.__path__)]
+    found = {
+        each
+        for module in modules
+        for each in vars(importlib.import_module(module)).values()
+        if inspect.isclass(each) and each.__module__ == module and hasattr(each, "solve")
+    }
+    assert found == {type(method) for method in METHODS.values()}
+    assert {each.__name__ for each in found} <= set(bm.geodesic.__all__)
 
 
 @every_method
