@@ -36,7 +36,7 @@ class HasDerivatives(Protocol):
     """A parametric surface of the user's own."""
 
     def derivatives(self, parameters: Array) -> ArrayLike:
-        """All partial derivatives up to the third order.
+        """Return all partial derivatives up to the third order.
 
         Parameters
         ----------
@@ -58,7 +58,7 @@ def solve_geodesic(
     search: Search | None = None,
     on_failure: OnFailure = "raise",
 ) -> GeodesicSolution:
-    """Geodesics between pairs of points, each on one patch.
+    """Return geodesics between pairs of points, each on one patch.
 
     Parameters
     ----------
@@ -177,7 +177,7 @@ class _Outcome:
 
     @classmethod
     def of_coincident_points(cls, error: Array) -> "_Outcome":
-        """Paths of length zero from points to themselves, which nothing can shorten."""
+        """Return paths of length zero from points to themselves, which nothing can shorten."""
         count = len(error)
         zeros, none = np.zeros((3, count)), np.zeros((3, count), np.int64)
         status = np.full(count, Status.CONVERGED, dtype=object)

@@ -48,7 +48,7 @@ def pair_crossings(cells: Cells, crossings: Crossings) -> Arcs | None:
     """
     count = len(cells.patch)
     place = crossings.along.copy()
-    # The graph's own parameter: on two sides it varies, on the other two it is their value.
+    # On two sides the graph's own parameter varies along the side; on the other two it is constant.
     over_u = cells.axis == 0
     place[over_u, 0], place[over_u, 1] = cells.lower[over_u, :1], cells.upper[over_u, :1]
     place[~over_u, 2], place[~over_u, 3] = cells.lower[~over_u, 1:], cells.upper[~over_u, 1:]

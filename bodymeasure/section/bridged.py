@@ -84,7 +84,7 @@ class BridgedLoop:
         return result
 
     def positions_at(self, place: Array) -> Array:
-        """Positions (n, 3) at places (n,)."""
+        """Return positions (n, 3) at places (n,)."""
         piece, fraction, on_arc = self._split(place)
         result: Array = np.empty((len(place), 3))
         result[on_arc] = self._pieces.positions_at(piece[on_arc] + fraction[on_arc])
@@ -93,7 +93,7 @@ class BridgedLoop:
         return result
 
     def arc_length_at(self, place: Array) -> Array:
-        """Lengths (n,) from the start to places (n,)."""
+        """Return lengths (n,) from the start to places (n,)."""
         piece, fraction, on_arc = self._split(place)
         row = np.minimum(place.astype(np.int64), self.count - 1)
         before = np.concatenate([[0.0], np.cumsum(self._lengths)])[row]
@@ -104,7 +104,7 @@ class BridgedLoop:
         return np.asarray(before + way)
 
     def velocities(self, row: Ints, fraction: Array) -> Array:
-        """Derivatives (n, k, 3) by the fraction, at fractions (n, k) of pieces (n,)."""
+        """Return derivatives (n, k, 3) by the fraction, at fractions (n, k) of pieces (n,)."""
         piece = self._piece[row]
         on_arc = piece >= 0
         result: Array = np.empty((*fraction.shape, 3))
@@ -114,7 +114,7 @@ class BridgedLoop:
         return result
 
     def surface_points_at(self, place: Array) -> tuple[Ints, Array]:
-        """Patches (n,) and (u, v) on them (n, 2) at places (n,); -1 and NaN on the lines."""
+        """Return patches (n,) and (u, v) on them (n, 2) at places (n,); -1 and NaN on the lines."""
         piece, fraction, on_arc = self._split(place)
         patch, parameters = np.full(len(place), -1), np.full((len(place), 2), np.nan)
         patch[on_arc], parameters[on_arc] = self._pieces.surface_points_at(

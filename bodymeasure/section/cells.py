@@ -10,13 +10,13 @@ from bodymeasure.bezier import elevate, split
 # Where rectangles are cut. In the middle, symmetric patches and round heights would put corners of
 # rectangles on the section again and again.
 CUT = 0.4877
-# Largest slope of a graph, in the rectangle's own coordinates. It is above 1, so that each
+# The largest slope of a graph, in the rectangle's own coordinates. It is above 1, so that each
 # direction passes one of the two tests, and not much above, so that quadrature is easy.
 STEEPEST = 4.0
 # Halvings after which a rectangle without a direction is undecided: its second-order terms are
 # 1e-12 of the patch.
 DEEPEST = 20
-# Part of the size: the sign of derivatives that small is rounding.
+# The sign of derivatives below this part of the size is rounding.
 ROUNDING = 1e-15
 # A section of n patches takes some 3 n rectangles; where it takes so many, the plane grazes the
 # surface.
@@ -125,7 +125,7 @@ def _graph_axis(distance: Array, least: float) -> Ints:
 
 
 def _dominates(large: Array, small: Array, least: float) -> Bools:
-    """Whether |large| > |small| with one sign of large all over, by Bernstein coefficients."""
+    """Return whether |large| > |small|, with one sign of large, by Bernstein coefficients."""
     both = np.stack([large - small, large + small], axis=1)
     low, high = both.min(axis=(1, 2, 3)), both.max(axis=(1, 2, 3))
     return np.asarray((low > least) | (high < -least))

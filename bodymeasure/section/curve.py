@@ -38,16 +38,16 @@ class Curve(Protocol):
         """Estimated error of the length."""
 
     def positions_at(self, place: Array) -> Array:
-        """Positions (n, 3) at places (n,)."""
+        """Return positions (n, 3) at places (n,)."""
 
     def arc_length_at(self, place: Array) -> Array:
-        """Lengths (n,) from the start to places (n,)."""
+        """Return lengths (n,) from the start to places (n,)."""
 
     def velocities(self, row: Ints, fraction: Array) -> Array:
-        """Derivatives (n, k, 3) by the fraction, at fractions (n, k) of pieces (n,)."""
+        """Return derivatives (n, k, 3) by the fraction, at fractions (n, k) of pieces (n,)."""
 
     def surface_points_at(self, place: Array) -> tuple[Ints, Array]:
-        """Patches (n,) and (u, v) on them (n, 2) at places (n,); -1 and NaN off the surface."""
+        """Return patches (n,) and (u, v) (n, 2) at places (n,); -1 and NaN off the surface."""
 
 
 class DrawnTape(NamedTuple):

@@ -12,21 +12,23 @@ from bodymeasure.section.bridged import BridgedLoop
 from bodymeasure.section.curve import Curve
 from bodymeasure.section.loop import SectionLoop
 
-# Samples on each piece to begin with: they have to separate hollows, not to measure them.
+# The number of samples on each piece to begin with: they have to separate hollows, not to measure
+# them.
 SAMPLES = 12
-# Parts into which the steps beside a bridge's ends are cut each round.
+# The number of parts into which the steps beside a bridge's ends are cut in each round.
 CUTS = 8
-# Part of a piece: where the ends of bridges are known so well, their lengths are exact to rounding,
-# since an error e of a tangent's foot changes the perimeter by some e^3.
+# Where the ends of bridges are known to within this part of a piece, their lengths are exact except
+# for rounding, since an error e of a tangent's foot changes the perimeter by some e^3.
 FINEST = 1e-6
-# Part of the length: hollows that save less are not worth a closer look.
+# Hollows that save less than this part of the length are not worth a closer look.
 NEGLIGIBLE = 1e-14
-# Sine of an angle: rounding of the finest steps stays below, and hollows so shallow save 1e-12 of
-# the length.
+# Angles with a smaller sine are straight: the rounding of the finest steps stays below, and hollows
+# so shallow save 1e-12 of the length.
 STRAIGHT = 1e-6
-# How much longer, relatively, the way round corners may be in the loop's order than in the hull's.
+# The way round corners may be longer by this part in the loop's order than in the hull's.
 ORDER_TOLERANCE = 1e-9
-# Part of the chord: an arc that crosses its line so near to its end starts there, but for rounding.
+# An arc that crosses its line within this part of the chord from its end starts there, except for
+# rounding.
 BEYOND = 1e-9
 
 
@@ -188,7 +190,7 @@ def _outer_corners(flat: Array, end: int, turn: float) -> Ints:
 
 
 def _hull_corners(flat: Array, rows: Ints) -> Ints:
-    """Which of some rows of samples are on their convex hull, in the curve's order."""
+    """Return which of some rows of samples are on their convex hull, in the curve's order."""
     try:
         corners = rows[scipy.spatial.ConvexHull(flat[rows]).vertices]
     except scipy.spatial.QhullError:

@@ -89,23 +89,23 @@ class SectionLoop:
         return self._samples[2]
 
     def positions_at(self, place: Array) -> Array:
-        """Positions (n, 3) at places (n,): the number of a piece plus the fraction run of it."""
+        """Return positions (n, 3) at places (n,): numbers of pieces plus the fractions run."""
         row, fraction = self._split(place)
         return self.surface.points(self.pieces.take(row), fraction[:, None])[1][:, 0]
 
     def arc_length_at(self, place: Array) -> Array:
-        """Lengths (n,) from the start to places (n,), as in `positions_at`."""
+        """Return lengths (n,) from the start to places (n,), as in `positions_at`."""
         row, fraction = self._split(place)
         pieces = self.pieces.take(row).between(np.zeros(len(row)), fraction)
         before = np.concatenate([[0.0], np.cumsum(self.piece_length)])
         return np.asarray(before[row] + self.surface.lengths(pieces, MORE_NODES))
 
     def velocities(self, row: Ints, fraction: Array) -> Array:
-        """Derivatives (n, k, 3) by the fraction, at fractions (n, k) of pieces (n,)."""
+        """Return derivatives (n, k, 3) by the fraction, at fractions (n, k) of pieces (n,)."""
         return self.surface.points(self.pieces.take(row), fraction)[2]
 
     def surface_points_at(self, place: Array) -> tuple[Ints, Array]:
-        """Patches (n,) and (u, v) on them (n, 2) at places (n,)."""
+        """Return patches (n,) and (u, v) on them (n, 2) at places (n,)."""
         row, fraction = self._split(place)
         pieces = self.pieces.take(row)
         return pieces.patch, self.surface.parameters(pieces, fraction[:, None])[:, 0]

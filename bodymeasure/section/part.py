@@ -9,7 +9,7 @@ from bodymeasure.section.pieces import MORE_NODES, Pieces
 
 
 def turned(loop: SectionLoop) -> SectionLoop:
-    """The same curve run from its end to its start: place p is at ``count - p``."""
+    """Return a curve run from its end to its start: place p is at ``count - p``."""
     count = loop.count
     rows = np.arange(count)[::-1]
     pieces = loop.pieces.take(rows).between(np.ones(count), np.zeros(count))
@@ -17,7 +17,7 @@ def turned(loop: SectionLoop) -> SectionLoop:
 
 
 def part(loop: SectionLoop, first: float, last: float) -> SectionLoop:
-    """The part of a curve from one place forwards to another, an open curve.
+    """Return the part of a curve from one place forwards to another, an open curve.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def part(loop: SectionLoop, first: float, last: float) -> SectionLoop:
 
 
 def joined(parts: tuple[SectionLoop, ...]) -> SectionLoop:
-    """The pieces of several curves of one section in one, whether or not they meet."""
+    """Return the pieces of several curves of one section as one, whether or not they meet."""
     pieces = Pieces(
         *(
             np.concatenate([getattr(each.pieces, field.name) for each in parts])

@@ -10,12 +10,12 @@ from bodymeasure.bezier import bernstein, derivatives
 from bodymeasure.section.plane import Plane
 from bodymeasure.section.roots import bracketed_roots
 
-# Nodes of two Gauss rules on each piece, whose difference is the error of the first one.
+# The nodes of two Gauss rules on each piece, whose difference is the error of the first one.
 NODES, MORE_NODES = 8, 13
-# Part of the atlas's size by which a length may change from one rule to the next. What is below is
+# A length may change by this part of the atlas's size from one rule to the next. What is below is
 # the rounding of roots.
 TOLERANCE = 1e-13
-# Halvings of a piece at most; graphs have no vertical tangent, so that a few are enough.
+# The most halvings of a piece; graphs have no vertical tangent, so that a few are enough.
 MAX_HALVINGS = 12
 
 
@@ -70,7 +70,7 @@ class CutSurface:
     plane: Plane
 
     def parameters(self, pieces: Pieces, fraction: Array) -> Array:
-        """(u, v) at fractions (k, n) of each piece's range, shape (k, n, 2)."""
+        """Return (u, v) at fractions (k, n) of each piece's range, shape (k, n, 2)."""
         along = pieces.start[:, None] + fraction * (pieces.stop - pieces.start)[:, None]
         distance = self.plane.distances(self.control_points[pieces.patch])
         over_v = (pieces.axis == 1)[:, None, None]
@@ -86,7 +86,7 @@ class CutSurface:
         return np.stack([first, second], axis=-1)
 
     def points(self, pieces: Pieces, fraction: Array) -> tuple[Array, Array, Array]:
-        """Parameters (k, n, 2), positions (k, n, 3) and velocities by the fraction (k, n, 3)."""
+        """Return parameters (k, n, 2), positions and velocities by the fraction (k, n, 3)."""
         parameters = self.parameters(pieces, fraction)
         jet = derivatives(self.control_points[pieces.patch], parameters, order=1)
         over_v = (pieces.axis == 1)[:, None, None]
@@ -100,7 +100,7 @@ class CutSurface:
         return parameters, jet[..., 0, 0, :], velocity
 
     def lengths(self, pieces: Pieces, nodes: int) -> Array:
-        """Lengths of pieces by Gauss quadrature, shape (k,)."""
+        """Return the lengths of pieces by Gauss quadrature, shape (k,)."""
         at, weights = _gauss(nodes)
         _, _, velocity = self.points(pieces, np.broadcast_to(at, (len(pieces), nodes)))
         return np.asarray(np.linalg.norm(velocity, axis=-1) @ weights)

@@ -15,20 +15,21 @@ from bodymeasure.atlas import AtlasPoint
 from bodymeasure.section.curve import Curve
 from bodymeasure.section.loop import SectionLoop
 
-# Samples on each piece. A piece is a graph over one parameter of a bicubic patch, which turns but
-# little.
+# The number of samples on each piece. A piece is a graph over one parameter of a bicubic patch,
+# which turns only a little.
 SAMPLES = 24
-# Parts into which the steps about a place are cut each round.
+# The number of parts into which the steps about a place are cut in each round.
 CUTS = 8
-# Rounds after which 1/24 of a piece has shrunk to rounding, and after which it has shrunk to 1e-7:
-# at a maximum, heights differ by the square of that.
+# The rounds after which 1/24 of a piece has shrunk to rounding, and those after which it has shrunk
+# to 1e-7: at a maximum, heights differ by the square of that.
 ROUNDS, ROUNDS_OF_HEIGHTS = 15, 6
-# Steps at most to a change of sign, each of which at least halves its bracket. Some five are usual.
+# The most steps to a change of sign, each of which at least halves its bracket. Some five are
+# usual.
 STEPS = 54
-# Part of the pieces' number that rounding leaves of a place.
+# Rounding leaves an error of this part of the number of pieces in a place.
 FINEST = 1e-15
-# Steps of each piece in which the curve's slope may change its sign once. Pieces are graphs of
-# cubics, which turn back once or twice.
+# The number of steps of each piece in which the curve's slope may change its sign once. Pieces are
+# graphs of cubics, which turn back once or twice.
 SLOPES = 12
 
 

@@ -43,16 +43,16 @@ class Plane:
 
     @classmethod
     def horizontal(cls, atlas: Atlas, height: float) -> Self:
-        """Plane at a height above the origin along the atlas's way up, in the atlas's unit."""
+        """Return the plane at a height along the atlas's way up, in the atlas's unit."""
         up = atlas.axes.up_vector
         return cls(height * up, up)
 
     def moved(self, distance: float) -> Self:
-        """The parallel plane so far along the normal."""
+        """Return the parallel plane so far along the normal."""
         return replace(self, point=self.point + distance * self.normal)
 
     def distances(self, positions: ArrayLike) -> Array:
-        """Signed distances of positions (..., 3) from the plane, shape (...).
+        """Return the signed distances of positions (..., 3) from the plane, shape (...).
 
         Homogeneous coordinates (..., 4) give the distances times their weights.
         """
@@ -62,7 +62,7 @@ class Plane:
         return np.asarray((given - self.point) @ self.normal)
 
     def frame(self) -> Array:
-        """Two unit vectors in the plane, perpendicular to each other, shape (2, 3)."""
+        """Return two unit vectors in the plane, perpendicular to each other, shape (2, 3)."""
         least = np.eye(3)[np.argmin(np.abs(self.normal))]
         first = np.cross(self.normal, least)
         first /= np.linalg.norm(first)

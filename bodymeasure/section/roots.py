@@ -4,14 +4,14 @@ import numpy as np
 
 from bodymeasure._typing import Array
 
-# Steps at most: halving alone needs some 55 for all digits, and with Newton's steps it takes six.
+# The most steps: halving alone needs some 55 for all digits, and with Newton's steps it takes six.
 MAX_STEPS = 120
 # What rounding leaves of parameters, which lie in [0, 1].
 FINEST = 4e-16
 
 
 def polynomial_values(coefficients: Array, t: Array) -> tuple[Array, Array]:
-    """Values and slopes at t, both shape (...), for Bernstein coefficients (..., degree + 1)."""
+    """Return values and slopes at t, shape (...), for Bernstein coefficients (..., degree + 1)."""
     # De Casteljau's algorithm takes few large operations, which counts where there are many calls.
     b = np.moveaxis(coefficients, -1, 0)
     degree = len(b) - 1
@@ -96,7 +96,7 @@ def roots_of_polynomials(coefficients: Array) -> Array:
 
 
 def _stationary_points(coefficients: Array) -> Array:
-    """Where the slope changes its sign, in [0, 1], upwards, shape (k, degree - 1); else 0."""
+    """Return where the slope changes sign, in [0, 1], upwards, shape (k, degree - 1); else 0."""
     if coefficients.shape[1] == 4:
         return _stationary_points_of_cubics(coefficients)
     slopes = np.diff(coefficients, axis=1)

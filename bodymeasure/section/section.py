@@ -16,17 +16,17 @@ from bodymeasure.section.loop import SectionLoop
 from bodymeasure.section.pieces import CutSurface, measured_pieces
 from bodymeasure.section.plane import Plane
 
-# Part of the atlas's size. On which side corners so close to the plane lie, rounding decides.
+# Rounding decides on which side of the plane a corner within this part of the atlas's size lies.
 NEAR = 1e-14
 # Parts of the size by which the plane is moved off corners, and off seams that lie in it. They are
 # far above rounding and far below what can be measured, and uneven, so that the accident of one
 # move is not that of the next.
 MOVES = (0.0, 1.0e-11, -1.0e-11, 2.7e-11, -3.1e-11)
-# Part of the size: patches whose control points all lie so close to the plane lie in it.
+# Patches whose control points are all within this part of the size from the plane lie in it.
 FLAT = 1e-12
 # Lengths change by about as much as the plane moves; the factor is for slanting surfaces.
 SAFETY = 10.0
-# Multiple of the move: curves so short come from the move alone.
+# Curves shorter than this multiple of the move come from the move alone.
 TRACE = 100.0
 
 
@@ -46,7 +46,7 @@ class PlaneSection:
     loops: tuple[SectionLoop, ...]
 
     def nearest(self, position: ArrayLike) -> SectionLoop:
-        """The loop that passes closest to a position.
+        """Return the loop that passes closest to a position.
 
         Raises
         ------

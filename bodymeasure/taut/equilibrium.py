@@ -9,9 +9,9 @@ from bodymeasure._typing import Array, Bools
 from bodymeasure.taut.skin import Feet, Skin
 from bodymeasure.taut.valleys import feet_over_valleys
 
-# Changes at most of the set of walls that hold the string; it settles in 2 to 10.
+# The most changes of the set of walls that hold the string; it settles in 2 to 10.
 MAX_EXCHANGES = 25
-# Sine of the angle between walls that count as one.
+# Walls are one if the sine of the angle between them is below this.
 PARALLEL = 1e-6
 
 

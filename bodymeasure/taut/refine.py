@@ -8,13 +8,13 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.taut.skin import Skin
 from bodymeasure.taut.string import String, relax
 
-# Part of the length: segments whose error is larger are divided.
+# Segments whose error is larger than this part of the length are divided.
 SEGMENT_TOLERANCE = 3e-9
 # The most parts into which a segment is divided at a time.
 MOST_PARTS = 8
-# Part of the length that every spring has at least.
+# Every spring has at least this part of the length.
 LEAST_WEIGHT = 1e-9
-# Part of the largest pressure, which marks a node that is guessed to touch.
+# A node that is guessed to touch has at least this part of the largest pressure.
 TINY_PRESSURE = 1e-6
 
 

@@ -16,18 +16,19 @@ from bodymeasure.atlas.topology.joins import entered, on_sides, over_sides
 from bodymeasure.bezier import evaluate
 from bodymeasure.bezier.power_form import jets, power_coefficients
 
-# Samples along a side of each patch. A search starts at the closest one; they lie closer together
-# than a body's surface bends.
+# The number of samples along a side of each patch. A search starts at the closest one; they lie
+# closer together than a body's surface bends.
 SAMPLES = 12
-# In (u, v): after a step of this size, what is left of Newton's error is its square.
+# After a step of this size in (u, v), the error that is left is about its square, as in Newton's
+# method.
 LAST_STEP = 1e-6
-# Seams that a search for one foot may cross: all round a corner of five patches, and back.
+# The most seams that a search for one foot may cross: all round a corner of five patches, and back.
 MAX_CROSSINGS = 6
-# Part of the atlas's size: the direction of positions this close to the skin from their foot is
-# rounding.
+# Positions closer to the skin than this part of the atlas's size have no direction from their foot
+# but rounding.
 TOUCHING = 1e-9
-# Part of the atlas's size: feet on two patches that are equally close up to this are one foot on
-# their seam.
+# Feet on two patches whose distances differ by less than this part of the atlas's size are one foot
+# on their seam.
 TIED = 1e-12
 
 

@@ -9,12 +9,12 @@ from bodymeasure.taut.refine import divided, parts_of_segments, segment_lengths
 from bodymeasure.taut.skin import Skin
 from bodymeasure.taut.string import relax
 
-# Part of the length: an error estimate below it needs no finer string.
+# An error estimate below this part of the length needs no finer string.
 TOLERANCE = 2e-6
 # Strings that are tried: the first, one with more points where they count, and then twice as many
 # each time.
 LEVELS = 5
-# Part of the atlas's size: a path so short is one point.
+# A path shorter than this part of the atlas's size is one point.
 NEGLIGIBLE = 1e-10
 # Takeoffs fall on the points of a string by chance, so that two strings now and then agree better
 # than either is right. The change from one to the next and the errors of the segments count so

@@ -8,22 +8,23 @@ from bodymeasure._typing import Array, Bools
 from bodymeasure.taut.equilibrium import equilibrium, walls_of
 from bodymeasure.taut.skin import Feet, Skin
 
-# Rounds of feet and springs at most. It takes 4 to 8, or more if the string slides sideways.
+# The most rounds of feet and springs. It takes 4 to 8, or more if the string slides sideways.
 MAX_ROUNDS = 40
-# Part of the length: a string whose length may change by less is at rest.
+# A string whose length may change by less than this part of it is at rest.
 REST = 1e-10
-# Over sharp kinks two nodes may hop to and fro. After so many rounds steps are halved, and a string
-# counts as at rest if its length may change by this part, which counts as its error.
+# Over sharp kinks two nodes may alternate between two places. After so many rounds steps are
+# halved, and a string counts as at rest if its length may change by this part, which counts as its
+# error.
 PATIENCE = 8
 LATE_REST = 3e-8
-# Part of the length: the farthest that a node may go in one round, so that it does not jump through
-# a limb.
+# A node moves by at most this part of the length in one round, so that it does not jump through a
+# limb.
 LONGEST_STEP = 0.06
-# Parts of the length, and a multiple of a node's last step: how far from its foot the seam of a
-# valley may be for the patch beyond to be the node's second wall. The reach shrinks with the steps,
-# since far from the seam the wall is only rough.
+# The patch beyond a valley's seam is a node's second wall if the seam is within reach of the node's
+# foot. The reach is this multiple of the node's last step, between two parts of the length; it
+# shrinks with the steps, since far from the seam the wall is only rough.
 FIRST_REACH, LEAST_REACH, REACH_STEPS = 0.02, 1e-8, 2.0
-# Part of the length: nodes that start this close to the skin are taken to touch it.
+# Nodes that start closer to the skin than this part of the length are taken to touch it.
 ON_SKIN = 1e-8
 
 

@@ -19,9 +19,9 @@ from bodymeasure.taut.solve import TautLeg, draw_taut
 from bodymeasure.taut.status import TautStatus
 from bodymeasure.wording import result_line
 
-# Segments of the first string of a leg.
+# The number of segments of the first string of a leg.
 SEGMENTS = 32
-# Part of the length: a string that is longer than the path along the skin by more has not come to
+# A string that is longer than the path along the skin by more than this part of it has not come to
 # rest.
 LONGER = 1e-6
 

@@ -7,7 +7,8 @@ from bodymeasure.atlas.seams import AXIS, VALUE
 from bodymeasure.bezier.power_form import jets
 from bodymeasure.taut.skin import Feet, Skin
 
-# Sine of an angle: valleys so shallow between two patches hold no string.
+# Valleys between two patches whose angle has a smaller sine are so shallow that they hold no
+# string.
 FLAT = 1e-7
 
 

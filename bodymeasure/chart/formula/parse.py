@@ -10,7 +10,7 @@ from bodymeasure.wording import counted
 
 # Far more than a formula for a body needs, and so few that no nesting is too deep.
 LONGEST = 400
-# The parts of a formula. Python's own grammar takes far more, and warns of some of it.
+# These are the parts of a formula. Python's own grammar takes far more, and warns of some of it.
 _TOKEN = re.compile(
     r"\s+|(?P<number>(?:\d+\.?\d*|\.\d+)(?!\w))|(?P<name>[A-Za-z_]\w*)|[-+*/(),]", re.A
 )

@@ -9,8 +9,8 @@ from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.errors import InputError
 from bodymeasure.wording import hint
 
-# As a fraction of the atlas's size: coordinates that differ by less are equal. Mirror images differ
-# by their rounding, and by the 1e-11 by which a section's plane may be moved.
+# Coordinates that differ by less than this fraction of the atlas's size are equal. Mirror images
+# differ by their rounding, and by the 1e-11 by which a section's plane may be moved.
 TIE = 1e-9
 
 

@@ -12,9 +12,9 @@ from bodymeasure.atlas.queries.locations import points_near
 from bodymeasure.errors import InputError
 from bodymeasure.wording import hint
 
-# In meters. Positions farther from the body are refused: a picked position lies on a mesh of the
-# body, from which the atlas is some millimeters off at the worst, and a position in a wrong unit is
-# much farther.
+# Positions farther from the body than this, in meters, are refused: a picked position lies on a
+# mesh of the body, from which the atlas is some millimeters off at the worst, and a position in a
+# wrong unit is much farther.
 FARTHEST = 0.02
 
 

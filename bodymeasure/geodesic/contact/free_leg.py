@@ -32,7 +32,7 @@ _AT_POLE = ((1, 3, 4, 7, 8), (2, 5, 4, 8, 7))
 def solve_free_piece(
     surface: Surface, space: TrialSpace, guess: Array, ends: tuple[End, End]
 ) -> Array | None:
-    """A geodesic between two ends, each fixed or moving along an edge.
+    """Return a geodesic between two ends, each fixed or moving along an edge.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ class _Moving:
         return slopes
 
     def system(self, values: Array) -> tuple[Array, Array]:
-        """The equations' left sides, and their derivatives by the unknowns."""
+        """Return the equations' left sides, and their derivatives by the unknowns."""
         residual, jacobian = residual_and_jacobian(
             self.surface, self.space, values[None], ends=True
         )
@@ -124,7 +124,7 @@ class _Moving:
         return by(b), row
 
     def direction(self, residual: Array, jacobian: Array) -> Array:
-        """Newton's direction, of the shape of the values; NaN if the system is singular."""
+        """Return Newton's direction, of the shape of the values; NaN if the system is singular."""
         direction = np.zeros(2 * (self.space.size + 1))
         try:
             direction[self.unknowns] = np.linalg.solve(jacobian, -residual)

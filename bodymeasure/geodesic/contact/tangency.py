@@ -9,9 +9,10 @@ length is off by
 
 .. math:: \int \tfrac12 \theta^2 \, ds = \frac{|\theta|^3}{6 \kappa},
 
-and never by more than :math:`\tfrac12 \theta^2` of the leg. The angle is the slope of the Jacobi
-field of `length_error` at the joint. By Green's formula that is :math:`\int \kappa_g w \, ds`, with
-:math:`-w'' - K w = 0`, w = 1 at the joint and 0 at the other end.
+and never by more than :math:`\tfrac12 \theta^2` of the leg. The angle is the slope, at the
+joint, of the Jacobi field of `lengths.measure`. By Green's formula that is
+:math:`\int \kappa_g w \, ds`, with :math:`-w'' - K w = 0`, w = 1 at the joint and 0 at the other
+end.
 """
 
 import numpy as np

@@ -96,7 +96,7 @@ def linearize(coefficients: Any, offset: Any, slope: Any, bend: Any) -> tuple[An
 
 
 def offset_geometry(coefficients: Any, offset: Any, slope: Any, bend: Any, xp: Any) -> PathGeometry:
-    """Speed, geodesic and Gaussian curvature; arguments as in `linearize`."""
+    """Return speed and curvatures of paths; the arguments are those of `linearize`."""
     place, first = derivatives_by_offset(coefficients[:, :2, ...], offset, 1)
     t_q, t_t, t_qq, t_tq = (x[field, ...] for x in (place, first) for field in (0, 1))
     (t_tt,) = (x[0, ...] for x in derivatives_by_offset(coefficients[:, 2:, ...], offset, 0))

@@ -17,7 +17,7 @@ FIELDS = (_ACROSS, _ALONG, _ALONG_TWICE)
 
 @lru_cache(maxsize=64)
 def offset_map(degrees: tuple[int, int], times: tuple[float, ...]) -> Array:
-    """From control points to polynomials in the offset q, at each t.
+    """Return the map from control points to polynomials in the offset q, at each t.
 
     With ``T(t, q) = S(t + q, t - q)``, the derivatives T_q, T_t and T_tt are at each t polynomials
     in q of a degree less than m + n, whose coefficients are linear in the control points.

@@ -105,11 +105,11 @@ class _Terms(NamedTuple):
     bend: dict[tuple[int, int], Array]
 
     def gradient(self, a: int) -> Array:
-        """The derivative of the energy's density by component a of z."""
+        """Return the derivative of the energy's density by component a of z."""
         return dot(self.velocity, self.by[a])
 
     def second(self, a: int, b: int) -> Array:
-        """Its second derivative by the components a and b."""
+        """Return the density's second derivative by the components a and b."""
         a, b = min(a, b), max(a, b)
         result = dot(self.by[a], self.by[b])
         return result + self.bend[a, b] if (a, b) in self.bend else result

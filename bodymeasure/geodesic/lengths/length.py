@@ -66,12 +66,12 @@ class Length:
         return result
 
     def is_known_to(self, tolerance: float) -> Bools:
-        """Which lengths are trusted and known to a relative tolerance."""
+        """Return which lengths are trusted and known to a relative tolerance."""
         result: Bools = self.trusted & (self.error <= tolerance * self.raw)
         return result
 
     def mapped(self, function: Callable[[Any], Any]) -> "Length":
-        """The record with a function applied to each of its arrays."""
+        """Return the record with a function applied to each of its arrays."""
         return Length(
             function(self.raw),
             function(self.correction),
@@ -82,11 +82,11 @@ class Length:
         )
 
     def take(self, rows: Ints) -> "Length":
-        """The lengths of some of the problems."""
+        """Return the lengths of some of the problems."""
         return self.mapped(lambda array: array[rows])
 
     def scaled(self, factor: Array | float) -> "Length":
-        """The lengths in another unit, or on surfaces that are larger by a factor."""
+        """Return the lengths in another unit, or on surfaces that are larger by a factor."""
         return Length(
             self.raw * factor,
             self.correction * factor,
@@ -98,7 +98,7 @@ class Length:
 
     @classmethod
     def concatenated(cls, batches: "Sequence[Length]") -> "Length":
-        """The lengths of several batches as one batch."""
+        """Return the lengths of several batches as one batch."""
         return cls(
             np.concatenate([each.raw for each in batches]),
             np.concatenate([each.correction for each in batches]),
@@ -110,7 +110,7 @@ class Length:
 
     @classmethod
     def of_parts(cls, parts: "Sequence[Length]") -> "Length":
-        """The lengths of paths that are made of parts whose joints stay in place.
+        """Return the lengths of paths that are made of parts whose joints stay in place.
 
         The index is then the sum of the parts' indices.
         """

@@ -46,7 +46,7 @@ class Shooting:
     There is no trial space to be chosen and none that could be too small; but every problem is
     integrated by itself, a thousand times slower than collocation. Where geodesics spread
     quickly (negative curvature), or near a conjugate point, Newton's method may not find the
-    direction, though a first shot that strays is made shorter: ``NOT_CONVERGED``.
+    direction, though a first shot that goes too far is made shorter: ``NOT_CONVERGED``.
 
     Parameters
     ----------
@@ -97,7 +97,7 @@ class _Shot:
     path: Path
 
 
-class _StrayError(Exception):
+class _TooLongError(Exception):
     """A geodesic that takes too long."""
 
 
@@ -114,10 +114,10 @@ class _Motion:
         self.evaluations = 0
 
     def __call__(self, _: float, state: Array) -> Array:
-        """Derivative of a state by t."""
+        """Return the derivative of a state by t."""
         self.evaluations += 1
         if self.evaluations > MAX_EVALUATIONS or not np.isfinite(state).all():
-            raise _StrayError
+            raise _TooLongError
         place, velocity = state[:2], state[2:4]
         change, change_velocity = state[4:].reshape(2, 2, 2)
         jet = self.surface.jet(place[None, None], 3)[:, :, 0, 0]
@@ -175,7 +175,7 @@ def _newton(
 
 
 def _shoot(motion: _Motion, start: Array, velocity: Array, rtol: float) -> _Shot | None:
-    """Integrate from t = 0 to 1; None if the path strays."""
+    """Integrate from t = 0 to 1; None if the path goes too far outside or takes too long."""
     # Imported here, since it takes some 30 ms to load and no other method needs it.
     from scipy.integrate import solve_ivp
 
@@ -197,7 +197,7 @@ def _shoot(motion: _Motion, start: Array, velocity: Array, rtol: float) -> _Shot
                 dense_output=True,
                 events=is_outside,
             )
-    except (_StrayError, np.linalg.LinAlgError):
+    except (_TooLongError, np.linalg.LinAlgError):
         return None
     if result.status != 0:
         return None

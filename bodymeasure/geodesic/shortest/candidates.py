@@ -104,7 +104,7 @@ class _Standing:
         self.batches.append(batch)
 
     def winners(self) -> tuple[PathBatch, ...]:
-        """The shortest paths, by batch."""
+        """Return the shortest paths, by batch."""
         chosen = (
             batch.take(np.flatnonzero(self.winner[batch.problems] == number))
             for number, batch in enumerate(self.batches)

@@ -34,7 +34,7 @@ class Trees(NamedTuple):
 
 
 def shortest_trees(surface: Surface, ends: Array) -> Trees:
-    """Dijkstra's algorithm for all problems in one call.
+    """Return the shortest ways for all problems, by one call of Dijkstra's algorithm.
 
     Parameters
     ----------

@@ -26,10 +26,10 @@ from bodymeasure.section import (
 )
 from bodymeasure.wording import result_line
 
-# Part of the difference of heights: a way down that first rises by more leads over something, such
-# as the head; one that rises by less only starts on a slope, such as a shoulder's.
+# A way down that first rises by more than this part of the difference of heights leads over
+# something, such as the head; one that rises by less only starts on a slope, such as a shoulder's.
 RISE = 0.1
-# Part of the same difference: an open boundary that misses the level by so little lies at it.
+# An open boundary that misses the level by less than this part of the same difference lies at it.
 ROUNDING = 1e-12
 
 

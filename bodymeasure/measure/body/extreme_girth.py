@@ -14,11 +14,12 @@ from bodymeasure.errors import InputError
 from bodymeasure.measure.body.girths import Girth, girth_of_loop, limb_axis, section_loop
 from bodymeasure.section import Plane, SectionLoop, convex_hull
 
-# Planes that are tried before Brent's method narrows down between the best one's neighbors: bodies
-# have at most one bulge or hollow in a sixteenth of any stretch over which a tape is drawn.
+# The number of planes that are tried before Brent's method narrows down between the best one's
+# neighbors: bodies have at most one bulge or hollow in a sixteenth of any stretch over which a tape
+# is drawn.
 SAMPLES = 17
-# Part of the stretch: how closely the place is found. The girth is flat there, and so exact to
-# rounding.
+# The place is found to within this part of the stretch. The girth is flat there, and so exact
+# except for rounding.
 TOLERANCE = 1e-7
 
 

@@ -13,12 +13,13 @@ from bodymeasure.errors import InputError
 from bodymeasure.measure.body.height_saddles import saddles_between
 from bodymeasure.section import Plane, PlaneSection, SectionLoop, plane_section
 
-# Heights at which the common stretch of two parts is cut first: some two centimeters apart.
+# The number of heights at which the common stretch of two parts is cut first: some two centimeters
+# apart.
 LEVELS = 16
-# Part of the stretch: how closely the height of the fork is enclosed before the saddle of the
+# The height of the fork is enclosed to within this part of the stretch before the saddle of the
 # surface is looked for. Two saddles closer together than this are not distinguished.
 ENCLOSED = 1e-5
-# Part of the atlas's size by which a height is moved where the plane touches the surface.
+# The height is moved by this part of the atlas's size where the plane touches the surface.
 ASIDE = 1e-7
 
 

@@ -15,10 +15,10 @@ from bodymeasure.measure.body.taut_places import TautPlaces
 from bodymeasure.section import DRAWN, Curve, DrawnTape, nearest_place
 from bodymeasure.wording import result_line
 
-# Part of the girth: parts whose middles lie less far apart from front to back lie beside one
-# another. The middles of a circle's halves lie 0.2 of it apart.
+# Parts of a girth whose middles are less than this part of the girth apart from front to back lie
+# beside one another. The middles of a circle's halves are 0.2 of it apart.
 BESIDE = 0.01
-# Part of the girth: places closer than this are one, as far as a body is known.
+# Places closer together than this part of the girth are one, as far as a body is known.
 ONE_PLACE = 1e-6
 # Distances to the nearest place distinguish places only down to the square root of their rounding.
 UNSETTLED = 4e-8

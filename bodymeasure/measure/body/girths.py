@@ -9,7 +9,7 @@ from bodymeasure.atlas import Atlas, Unit
 from bodymeasure.atlas.queries.locations import Location, position_of
 from bodymeasure.errors import InputError
 from bodymeasure.measure.body.cutting import cut_loop
-from bodymeasure.measure.body.merging import UNJUDGED, merged, refuse_merged
+from bodymeasure.measure.body.merging import UNCHECKED, merged, refuse_merged
 from bodymeasure.section import (
     BridgedLoop,
     DrawnTape,
@@ -133,7 +133,7 @@ def girth_of_loop(loop: SectionLoop, tape: SectionLoop | BridgedLoop | None = No
     """Return the girth of a closed loop, or of what is left of it."""
     tape = loop if tape is None else tape
     hull = convex_hull(tape)
-    remark = "" if any(loop.regions) else UNJUDGED
+    remark = "" if any(loop.regions) else UNCHECKED
     return Girth(tape.length, hull.length, hull.error_estimate, loop, tape, hull, loop.unit, remark)
 
 

@@ -19,9 +19,9 @@ STEPS = 30
 REST = 1e-12
 # How far outside its patch, in (u, v), rounding may put a stationary point.
 OUTSIDE = 1e-9
-# Part of the height's largest derivatives: the sign of slopes that small is rounding.
+# The sign of slopes below this part of the height's largest derivatives is rounding.
 LEVEL = 1e-9
-# Part of the atlas's size: saddles this close together are one.
+# Saddles closer together than this part of the atlas's size are one.
 SAME = 1e-7
 
 

@@ -12,7 +12,7 @@ SIDES = ("left", "right")
 # about as much as the arm's.
 TOUCHED = 0.4
 
-UNJUDGED = (
+UNCHECKED = (
     "whether the loop goes round more than one part of the body was not checked, since the atlas "
     "names no regions"
 )

@@ -34,7 +34,7 @@ class TautPlaces:
 
     @classmethod
     def on(cls, curve: Curve, hull: Hull) -> "TautPlaces":
-        """The places of a curve and its hull."""
+        """Return the places of a curve and its hull."""
         ends = curve.arc_length_at(hull.spans.ravel()).reshape(-1, 2)
         origin = float(ends[0, 0]) if len(ends) else 0.0
         start = (ends[:, 0] - origin) % curve.length

@@ -8,16 +8,16 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, sides_of
 from bodymeasure.bezier import bernstein
 
-# Gauss points on each part of a curve; parts are halved until two results agree.
+# The number of Gauss points on each part of a curve; parts are halved until two results agree.
 POINTS = 16
 # Relative agreement that is required: the rounding of a sum of this kind.
 AGREEMENT = 1e-14
-# Halvings at most. Only a cusp inside an edge needs more, which its error estimate shows.
+# The most halvings. Only a cusp inside an edge needs more, which its error estimate shows.
 MAX_HALVINGS = 10
 # The error at a cusp depends on where in its part it lies, and jumps from one division to the next:
 # it may be several times the last change.
 CUSP_SAFETY = 10.0
-# Relative rounding error of a sum of some dozens of positive terms.
+# The relative rounding error of a sum of some dozens of positive terms.
 ROUNDING = 4e-16
 
 

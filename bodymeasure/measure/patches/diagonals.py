@@ -20,7 +20,7 @@ def diagonals(
     search: Search | None = None,
     on_failure: OnFailure = "raise",
 ) -> GeodesicSolution:
-    """Both diagonal geodesics of every patch, in one batch.
+    """Return both diagonal geodesics of every patch, in one batch.
 
     Parameters
     ----------

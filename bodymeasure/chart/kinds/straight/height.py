@@ -10,7 +10,7 @@ from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition
 from bodymeasure.chart.kinds.straight.line import straight
 from bodymeasure.errors import InputError
 
-# As a fraction of the body's extent: how far soles may reach below the floor, as a scan's do.
+# Soles may reach below the floor by at most this fraction of the body's extent, as a scan's do.
 SUNKEN = 0.02
 
 

@@ -11,8 +11,9 @@ from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcom
 from bodymeasure.chart.tapes import Tape, TapeKind
 from bodymeasure.section import SectionLoop
 
-# As fractions of the body's size: the rounding of a difference of two of its coordinates, and the
-# error of an extent, whose search stops as soon as it is that good (`bodymeasure.section.places`).
+# These are fractions of the body's size: the rounding of a difference of two of its coordinates,
+# and the error of an extent, whose search stops as soon as it is that good
+# (`bodymeasure.section.places`).
 ROUNDING = 4.0 * float(np.finfo(np.float64).eps)
 EXTENT = 1e-13
 

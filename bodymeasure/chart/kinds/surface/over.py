@@ -15,13 +15,13 @@ from bodymeasure.chart.tapes import Tape, TapeKind
 from bodymeasure.measure import vertical_drop
 from bodymeasure.section import SectionLoop
 
-# Points on each piece of the profile.
+# The number of points on each piece of the profile.
 SAMPLES = 256
 # A chain of chords falls short of its arc by an amount that grows with the square of their length.
 # Chords twice as long fall short four times as much, so that the two chains differ by three times
 # what the finer one lacks.
 REST = 1.0 / 3.0
-# As a fraction of the chord: points that stand out less lie on it, but for rounding.
+# Points that stand out by less than this fraction of the chord lie on it, except for rounding.
 STANDING_OUT = 1e-12
 
 

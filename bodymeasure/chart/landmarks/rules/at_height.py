@@ -15,7 +15,7 @@ from bodymeasure.geodesic import AtlasPath
 
 # Steps on a piece of the path, so that it passes the height at most once in each.
 STEPS = 24
-# As a fraction of a piece: the height is passed there to rounding.
+# The height is passed within this fraction of a piece, which is its rounding.
 ROOT_TOLERANCE = 1e-15
 
 

@@ -12,12 +12,13 @@ from bodymeasure.measure import Extremum, extreme_girth
 from bodymeasure.measure.body.girths import section_loop
 from bodymeasure.section import Plane, convex_hull
 
-# As a fraction of the stretch. Girths hold to 1e-13, so that their slope over steps this wide holds
-# to 1e-10; what the formula of four steps leaves out is as small.
+# The width of the steps by which the slope is found, as a fraction of the stretch. Girths hold to
+# 1e-13, so that their slope over such steps holds to 1e-10; what the formula of four steps leaves
+# out is as small.
 STEP = 2e-3
-# Newton's steps; the slope is all but straight so near the extreme.
+# The most Newton steps; so near the extreme, the slope is almost straight.
 ROUNDS = 3
-# As a fraction of the stretch: if the extreme lies farther from where the search ended, the girth
+# If the extreme is farther than this fraction of the stretch from where the search ended, the girth
 # has a kink.
 FARTHEST = 1e-4
 

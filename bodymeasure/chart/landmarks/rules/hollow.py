@@ -18,7 +18,7 @@ from bodymeasure.geodesic import AtlasPath
 # Steps on a piece of the path, so that its distance from the chord has at most one extreme in each.
 STEPS = 24
 ROOT_TOLERANCE = 1e-15
-# As a fraction of the chord: a path that runs below it by no more is straight.
+# A path that runs below its chord by at most this fraction of it is straight.
 STRAIGHT = 1e-9
 
 

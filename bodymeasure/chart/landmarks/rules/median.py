@@ -13,8 +13,8 @@ from bodymeasure.errors import InputError
 from bodymeasure.section import Plane, SectionLoop, plane_section
 from bodymeasure.section.places import LoopPlaces, places_on, point_of_place
 
-# As a fraction of the atlas's size: a place so close to the median plane lies on it. Rounding is
-# far below.
+# A place within this fraction of the atlas's size from the median plane lies on it. Rounding is far
+# smaller.
 ON_PLANE = 1e-13
 # Steps on a piece, so that a section crosses the median plane at most once in each.
 STEPS = 12

@@ -63,7 +63,7 @@ class _System:
         return result
 
     def at(self, unknowns: Array) -> tuple[Array, Array]:
-        """The residuals of the equations and their derivatives."""
+        """Return the residuals of the equations and their derivatives."""
         here = self.problem.expand(unknowns)
         count = self.problem.count
         matrix = np.zeros((count, count))
@@ -78,7 +78,7 @@ class _System:
         return residual, matrix
 
     def direction(self, residual: Array, matrix: Array) -> Array:
-        """Newton's direction; NaN if the system is singular."""
+        """Return Newton's direction; NaN if the system is singular."""
         try:
             return np.asarray(np.linalg.solve(matrix, -residual))
         except np.linalg.LinAlgError:

@@ -30,7 +30,7 @@ class PathPiece:
     length: float
 
     def end(self, node: int) -> AtlasPoint:
-        """The point at the first node (0) or at the last one (-1)."""
+        """Return the point at the first node (0) or at the last one (-1)."""
         return AtlasPoint(self.patch, *self.values[:, node].tolist())
 
 

@@ -118,7 +118,7 @@ class RouteProblem:
         self._size_of_bands = (int((row - column).max()) + 1) * self.count
 
     def unknowns(self, inner: Array | None = None) -> Array:
-        """The unknowns of a path whose pieces meet where the route says.
+        """Return the unknowns of a path whose pieces meet where the route says.
 
         Parameters
         ----------
@@ -137,13 +137,13 @@ class RouteProblem:
         return np.asarray(np.clip(result, 0.0, 1.0))
 
     def values(self, unknowns: Array) -> Array:
-        """(u, v) at the nodes of all pieces, shape (pieces, 2, n + 1)."""
+        """Return (u, v) at the nodes of all pieces, shape (pieces, 2, n + 1)."""
         result = self._fixed.reshape(len(self.rows), -1).copy()
         np.put_along_axis(result, self.local, self._offset + self.sign * unknowns[self.rows], 1)
         return result.reshape(self._fixed.shape)
 
     def at(self, unknowns: Array) -> Route:
-        """The route that crosses its seams where the unknowns say."""
+        """Return the route that crosses its seams where the unknowns say."""
         ends = self.route.ends
         if ends is not None:
             start, end = (
@@ -156,7 +156,7 @@ class RouteProblem:
         return Route(ends, self.route.crossings, tuple(unknowns[self.joints].tolist()))
 
     def by_piece(self, unknowns: Array) -> tuple[Array, Array, Array]:
-        """The root of each piece, with its gradient and Hessian by the unknowns of the piece."""
+        """Return the root of each piece, its gradient and its Hessian by the piece's unknowns."""
         whole = energy(self.surface, self.space, self.values(unknowns), ALL_NODES)
         root = np.sqrt(2.0 * whole.value + EPSILON)
         local, sign = self.local, self.sign
@@ -168,7 +168,7 @@ class RouteProblem:
         return root, slope, bend
 
     def expand(self, unknowns: Array) -> SecondOrder:
-        """The sum over the pieces, to the second order."""
+        """Return the sum over the pieces, to the second order."""
         root, slope, bend = self.by_piece(unknowns)
         gradient: Array = np.zeros(self.count)
         np.add.at(gradient, self.rows, slope)

@@ -85,7 +85,7 @@ class Route:
         return tuple(zip((start, *entered), (*left, end), strict=True))
 
     def begun_at(self, first: int) -> "Route":
-        """The same loop, begun with another crossing."""
+        """Return the same loop, begun with another crossing."""
         return Route(
             self.ends,
             self.crossings[first:] + self.crossings[:first],
@@ -95,7 +95,7 @@ class Route:
     def replaced(
         self, first: int, last: int, steps: Sequence[tuple[Crossing, float]] = ()
     ) -> "Route":
-        """The route with its crossings from `first` to before `last` replaced by others."""
+        """Return the route with its crossings from `first` to before `last` replaced by others."""
         return replace(
             self,
             crossings=(

@@ -19,7 +19,7 @@ from bodymeasure.geodesic.status import Status
 
 # Degrees of the polynomial on each patch, tried in turn.
 DEGREES = (8, 12, 16, 24, 32, 48, 72)
-# The degree while a loop slides: its polynomials only have to tell which way.
+# The degree while a loop slides: its polynomials only have to show in which direction.
 SLIDING = 3
 # Degrees beyond this are only for paths that have no good length yet, such as through the crotch of
 # a body, where patches bend sharply.
