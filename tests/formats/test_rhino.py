@@ -1,14 +1,18 @@
 """Rhino's files, written by rhino3dm."""
 
+import uuid
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
 import bodymeasure as bm
+from bodymeasure.atlas.normals import normal_vectors
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import ReadWarning
+from bodymeasure.formats.foreign import rhino_objects
 
 rhino3dm: Any = pytest.importorskip("rhino3dm")
 
@@ -126,3 +130,154 @@ def test_files_that_were_cut_off_do_no_harm(tmp_path: Path, rng: np.random.Gener
         except bm.InputError:
             continue
         assert np.isfinite(atlas.control_points).all()
+
+
+def flat(name: str, *, layer: int = 0, z: float = 0.0, visible: bool = True) -> tuple[Any, Any]:
+    """A unit square, and its attributes."""
+    surface = rhino3dm.NurbsSurface.Create(3, False, 2, 2, 2, 2)
+    for i, j in np.ndindex(2, 2):
+        surface.Points[(i, j)] = rhino3dm.Point4d(i, j, z, 1.0)
+    surface.KnotsU.CreateUniformKnots(1.0)
+    surface.KnotsV.CreateUniformKnots(1.0)
+    attributes = rhino3dm.ObjectAttributes()
+    attributes.Name, attributes.LayerIndex, attributes.Visible = name, layer, visible
+    return surface, attributes
+
+
+def block(file: Any, name: str, *members: tuple[Any, Any]) -> Any:
+    """Add the definition of a block, and return its identifier."""
+    geometry, attributes = zip(*members, strict=True)
+    origin = rhino3dm.Point3d(0, 0, 0)
+    number = file.InstanceDefinitions.Add(name, "", "", "", origin, geometry, attributes)
+    return file.InstanceDefinitions.FindIndex(number).Id
+
+
+def instance(identifier: Any, *transforms: Any, name: str = "") -> tuple[Any, Any]:
+    """An instance of a block, to which the transforms are done from the last to the first."""
+    total = rhino3dm.Transform.Identity()
+    for transform in transforms:
+        total = rhino3dm.Transform.Multiply(total, transform)
+    attributes = rhino3dm.ObjectAttributes()
+    attributes.Name = name
+    return rhino3dm.InstanceReference(identifier, total), attributes
+
+
+def model() -> Any:
+    file = rhino3dm.File3dm()
+    file.Settings.ModelUnitSystem = rhino3dm.UnitSystem.Centimeters
+    return file
+
+
+MOVE = rhino3dm.Transform.Translation(100.0, 0.0, 0.0)
+TWICE = rhino3dm.Transform.Scale(rhino3dm.Point3d(0, 0, 0), 2.0)
+TURN = rhino3dm.Transform.Rotation(
+    0.5 * np.pi, rhino3dm.Vector3d(0, 0, 1), rhino3dm.Point3d(0, 0, 0)
+)
+MIRROR = rhino3dm.Transform.Mirror(rhino3dm.Point3d(0, 0, 0), rhino3dm.Vector3d(1, 0, 0))
+
+
+def extent(atlas: bm.Atlas) -> list[list[float]]:
+    points = atlas.control_points.reshape(len(atlas), -1, 3)
+    corners: list[list[float]] = np.round(
+        np.concatenate([points.min(axis=1), points.max(axis=1)], 1), 12
+    ).tolist()
+    return corners
+
+
+def test_blocks_are_read_where_they_are_placed(tmp_path: Path) -> None:
+    file = model()
+    square = block(file, "square", flat("cuff"))
+    pair = block(file, "pair", instance(square), instance(square, MOVE, name="far"))
+    file.Objects.Add(*instance(square, MOVE, TWICE, name="sleeve"))
+    file.Objects.Add(*instance(pair, TURN))
+    file.Write(str(tmp_path / "a.3dm"), 7)
+    atlas = bm.read_atlas(tmp_path / "a.3dm")
+    assert extent(atlas) == [[100, 0, 0, 102, 2, 0], [-1, 0, 0, 0, 1, 0], [-1, 100, 0, 0, 101, 0]]
+    assert atlas.patch_names == ("sleeve cuff", "cuff", "far cuff")
+
+
+def test_solids_in_blocks_that_are_mirrored_face_outwards(tmp_path: Path) -> None:
+    file = model()
+    ball = block(file, "ball", (sphere(2.0), rhino3dm.ObjectAttributes()))
+    file.Objects.Add(*instance(ball, MIRROR))
+    file.Write(str(tmp_path / "a.3dm"), 7)
+    atlas = bm.read_atlas(tmp_path / "a.3dm")
+    at = np.full((len(atlas), 2), 0.5)
+    outwards = evaluate(atlas.control_points, at) - [-1.0, 2.0, 3.0]
+    np.testing.assert_allclose(np.linalg.norm(outwards, axis=1), 2.0, rtol=1e-14)
+    normals = normal_vectors(atlas.control_points, at)
+    assert ((normals * outwards).sum(axis=1) > 0.0).all()
+
+
+def test_what_rhino_does_not_show_is_counted_and_named(tmp_path: Path) -> None:
+    file = model()
+    shown, off, under = (rhino3dm.Layer() for _ in range(3))
+    shown.Name, off.Name, under.Name = "shown", "off", "under it"
+    off.Visible = False
+    file.Layers.Add(shown)
+    number = file.Layers.Add(off)
+    under.ParentLayerId = file.Layers[number].Id
+    file.Layers.Add(under)
+    mixed = block(file, "mixed", flat("in", z=7.0), flat("lining", layer=1, z=8.0))
+    file.Objects.Add(*flat("old", visible=False))
+    file.Objects.Add(*flat("parked", layer=1, z=1.0))
+    file.Objects.Add(*flat("deeper", layer=2, z=2.0))
+    file.Objects.Add(*flat("body", z=5.0))
+    file.Objects.Add(*instance(mixed))
+    file.Write(str(tmp_path / "a.3dm"), 7)
+    with pytest.warns(ReadWarning) as caught:
+        atlas = bm.read_atlas(tmp_path / "a.3dm")
+    assert sorted(atlas.points[:, 2].round(12).tolist()) == [5.0] * 16 + [7.0] * 16
+    (message,) = (str(warning.message) for warning in caught)
+    assert "4 objects are not shown in Rhino and left out: " in message
+    for part in (
+        "('old') is hidden",
+        "('parked') on the layer 'off', which is off",
+        "('deeper') on the layer 'off', which is off",
+        "('lining') on the layer 'off'",
+    ):
+        assert part in message
+
+
+def test_a_block_that_holds_itself_is_left_out() -> None:
+    identifiers = [uuid.UUID(int=number) for number in range(3)]
+    items = []
+    for number, (geometry, attributes) in enumerate([instance(identifiers[0])] * 2):
+        attributes = SimpleNamespace(
+            Id=identifiers[number + 1],
+            Name="",
+            Visible=True,
+            Mode=attributes.Mode,
+            LayerIndex=0,
+            IsInstanceDefinitionObject=number == 0,
+        )
+        items.append(SimpleNamespace(Geometry=geometry, Attributes=attributes))
+    definition = SimpleNamespace(Id=identifiers[0], GetObjectIds=lambda: identifiers[1:2])
+    file = SimpleNamespace(Objects=items, InstanceDefinitions=[definition], Layers=[])
+    found, notes = rhino_objects.seen_objects(file)
+    assert found == []
+    assert notes == [
+        "object 0 places a block that holds itself or lies more than 64 deep; it is left out"
+    ]
+
+
+def test_blocks_without_objects_are_named(tmp_path: Path) -> None:
+    file = model()
+    missing = uuid.UUID(int=7)
+    file.Objects.Add(*flat("body"))
+    file.Objects.Add(*instance(missing, name="trim"))
+    file.Write(str(tmp_path / "a.3dm"), 7)
+    with pytest.warns(ReadWarning, match=r"object 1 \('trim'\) places a block that has no objects"):
+        assert len(bm.read_atlas(tmp_path / "a.3dm")) == 1
+
+
+def test_the_members_of_nested_blocks_are_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    file = model()
+    inner = block(file, "0", flat("one"))
+    for level in range(1, 30):
+        inner = block(file, str(level), instance(inner), instance(inner))
+    file.Objects.Add(*instance(inner))
+    monkeypatch.setattr(rhino_objects, "MOST_PLACED", 1000)
+    found, notes = rhino_objects.seen_objects(file)
+    assert len(found) < 1000
+    assert notes == ["blocks place more than 1,000 objects; the others are left out"]

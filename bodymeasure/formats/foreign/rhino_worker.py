@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array
+from bodymeasure.formats.foreign.rhino_objects import UNMOVED, called, seen_objects
 
 # Bytes. A file of some kilobytes with one wrong byte may ask for many times what there is.
 MEMORY = 4 * 2**30
@@ -22,7 +23,7 @@ ON_SIDE = 1e-3
 class _Found(NamedTuple):
     """One surface of a file, and whether its face covers only a part of it."""
 
-    name: str
+    place: str
     layer: str
     surface: Any
     reversed: bool
@@ -39,23 +40,17 @@ def main(file: str, result: str) -> int:
         return 1
     arrays: dict[str, Any] = {}
     faces: list[dict[str, Any]] = []
-    notes: list[str] = []
-    objects: Any = model.Objects
-    for number, item in enumerate(objects):
-        name = item.Attributes.Name
-        place = f"object {number}" + (f" ({name!r})" if name else "")
-        found = _surfaces(model, item)
-        if not found:
-            kind = type(item.Geometry).__name__
-            notes.append(f"{place} is a {kind}, which has no NURBS surface; it is left out")
-        for face, one in enumerate(found):
-            where = place if len(found) == 1 else f"{place}, face {face}"
-            if one.trimmed:
-                notes.append(f"{where} is trimmed; its whole underlying surface is taken")
-            own = _arrays(one)
+    objects, notes = seen_objects(model)
+    surfaces: dict[int, list[_Found]] = {}
+    for number, item, name, transform in objects:
+        if number not in surfaces:
+            surfaces[number] = _surfaces(model, item, called(number, item))
+            notes += _notes(surfaces[number], item, called(number, item))
+        for one in surfaces[number]:
+            own = _arrays(one, transform)
             arrays |= {f"{key} {len(faces)}": array for key, array in own.items()}
             degrees = [one.surface.OrderU - 1, one.surface.OrderV - 1]
-            faces.append({"name": one.name, "group": one.layer, "place": where, "degrees": degrees})
+            faces.append({"name": name, "group": one.layer, "place": one.place, "degrees": degrees})
     document = {
         "unit": model.Settings.ModelUnitSystem.name,
         "notes": notes,
@@ -75,31 +70,42 @@ def _limit_memory() -> None:
     resource.setrlimit(resource.RLIMIT_AS, (least, most))
 
 
-def _surfaces(file: Any, item: Any) -> list[_Found]:
+def _notes(found: list[_Found], item: Any, place: str) -> list[str]:
+    if not found:
+        kind = type(item.Geometry).__name__
+        return [f"{place} is a {kind}, which has no NURBS surface; it is left out"]
+    return [
+        f"{one.place} is trimmed; its whole underlying surface is taken"
+        for one in found
+        if one.trimmed
+    ]
+
+
+def _surfaces(file: Any, item: Any, place: str) -> list[_Found]:
     import rhino3dm
 
-    geometry, attributes = item.Geometry, item.Attributes
-    layer = _layer(file, attributes.LayerIndex)
+    geometry = item.Geometry
+    layer = _layer(file, item.Attributes.LayerIndex)
     if isinstance(geometry, rhino3dm.Extrusion):
         geometry = geometry.ToBrep(True)
     if isinstance(geometry, rhino3dm.Brep):
         listed: Any = geometry.Faces
         faces = [listed[number] for number in range(len(listed))]
         surfaces = [face.ToNurbsSurface() for face in faces]
+        kept = [number for number, surface in enumerate(surfaces) if surface is not None]
         return [
             _Found(
-                attributes.Name,
+                place if len(kept) == 1 else f"{place}, face {number}",
                 layer,
-                surface,
-                bool(face.OrientationIsReversed),
-                not geometry.IsSurface and _is_trimmed(geometry, face, surface),
+                surfaces[number],
+                bool(faces[number].OrientationIsReversed),
+                not geometry.IsSurface and _is_trimmed(geometry, faces[number], surfaces[number]),
             )
-            for face, surface in zip(faces, surfaces, strict=True)
-            if surface is not None
+            for number in kept
         ]
     if isinstance(geometry, rhino3dm.Surface):
         surface = geometry.ToNurbsSurface()
-        return [] if surface is None else [_Found(attributes.Name, layer, surface, False, False)]
+        return [] if surface is None else [_Found(place, layer, surface, False, False)]
     return []
 
 
@@ -142,7 +148,7 @@ def _sides(surface: Any) -> list[Array]:
     return [np.array([[p.X, p.Y, p.Z] for p in side]) for side in points]
 
 
-def _arrays(found: _Found) -> dict[str, Array]:
+def _arrays(found: _Found, transform: Array) -> dict[str, Array]:
     surface = found.surface
     shape = surface.Points.CountU, surface.Points.CountV
     points = [
@@ -150,14 +156,18 @@ def _arrays(found: _Found) -> dict[str, Array]:
     ]
     # Homogeneous: the coordinates are times the weight.
     net = np.array([[p.X, p.Y, p.Z, p.W] for p in points]).reshape(*shape, 4)
-    if found.reversed:
+    if transform is not UNMOVED:
+        net = net @ transform.T
+    # A mirrored solid still faces outwards.
+    turned = found.reversed != (np.linalg.det(transform[:3, :3]) < 0.0)
+    if turned:
         net = net[::-1]
     knots = []
     for axis, vector in enumerate((surface.KnotsU, surface.KnotsV)):
         inner = np.array([vector[number] for number in range(len(vector))])
         # Rhino leaves out the first and the last knot, on which nothing depends.
         full = np.concatenate([inner[:1], inner, inner[-1:]])
-        knots.append(full[-1] + full[0] - full[::-1] if found.reversed and axis == 0 else full)
+        knots.append(full[-1] + full[0] - full[::-1] if turned and axis == 0 else full)
     weights = net[..., 3]
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         places = net[..., :3] / weights[..., None]
