@@ -171,6 +171,89 @@ def test_a_trimmed_face_is_named(tmp_path: Path) -> None:
         bm.read_atlas(written(tmp_path / "a.step", shape))
 
 
+def plane(degree: int = 1, low: float = 0.0, high: float = 100.0, left: float = 0.0) -> Any:
+    """A face on a square B-spline of 100 mm, from `low` to `high` in u, `left` mm along x."""
+    from OCP.BRepBuilderAPI import (
+        BRepBuilderAPI_MakeEdge,
+        BRepBuilderAPI_MakeFace,
+        BRepBuilderAPI_MakeWire,
+    )
+    from OCP.BRepLib import BRepLib
+    from OCP.Geom import Geom_BezierSurface
+    from OCP.Geom2d import Geom2d_Line
+    from OCP.GeomConvert import GeomConvert
+    from OCP.gp import gp_Dir2d, gp_Pnt, gp_Pnt2d
+
+    try:
+        from OCP.collections import Array2_gp_Pnt as Points
+    except ImportError:  # versions of OCP before 8
+        from OCP.TColgp import TColgp_Array2OfPnt as Points
+
+    poles = Points(1, degree + 1, 1, 2)
+    for i in range(degree + 1):
+        for j in range(2):
+            poles.SetValue(i + 1, j + 1, gp_Pnt(left + 100.0 * i / degree, 100.0 * j, 0.0))
+    convert = cad_worker._static(GeomConvert, "SurfaceToBSplineSurface")
+    surface = convert(Geom_BezierSurface(poles))
+    low, high = low / 100.0, high / 100.0
+    wire = BRepBuilderAPI_MakeWire()
+    corners = [(low, 0.0), (high, 0.0), (high, 1.0), (low, 1.0)]
+    for (u, v), (next_u, next_v) in zip(corners, corners[1:] + corners[:1], strict=True):
+        length = abs(next_u - u) + abs(next_v - v)
+        along = gp_Dir2d((next_u - u) / length, (next_v - v) / length)
+        line = Geom2d_Line(gp_Pnt2d(u, v), along)
+        wire.Add(BRepBuilderAPI_MakeEdge(line, surface, 0.0, length).Edge())
+    face = BRepBuilderAPI_MakeFace(surface, wire.Wire(), True).Face()
+    cad_worker._static(BRepLib, "BuildCurves3d")(face)
+    return face
+
+
+def compound(*shapes: Any) -> Any:
+    from OCP.BRep import BRep_Builder
+    from OCP.TopoDS import TopoDS_Compound
+
+    whole, builder = TopoDS_Compound(), BRep_Builder()
+    builder.MakeCompound(whole)
+    for shape in shapes:
+        builder.Add(whole, shape)
+    return whole
+
+
+@pytest.mark.usefixtures("_in_this_process")
+@pytest.mark.parametrize(("low", "high"), [(-0.005, 100.0), (0.0, 101.0), (-2.0, 100.5)])
+def test_a_face_that_overhangs_its_surface_ends_where_it_does(
+    low: float, high: float, tmp_path: Path
+) -> None:
+    path = written(tmp_path / "a.step", compound(plane(low=low, high=high), plane(left=100.0)))
+    with pytest.warns(ReadWarning, match=r"face 1 runs past the border of its surface by .* taken"):
+        atlas = bm.read_atlas(path)
+    assert len(atlas) == 2
+    np.testing.assert_allclose(atlas.control_points[0].min(axis=(0, 1)), 0.0, atol=1e-9)
+    np.testing.assert_allclose(atlas.control_points[0].max(axis=(0, 1)), [100, 100, 0], atol=1e-9)
+    # The neighbor is joined.
+    assert {finding.kind.name for finding in bm.check_atlas(atlas)} == set()
+
+
+@pytest.mark.usefixtures("_in_this_process")
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_face_of_too_high_a_degree_is_named_and_left_out(kind: str, tmp_path: Path) -> None:
+    path = written(tmp_path / f"a.{kind}", compound(plane(), plane(degree=13, left=200.0)))
+    with pytest.warns(ReadWarning, match=r"face 2: has the degrees 13 and 1; only .* left out"):
+        atlas = bm.read_atlas(path)
+    assert len(atlas) == 1
+    alone = written(tmp_path / f"b.{kind}", plane(degree=13))
+    with pytest.raises(bm.InputError, match=r"b\..*, face 1: has the degrees 13 and 1; only"):
+        bm.read_atlas(alone)
+
+
+@pytest.mark.usefixtures("_in_this_process")
+def test_a_face_that_cannot_be_converted_is_named_and_left_out(tmp_path: Path) -> None:
+    # Wholly beside its surface.
+    path = written(tmp_path / "a.step", compound(plane(low=101.0, high=102.0), plane(left=100.0)))
+    with pytest.warns(ReadWarning, match=r"face 1 cannot be made a B-spline \(.*\); it is left"):
+        assert len(bm.read_atlas(path)) == 1
+
+
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("content", [b"", b"ISO-10303-21;\nno more", b"\x00\xff" * 100])
 def test_what_cannot_be_read_is_refused(kind: str, content: bytes, tmp_path: Path) -> None:

@@ -28,10 +28,14 @@ def main(file: str, result: str) -> int:
     notes: list[str] = []
     for number, face in enumerate(_faces(shape)):
         place = f"face {number + 1}"
-        surface, trimmed = _surface(face)
-        if trimmed:
-            notes.append(f"{place} is trimmed; its underlying surface is taken")
-        arrays |= {f"{name} {number}": array for name, array in _arrays(surface, face).items()}
+        try:
+            surface, own_notes = _surface(face)
+            own = _arrays(surface, face)
+        except Exception as error:  # whatever Open CASCADE stumbles over
+            notes.append(f"{place} cannot be made a B-spline ({error}); it is left out")
+            continue
+        notes += [f"{place} {note}" for note in own_notes]
+        arrays |= {f"{name} {len(faces)}": array for name, array in own.items()}
         degrees = [surface.UDegree(), surface.VDegree()]
         faces.append({"name": place, "group": "", "place": place, "degrees": degrees})
     document = {"unit": "mm", "notes": notes, "faces": faces}
@@ -69,8 +73,8 @@ def _faces(shape: Any) -> list[Any]:
     return faces
 
 
-def _surface(face: Any) -> tuple[Any, bool]:
-    """The B-spline under a face over the face's range, and whether the face is only a part."""
+def _surface(face: Any) -> tuple[Any, list[str]]:
+    """The B-spline under a face over the face's range, and notes on where the two differ."""
     from OCP.BRep import BRep_Tool
     from OCP.BRepTools import BRepTools
     from OCP.Geom import Geom_RectangularTrimmedSurface
@@ -78,7 +82,7 @@ def _surface(face: Any) -> tuple[Any, bool]:
 
     bounds = _static(BRepTools, "UVBounds")(face)
     surface = _static(BRep_Tool, "Surface")(face)
-    own, covered = np.array(surface.Bounds()), _covered(surface, bounds)
+    own, (covered, beyond) = np.array(surface.Bounds()), _covered(surface, bounds)
     if (covered != own).any():
         surface = Geom_RectangularTrimmedSurface(surface, *covered)
     spline = _static(GeomConvert, "SurfaceToBSplineSurface")(surface)
@@ -86,13 +90,20 @@ def _surface(face: Any) -> tuple[Any, bool]:
         spline.SetUNotPeriodic()
     if spline.IsVPeriodic():
         spline.SetVNotPeriodic()
-    return spline, _is_trimmed(face, bounds)
+    notes = ["is trimmed; its underlying surface is taken"] if _is_trimmed(face, bounds) else []
+    if beyond > ON_BORDER:
+        notes.append(
+            f"runs past the border of its surface by {beyond:.2g} of the surface's range; it is "
+            "taken up to the border"
+        )
+    return spline, notes
 
 
-def _covered(surface: Any, bounds: tuple[float, ...]) -> Array:
-    """A face's range in u and v, put on its surface's own borders where it is beside them.
+def _covered(surface: Any, bounds: tuple[float, ...]) -> tuple[Array, float]:
+    """A face's range in u and v on its surface, and the part of it by which the face overhangs.
 
-    Open CASCADE converts nothing of a range of more than a full turn, even if by rounding alone.
+    It is put on the surface's own borders where it is beside or beyond them: Open CASCADE converts
+    nothing of a range that goes past them, or of more than a full turn, even if by rounding alone.
     """
     own, covered = np.array(surface.Bounds()), np.array(bounds)
     near = np.abs(covered - own) <= ON_BORDER * max(1.0, np.abs(covered).max())
@@ -101,7 +112,13 @@ def _covered(surface: Any, bounds: tuple[float, ...]) -> Array:
     for axis, is_periodic in zip((slice(0, 2), slice(2, 4)), turns, strict=True):
         if is_periodic and np.ptp(covered[axis]) >= np.ptp(own[axis]) * (1.0 - ON_BORDER):
             covered[axis] = own[axis]
-    return covered
+    beyond = 0.0
+    for axis, is_periodic in zip((slice(0, 2), slice(2, 4)), turns, strict=True):
+        if not is_periodic:
+            inside = np.clip(covered[axis], *own[axis])
+            beyond = max(beyond, np.abs(covered[axis] - inside).max() / np.ptp(own[axis]))
+            covered[axis] = inside
+    return covered, beyond
 
 
 def _is_trimmed(face: Any, bounds: tuple[float, ...]) -> bool:

@@ -51,7 +51,8 @@ def surfaces_of_file(content: bytes, source: str, reader: Reader) -> tuple[str, 
     Raises
     ------
     InputError
-        If the library cannot read it, or a surface is no B-spline with positive weights.
+        If the library cannot read it, or no surface is a B-spline with positive weights and degrees
+        that can be read. A note names those that are not.
     """
     with tempfile.TemporaryDirectory() as folder:
         given, found = Path(folder, f"file.{reader.kind}"), Path(folder, "surfaces.npz")
@@ -87,6 +88,8 @@ def _patches(arrays: Mapping[str, NDArray[Any]], source: str) -> tuple[str, Read
     names: list[str] = []
     groups: list[str] = []
     places: list[str] = []
+    notes: list[str] = document["notes"]
+    refused: list[str] = []
     for number, face in enumerate(document["faces"]):
         try:
             own_weights = arrays[f"weights {number}"]
@@ -102,11 +105,15 @@ def _patches(arrays: Mapping[str, NDArray[Any]], source: str) -> tuple[str, Read
                 (arrays[f"knots u {number}"], arrays[f"knots v {number}"]),
             )
         except InputError as error:
-            raise InputError(f"{source}, {face['place']}: {error}") from None
+            refused.append(f"{face['place']}: {error}")
+            continue
         nets += own_nets
         weights += cut_weights
         names += [face["name"]] * len(own_nets)
         groups += [face["group"]] * len(own_nets)
         places += [face["place"]] * len(own_nets)
-    found = ReadPatches(nets, weights, names, groups, places, notes=document["notes"])
+    if refused and not nets:
+        raise InputError(f"{source}, {refused[0]}")
+    notes += [f"{each}; it is left out" for each in dict.fromkeys(refused)]
+    found = ReadPatches(nets, weights, names, groups, places, notes=notes)
     return document["unit"], found

@@ -44,8 +44,13 @@ def main(file: str, result: str) -> int:
     surfaces: dict[int, list[_Found]] = {}
     for number, item, name, transform in objects:
         if number not in surfaces:
-            surfaces[number] = _surfaces(model, item, called(number, item))
-            notes += _notes(surfaces[number], item, called(number, item))
+            place = called(number, item)
+            try:
+                surfaces[number] = _surfaces(model, item, place)
+                notes += _notes(surfaces[number], item, place)
+            except Exception as error:  # whatever rhino3dm stumbles over
+                surfaces[number] = []
+                notes.append(f"{place} cannot be made NURBS surfaces ({error}); it is left out")
         for one in surfaces[number]:
             own = _arrays(one, transform)
             arrays |= {f"{key} {len(faces)}": array for key, array in own.items()}
