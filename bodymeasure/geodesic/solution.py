@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure._typing import Array, Bools, Ints
-from bodymeasure.errors import InputError
+from bodymeasure.geodesic.lengths.arc_length_times import checked_times
 from bodymeasure.geodesic.solving.protocol import PathBatch
 from bodymeasure.geodesic.status import Status, have_length
 from bodymeasure.wording import result_line
@@ -161,12 +161,7 @@ class GeodesicSolution:
         InputError
             If a t is not a number in [0, 1].
         """
-        try:
-            times = np.asarray(t, dtype=np.float64)
-        except (TypeError, ValueError):
-            raise InputError(f"path parameters are {t!r}; expected numbers in [0, 1]") from None
-        if not ((times >= 0.0) & (times <= 1.0)).all():
-            raise InputError(f"path parameters must lie in [0, 1]; got {times}")
+        times = checked_times(t)
         points = np.empty((int(np.prod(self.shape)), times.size, 2))
         # Problems without a path have their ends in one place, and a line that stays there.
         first, last = (ends.reshape(-1, 1, 2) for ends in (self.start, self.end))

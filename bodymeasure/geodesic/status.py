@@ -43,7 +43,7 @@ class Status(Enum):
     )
     NOT_A_MINIMUM = (
         "The path is a geodesic, but not a shortest one: it passes a conjugate point (or ends so "
-        "close to one that this cannot be told), and a shorter path lies beside it; choose end "
+        "close to one that this is uncertain), and a shorter path lies beside it; choose end "
         "points that are closer together."
     )
     NOT_CONVERGED = (
@@ -57,7 +57,7 @@ class Status(Enum):
     )
     SINGULAR = (
         "The collocation equations became singular; the patch is probably degenerate or folded "
-        "near the path, which `bodymeasure check` would tell."
+        "near the path, which `bodymeasure check` would show."
     )
 
     @property

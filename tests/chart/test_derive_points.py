@@ -233,7 +233,7 @@ def test_between_is_a_part_of_the_way(rng: np.random.Generator) -> None:
         expected = (1.0 - fraction) * start + fraction * end
         np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-7)
     rule = Between(name="m", start="start", end="end", fraction=1.5)
-    assert "the fraction is 1.5; expected a number from 0 to 1" in reason(atlas, rule)
+    assert "fraction is 1.5; expected 0 to 1" in reason(atlas, rule)
 
 
 def test_between_parts_that_no_seam_joins_is_told() -> None:

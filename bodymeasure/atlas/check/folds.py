@@ -105,7 +105,7 @@ def _sampled_findings(
     directions = np.where(vanishing, 0.0, normals / np.where(vanishing, 1.0, lengths))
     # Normals that vanish have cosine 0 with every other, which is no reversal.
     cosine = (directions @ np.swapaxes(directions, -1, -2)).min(axis=(1, 2))
-    # Where an edge or corner collapses but for rounding, the normal has any direction.
+    # Where an edge or corner collapses except for rounding, the normal has any direction.
     explained = _near_known(patches, corners, width, degeneracy)
     cosine[explained] = 1.0
 

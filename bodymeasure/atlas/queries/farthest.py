@@ -29,7 +29,7 @@ MOST_HALVINGS = 20
 
 
 class Farthest(NamedTuple):
-    """Points that lie farthest, all equally far but for rounding.
+    """Points that lie farthest, all equally far except for rounding.
 
     Parameters
     ----------

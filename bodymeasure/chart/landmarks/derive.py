@@ -59,9 +59,9 @@ def derive_landmarks(
 
     Notes
     -----
-    All points lie on the smooth surface and are exact but for rounding; points on geodesics are as
-    exact as the geodesics. If points are equally far because they are mirror images, the one on the
-    side of the landmark to which the rule refers is taken, else the one on the wearer's left.
+    All points lie on the smooth surface and are exact except for rounding; points on geodesics are
+    as exact as the geodesics. If points are equally far because they are mirror images, the one on
+    the side of the landmark to which the rule refers is taken, else the one on the wearer's left.
 
     Examples
     --------
@@ -125,6 +125,8 @@ class _Search:
         self.done[name] = rule
         reason = next(filter(None, map(self._lack, rule.landmarks)), "")
         try:
+            if fault := next(rule.faults(), None):
+                raise InputError(fault.words)
             if not reason:
                 self.landmarks[name] = rule.point(self.atlas, self.landmarks)
         except BodymeasureError as error:

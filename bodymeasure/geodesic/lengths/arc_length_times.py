@@ -2,8 +2,10 @@
 
 import numpy as np
 from numpy.polynomial import legendre
+from numpy.typing import ArrayLike
 
 from bodymeasure._typing import Array
+from bodymeasure.errors import InputError
 from bodymeasure.geodesic.spaces.quadrature import Quadrature
 
 # The most Newton steps, within a bracket that each of them narrows; four are enough where speeds
@@ -12,6 +14,24 @@ STEPS = 50
 # From an arc length this close to the one that is sought, relative to the whole, one more step
 # reaches it to within rounding errors.
 CLOSE = 1e-9
+
+
+def checked_times(t: ArrayLike) -> Array:
+    """Return the parameters of a path that a user gives as an array.
+
+    Raises
+    ------
+    InputError
+        If one is not a number in [0, 1].
+    """
+    try:
+        times = np.asarray(t, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError(f"path parameters are {t!r}; expected numbers in [0, 1]") from None
+    # `not inside` rather than `outside`, so that NaN is refused too.
+    if not ((times >= 0.0) & (times <= 1.0)).all():
+        raise InputError(f"path parameters must lie in [0, 1]; got {times}")
+    return times
 
 
 def times_at(quadrature: Quadrature, speed: Array, parts: Array) -> Array:

@@ -15,8 +15,8 @@ def distances_in_one_place(surfaces: Surface, surface_of: Ints, start: Array, en
     """Return bounds of the distances between coincident points, and infinity for all others.
 
     The bound is zero for equal points. Along a line of u or of v the surface may stand still, as on
-    an edge of a patch that is collapsed to a point: then the distance is zero but for rounding
-    errors.
+    an edge of a patch that is collapsed to a point: then the distance is zero except for
+    rounding errors.
 
     Parameters
     ----------

@@ -29,7 +29,7 @@ MOST_STEPS = 8
 OUTSIDE = 1e-9
 # A path that is further than this from its polygon, in u or v, is not the one it stands for.
 MAX_DISTANCE = 0.1
-# An edge of at most this length, on a patch of size 1, is a point but for rounding errors.
+# An edge of at most this length, on a patch of size 1, is a point except for rounding errors.
 COLLAPSED = 1e-14
 # An edge as short as this part of the error that is asked for is a point as well: paths from its
 # points differ in length by no more than the edge is long, which is added to their error.

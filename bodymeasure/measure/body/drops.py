@@ -112,7 +112,8 @@ def vertical_drop(
     >>> print(f"{back.contact:.4f} {back.unit} along the skin, {back.taut:.4f} drawn taut")
     0.4163 m along the skin, 0.4107 drawn taut
     """
-    first, last, up = position_of(atlas, start), position_of(atlas, level), atlas.axes.up_vector
+    first, last = position_of(atlas, start, "the start"), position_of(atlas, level, "the level")
+    up = atlas.axes.up_vector
     if plane not in ("median", "side"):
         raise InputError(f"plane is {plane!r}; expected 'median' or 'side'")
     rise = float((last - first) @ up)

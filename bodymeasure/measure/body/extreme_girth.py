@@ -144,7 +144,8 @@ class _Stretch:
 
     @classmethod
     def between(cls, atlas: Atlas, start: Location, end: Location, *, limb: bool) -> "_Stretch":
-        first, last = position_of(atlas, start), position_of(atlas, end)
+        first = position_of(atlas, start, "the start")
+        last = position_of(atlas, end, "the end")
         up = atlas.axes.up_vector
         if not limb and (last - first) @ up == 0.0:
             raise InputError(

@@ -43,7 +43,7 @@ class _Level(NamedTuple):
 
 
 def fork_point(atlas: Atlas, regions: tuple[str, str]) -> AtlasPoint:
-    """Return the point where two parts of the body part, going down: an armpit, the crotch.
+    """Return the point where two parts of the body divide, going down: an armpit, the crotch.
 
     Parameters
     ----------

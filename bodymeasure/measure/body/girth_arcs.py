@@ -34,7 +34,8 @@ class GirthArc:
         Along the skin, in `unit`.
     taut : float
         Along the girth's taut tape. Where that spans a hollow in which the part ends, it ends
-        square across from there. Not above `contact`, but for rounding.
+        square across from there. At most `contact`, except for
+        rounding.
     error_estimate : float
         Estimated error of either length: the whole girth's, and the uncertainty of its ends.
     contact_tape, taut_tape : DrawnTape

@@ -174,7 +174,10 @@ def body_girth(
         return plane_girth(atlas, plane, at)
     if isinstance(cut, str) or len(cut) != 2:
         raise InputError(f"cut is {cut!r}; expected two places: the left and the right armpit")
-    left, right = (float(position_of(atlas, place) @ atlas.axes.left_vector) for place in cut)
+    left, right = (
+        float(position_of(atlas, place, f"the {side} armpit") @ atlas.axes.left_vector)
+        for side, place in zip(("left", "right"), cut, strict=True)
+    )
     if left <= right:
         raise InputError(
             f"the loop is to be cut from {left:.4g} {atlas.unit} on the left to {right:.4g} on "
@@ -218,7 +221,7 @@ def limb_girth(
     >>> print(f"{girth.contact:.4f} {girth.unit}")
     0.2368 m
     """
-    first, last = position_of(atlas, start), position_of(atlas, end)
+    first, last = position_of(atlas, start, "the start"), position_of(atlas, end, "the end")
     # `not inside` rather than `outside`, so that NaN is refused too.
     if isinstance(at, (int, float)) and not 0.0 <= at <= 1.0:
         raise InputError(f"at is {at}; expected 0 to 1, or a place on the limb")

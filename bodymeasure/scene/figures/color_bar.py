@@ -2,7 +2,7 @@
 
 import io
 import re
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,11 +17,6 @@ from bodymeasure.scene.colors import (
 from bodymeasure.scene.figures.canvas import figure_pixels
 from bodymeasure.scene.figures.chart_style import TEXT_SIZE, chart_style, power_of_ten
 from bodymeasure.scene.model import PathKind, Paths
-
-if TYPE_CHECKING:
-    pass
-
-BINS_PER_DECADE = 4
 
 
 def color_bar(paths: Paths) -> bytes:

@@ -7,7 +7,6 @@ from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.chart.entry import Fault, Landmark
 from bodymeasure.chart.landmarks.paths import on_the_left, path_between
 from bodymeasure.chart.landmarks.rules.base import LandmarkRule, Landmarks
-from bodymeasure.errors import InputError
 
 
 class Between(LandmarkRule, frozen=True, kw_only=True, tag="between"):
@@ -36,8 +35,6 @@ class Between(LandmarkRule, frozen=True, kw_only=True, tag="between"):
             yield Fault(self, "fraction", f"fraction is {self.fraction}; expected 0 to 1")
 
     def point(self, atlas: Atlas, landmarks: Landmarks) -> AtlasPoint:
-        if not 0.0 <= self.fraction <= 1.0:
-            raise InputError(f"the fraction is {self.fraction}; expected a number from 0 to 1")
         path = path_between(atlas, self.start, self.end, landmarks)
         patch, (u, v) = path.path(self.fraction)
         return on_the_left(path, AtlasPoint(int(patch), float(u), float(v)))

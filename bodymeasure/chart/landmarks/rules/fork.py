@@ -1,4 +1,4 @@
-"""Landmarks where parts of the body part: armpit and crotch."""
+"""Landmarks where parts of the body divide: armpit and crotch."""
 
 from typing import ClassVar
 
@@ -8,7 +8,7 @@ from bodymeasure.measure.body.forks import fork_point
 
 
 class Fork(LandmarkRule, frozen=True, kw_only=True, tag="fork"):
-    """The point where two parts of the body part, going down.
+    """The point where two parts of the body divide, going down.
 
     It is the saddle of the height at which the horizontal section's loop divides into one for each
     of two regions.
@@ -25,7 +25,7 @@ class Fork(LandmarkRule, frozen=True, kw_only=True, tag="fork"):
 
     @property
     def description(self) -> str:
-        return f"where {self.regions[0]} and {self.regions[1]} part"
+        return f"where {self.regions[0]} and {self.regions[1]} divide"
 
     def point(self, atlas: Atlas, landmarks: Landmarks) -> AtlasPoint:
         return fork_point(atlas, self.regions)

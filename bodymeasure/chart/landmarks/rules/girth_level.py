@@ -64,7 +64,7 @@ class GirthLevel(LandmarkRule, frozen=True, kw_only=True, tag="girth level"):
                 f"the {self.extreme} girth from {self.start!r} to {self.end!r} is {found.status}"
             )
         stretch = _Stretch(atlas, start, end)
-        return outermost(atlas, stretch.point(_polished(stretch, found.fraction)), self.facing)
+        return outermost(atlas, stretch.point(_where_level(stretch, found.fraction)), self.facing)
 
 
 class _Stretch(NamedTuple):
@@ -83,7 +83,7 @@ class _Stretch(NamedTuple):
         return convex_hull(section_loop(self.atlas, plane, point)).length
 
 
-def _polished(stretch: _Stretch, fraction: float) -> float:
+def _where_level(stretch: _Stretch, fraction: float) -> float:
     """Return the fraction at which the girth's slope vanishes, searched from one that is close.
 
     A search by the girth's values alone finds half of the digits.

@@ -31,7 +31,7 @@ EDGE_COUNT = 32
 # A polygon that starts from a path nearly at rest takes some three steps to come to rest. Where it
 # may slide along itself it never does, but which edges hold it is clear all the same.
 MOST_STEPS = 8
-# No path is shorter than the shortest polygon, but for rounding.
+# No path is shorter than the shortest polygon, except for rounding.
 ROUNDING = 1e-12
 
 

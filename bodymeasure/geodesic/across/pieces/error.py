@@ -43,7 +43,8 @@ STRAIGHT = 1e-5
 DAMPINGS = (0.0, 1e-12, 1e-10, 1e-8)
 # Lengths are sums of differences of coordinates of the patches' size.
 ROUNDING = 4e-16
-# Eigenvalues below this part of the square of 2 pi over a loop's length are zero, but for rounding.
+# Eigenvalues below this part of the square of 2 pi over a loop's length are zero, except for
+# rounding.
 FLAT = 1e-8
 # A loop's crossing is left out if the sine of its angle with the seam is below this.
 ALONG = 1e-6

@@ -12,6 +12,7 @@ from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.across.pieces.part import PathPart, PathPiece
+from bodymeasure.geodesic.lengths.arc_length_times import checked_times
 from bodymeasure.geodesic.status import Status
 from bodymeasure.wording import result_line
 
@@ -192,7 +193,7 @@ class AtlasPath:
         InputError
             If a t is not a number in [0, 1], or no path was found.
         """
-        times = _checked_times(t)
+        times = checked_times(t)
         if not self.pieces:
             raise InputError(f"there is no path: {self.status.sentence}")
         lengths = np.array([piece.length for piece in self.pieces])
@@ -217,13 +218,3 @@ class AtlasPath:
         """Return positions of the path in the atlas's unit, shape (*t.shape, 3); t as in `path`."""
         patch, parameters = self.path(t)
         return evaluate(self.atlas.control_points[patch], parameters)
-
-
-def _checked_times(t: ArrayLike) -> Array:
-    try:
-        times = np.asarray(t, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise InputError(f"path parameters are {t!r}; expected numbers in [0, 1]") from None
-    if not ((times >= 0.0) & (times <= 1.0)).all():
-        raise InputError(f"path parameters must lie in [0, 1]; got {times}")
-    return times

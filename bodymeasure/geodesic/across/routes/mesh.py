@@ -16,7 +16,7 @@ from bodymeasure.bezier import evaluate
 # algorithm fails on slivers. That moves the path from which the search starts, but not the point
 # that is measured.
 CLEARANCE = 1e-3
-# A point whose barycentric coordinate is below this is on the side, but for rounding.
+# A point whose barycentric coordinate is below this is on the side, except for rounding.
 ON_SIDE = 1e-12
 
 

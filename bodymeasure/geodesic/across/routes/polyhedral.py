@@ -101,7 +101,7 @@ def _bands(atlas: Atlas, mesh: RouteMesh, start: AtlasPoint, end: AtlasPoint) ->
     if not np.isfinite(through).any():
         return
     segments = graph.number.shape[1] - 1
-    # All faces about a vertex are taken or left together, lest parts meet in vertices only.
+    # All faces about a vertex are taken or left together, so that no parts meet in vertices only.
     row, column = np.moveaxis(np.rint(segments * mesh.face_parameters).astype(np.int64), -1, 0)
     near = through[graph.number[mesh.face_patch[:, None], row, column]].min(axis=1)
     # The patches that hold the ends are always taken: the ends may be closer together than the

@@ -7,7 +7,7 @@ from functools import cached_property
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Crossing, Step, on_side
 
-# Parameters this near to 0 or 1 are on the patch's edge, but for rounding.
+# Parameters this near to 0 or 1 are on the patch's edge, except for rounding.
 ON_EDGE = 1e-9
 
 # What distinguishes routes, wherever on their seams they cross.
