@@ -31,7 +31,7 @@ LAYERS = (
 # groups do not import from there.
 ORDERS = {
     "atlas": "axes, components, normals, point, seams, size, units · tessellation · atlas ·"
-    " topology · queries · check, summary",
+    " topology · queries · check · summary",
     "bench": "problems · entrants · size · records · timing · summary · figure",
     "chart": "accuracy, formula, landmarks/choice, landmarks/names, picks, tapes · entry,"
     " landmarks/paths · body, sides · kinds, landmarks/rules · landmarks · definitions ·"

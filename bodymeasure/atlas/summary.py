@@ -5,11 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.check.degeneracy import collapsed_sides
 from bodymeasure.atlas.queries.farthest import size_along
 from bodymeasure.atlas.seams import edge_table
 from bodymeasure.atlas.size import patch_sizes
 from bodymeasure.atlas.topology.joins import parts, seams_of
 from bodymeasure.atlas.units import Unit
+from bodymeasure.bezier import project
 
 
 @dataclass(frozen=True)
@@ -28,7 +30,7 @@ class AtlasSummary:
         Numbers of edges that two patches share, of edges that one has alone, and of connected
         parts.
     collapsed_edges : int
-        Number of sides whose control points are one.
+        Number of sides that are a point, whether their control points are one or lie in one place.
     smallest_patch, largest_patch : float
         Diagonals of the boxes around their control points.
     regions, landmarks : tuple of str
@@ -64,8 +66,7 @@ def summarize(atlas: Atlas) -> AtlasSummary:
     AtlasSummary
     """
     table = edge_table(atlas.index)
-    control = table.control_index
-    collapsed = (control == control[:, :, :1]).all(axis=2)
+    collapsed = table.collapsed | collapsed_sides(project(atlas.control_points))
     sides = table.sides[table.edge][~collapsed]
     axes, nets = atlas.axes, atlas.points[atlas.index]
     frame = np.stack([axes.up_vector, axes.left_vector, axes.front_vector])
