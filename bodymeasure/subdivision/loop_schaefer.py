@@ -92,9 +92,12 @@ def _inner_points(mesh: PolygonMesh) -> Array:
     vertices, corners = mesh.vertices, mesh.corners
     opposite = mesh.following[mesh.following]
     # A quad is a quarter of the way round a smooth vertex if it is one of four, round a crease if
-    # it is one of two, round a corner if it is the only one.
-    times = 1 + mesh.crease_vertices + 3 * mesh.corner_vertices
-    weight = (times[corners] * np.bincount(mesh.sector)[mesh.sector])[:, None]
+    # it is one of two. A corner weighs the same however many quads lie round it, and so does a
+    # crease that turns round one: against repeated subdivision this is close to the best.
+    quads = np.bincount(mesh.sector)[mesh.sector]
+    along = mesh.crease_vertices[corners]
+    weight = np.where(along, 2 * np.maximum(quads, 2), quads)
+    weight = np.where(mesh.corner_vertices[corners], 4, weight)[:, None]
     total = (
         weight * vertices[corners]
         + 2.0 * (vertices[mesh.heads] + vertices[corners[mesh.preceding]])

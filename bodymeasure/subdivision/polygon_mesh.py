@@ -31,6 +31,10 @@ class PolygonMesh:
         Ends of edges that stay sharp.
     face_names : sequence of str, optional
         What errors call the faces.
+    tagged : sequence of int
+        Vertices that are corners by themselves.
+    rounded : bool
+        Whether the boundary runs smoothly through vertices with one face, which are corners if not.
 
     Raises
     ------
@@ -45,6 +49,8 @@ class PolygonMesh:
     sizes: Ints
     creases: Ints
     face_names: Sequence[str] = ()
+    tagged: Sequence[int] = ()
+    rounded: bool = False
 
     def __post_init__(self) -> None:
         _check_faces(self)
@@ -110,22 +116,27 @@ class PolygonMesh:
 
     @cached_property
     def corner_vertices(self) -> Bools:
-        """Vertices at which sharp edges have a corner, shape (n,).
+        """Vertices that stay where they are, shape (n,), by the rules of OpenSubdiv.
 
-        Where three or more meet, and where two leave a single face between them: a smooth curve
-        would leave a patch there without a normal at its corner.
+        These are the tagged ones, those at which three or more sharp edges meet, and those on the
+        boundary with one face, unless they are rounded.
         """
-        count = np.bincount(self.ends[self.sharp].ravel(), minlength=len(self.vertices))
-        result = np.asarray(count > 2)
-        alone = np.bincount(self.sector)[self.sector] == 1
-        result[self.corners[alone & (count[self.corners] == 2)]] = True
+        result = np.asarray(self._sharp_edges_at > 2)
+        result[list(self.tagged)] = True
+        if not self.rounded:
+            boundary = np.bincount(self.ends[self.sides == 1].ravel(), minlength=len(result))
+            result |= (np.bincount(self.corners, minlength=len(result)) == 1) & (boundary == 2)
         return result
 
     @cached_property
     def crease_vertices(self) -> Bools:
         """Other vertices through which a crease or the boundary runs, shape (n,)."""
-        count = np.bincount(self.ends[self.sharp].ravel(), minlength=len(self.vertices))
-        return np.asarray((count == 2) & ~self.corner_vertices)
+        return np.asarray((self._sharp_edges_at == 2) & ~self.corner_vertices)
+
+    @cached_property
+    def _sharp_edges_at(self) -> Ints:
+        """How many sharp edges meet at each vertex."""
+        return np.bincount(self.ends[self.sharp].ravel(), minlength=len(self.vertices))
 
     @cached_property
     def _edges(self) -> tuple[Ints, Ints]:

@@ -28,6 +28,11 @@ def quads_of(mesh: PolygonMesh) -> tuple[PolygonMesh, Ints]:
     """
     if (mesh.sizes == 4).all():
         return mesh, np.arange(len(mesh.sizes))
+    return refined(mesh), mesh.face
+
+
+def refined(mesh: PolygonMesh) -> PolygonMesh:
+    """Do one step of Catmull-Clark subdivision: each face of k corners becomes k quads in order."""
     count = len(mesh.vertices)
     face_points = sum_at(mesh.face, mesh.vertices[mesh.corners], len(mesh.sizes))
     face_points /= mesh.sizes[:, None]
@@ -41,13 +46,14 @@ def quads_of(mesh: PolygonMesh) -> tuple[PolygonMesh, Ints]:
     middle = count + np.arange(len(mesh.ends))
     halves = [np.stack([end, middle], axis=-1) for end in mesh.ends.T]
     creases = np.concatenate([half[mesh.sharp & (mesh.sides == 2)] for half in halves])
-    finer = PolygonMesh(
+    return PolygonMesh(
         np.concatenate([_moved(mesh, face_points, midpoints), edge_points, face_points]),
         np.stack(quads, axis=-1).ravel(),
         np.full(len(mesh.corners), 4),
         creases,
+        tagged=mesh.tagged,
+        rounded=mesh.rounded,
     )
-    return finer, mesh.face
 
 
 def _moved(mesh: PolygonMesh, face_points: Array, midpoints: Array) -> Array:

@@ -1,3 +1,4 @@
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
@@ -49,12 +50,17 @@ def regular_quads(mesh: QuadMesh) -> Bools:
     return np.asarray(np.where(inside, quads == 4, quads == 2)[mesh.quads].all(axis=1))
 
 
-def refined(mesh: QuadMesh, steps: int) -> tuple[QuadMesh, Array]:
-    """The mesh after some steps, and (u, v) of each new quad's corners on its original quad."""
+def refined(mesh: QuadMesh, steps: int, corners: Sequence[int] = ()) -> tuple[QuadMesh, Array]:
+    """The mesh after some steps, and (u, v) of each new quad's corners on its original quad.
+
+    The vertices `corners` stay where they are.
+    """
+    kept = mesh.vertices[list(corners)]
     square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
     places = np.broadcast_to(square, (len(mesh.quads), 4, 2))
     for _ in range(steps):
         mesh = subdivide(mesh)
+        mesh.vertices[list(corners)] = kept
         middle = (places + np.roll(places, -1, axis=1)) / 2.0
         center = np.broadcast_to(places.mean(axis=1, keepdims=True), places.shape)
         children = [places, middle, center, np.roll(middle, 1, axis=1)]
@@ -62,10 +68,14 @@ def refined(mesh: QuadMesh, steps: int) -> tuple[QuadMesh, Array]:
     return mesh, places
 
 
-def distance_from_limit(mesh: QuadMesh, patches: PatchNets, steps: int) -> Array:
+def distance_from_limit(
+    mesh: QuadMesh, patches: PatchNets, steps: int, corners: Sequence[int] = ()
+) -> Array:
     """The largest distance of each patch from the limit surface at some points, shape (quads,)."""
-    fine, places = refined(mesh, steps)
-    limits = limit_positions(fine)[fine.quads].reshape(len(mesh.quads), -1, 3)
+    fine, places = refined(mesh, steps, corners)
+    positions = limit_positions(fine)
+    positions[list(corners)] = mesh.vertices[list(corners)]
+    limits = positions[fine.quads].reshape(len(mesh.quads), -1, 3)
     found = evaluate(net(patches), places.reshape(len(mesh.quads), -1, 2))
     return np.asarray(np.linalg.norm(found - limits, axis=-1).max(axis=1))
 
@@ -160,6 +170,56 @@ def test_a_cube_with_sharp_edges_is_a_cube() -> None:
         + b * (corners[:, 3] - corners[:, 0])[:, None, None]
     )
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("mesh", "corners", "largest"),
+    [
+        (QuadMesh(CUBE / CUBE.max(axis=0), SIX), [0], 0.065),
+        (QuadMesh(CUBE / CUBE.max(axis=0), SIX), list(range(8)), 0.065),
+        # On a regular mesh only the quads beside the corner differ.
+        (grid_mesh(hilly_net(7, 7)), [24], 0.01),
+        (grid_mesh(hilly_net(7, 7)), [24, 38], 0.01),
+    ],
+)
+def test_tagged_vertices_stay_where_they_are(
+    mesh: QuadMesh, corners: list[int], largest: float
+) -> None:
+    whole = PolygonMesh(
+        mesh.vertices, mesh.quads.ravel(), np.full(len(mesh.quads), 4), NO_CREASES, tagged=corners
+    )
+    patches = loop_schaefer(whole)
+    np.testing.assert_array_equal(patches.points[corners], mesh.vertices[corners])
+    distance = distance_from_limit(mesh, patches, 5, corners)
+    inner = ~(whole.sides == 1)[whole.edge].reshape(-1, 4).any(axis=1)
+    assert distance[inner].max() < largest
+    beside = np.isin(mesh.quads, corners).any(axis=1)
+    if len(mesh.quads) > 6:
+        assert distance[inner & ~beside].max() < 1e-14
+        assert distance[beside].max() > 1e-5
+
+
+def test_the_boundary_may_be_smooth_at_its_corners() -> None:
+    mesh = grid_mesh(hilly_net(5, 5))
+    whole = PolygonMesh(mesh.vertices, mesh.quads.ravel(), np.full(16, 4), NO_CREASES, rounded=True)
+    patches = loop_schaefer(whole)
+    np.testing.assert_allclose(patches.points[:25], limit_positions(mesh), rtol=0, atol=1e-15)
+    distance = distance_from_limit(mesh, patches, 4).reshape(4, 4)
+    corners = distance[[0, 0, 3, 3], [0, 3, 0, 3]]
+    assert 1e-5 < corners.max() < 0.015
+    distance[[0, 0, 3, 3], [0, 3, 0, 3]] = 0.0
+    assert distance.max() < 1e-14
+    sharp = loop_schaefer(polygons(mesh))
+    np.testing.assert_array_equal(sharp.points[[0, 4, 20, 24]], mesh.vertices[[0, 4, 20, 24]])
+
+
+def test_a_crease_that_turns_round_one_face_is_smooth() -> None:
+    rim = np.array([[0, 1], [1, 3], [3, 2], [2, 0]])
+    patches = loop_schaefer(polygons(QuadMesh(CUBE, SIX), rim))
+    before, after = CUBE[[2, 0, 1, 3]], CUBE[[1, 3, 2, 0]]
+    np.testing.assert_allclose(
+        patches.points[[0, 1, 3, 2]], (4.0 * CUBE[[0, 1, 3, 2]] + before + after) / 6.0, atol=1e-15
+    )
 
 
 def test_triangles_become_quads_with_the_same_limit() -> None:
