@@ -4,7 +4,8 @@ import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from bodymeasure.atlas import Atlas
+from bodymeasure.atlas import Atlas, Severity
+from bodymeasure.atlas.check.stance import stance_findings
 from bodymeasure.chart.body import Body, MissingLandmarkError
 from bodymeasure.chart.chart import Chart
 from bodymeasure.chart.definitions import Definitions
@@ -24,6 +25,7 @@ def measure_chart(
     definitions: Definitions | None = None,
     *,
     progress: Callable[[int, int], None] | None = None,
+    despite_errors: bool = False,
 ) -> Chart:
     """Measure a body by a set of definitions.
 
@@ -34,6 +36,8 @@ def measure_chart(
         The default set if not given; `load_definitions` reads others.
     progress : callable, optional
         Called with the number of measurements done so far, and the number of all.
+    despite_errors : bool
+        Whether to measure a body whose landmarks contradict its axes, sides or size.
 
     Returns
     -------
@@ -43,7 +47,9 @@ def measure_chart(
     Raises
     ------
     InputError
-        If rules for landmarks need one another in a circle, or two measurements have one key.
+        If the landmarks contradict the axes, the sides or the size (`check_atlas` says how), unless
+        `despite_errors` is true; if rules for landmarks need one another in a circle; or if two
+        measurements have one key.
     MissingExtraError
         If paths are asked for and pygeodesic is not installed.
 
@@ -64,6 +70,8 @@ def measure_chart(
     0.7110 m, measured
     """
     begin = time.perf_counter()
+    if not despite_errors:
+        _require_sound_landmarks(atlas)
     definitions = load_definitions() if definitions is None else definitions
     derived = derive_landmarks(atlas, definitions.landmark, strict=False)
     body = Body(atlas, derived.landmarks, derived.missing)
@@ -87,6 +95,20 @@ def measure_chart(
         time.perf_counter() - begin,
         package_versions(PACKAGES),
     )
+
+
+def _require_sound_landmarks(atlas: Atlas) -> None:
+    faults = [
+        f"{finding.kind}: {finding.message}"
+        for finding in stance_findings(atlas)
+        if finding.severity == Severity.ERROR
+    ]
+    if faults:
+        listed = "".join(f"\n  {fault}" for fault in faults)
+        raise InputError(
+            f"{atlas.name or 'the atlas'}: the landmarks contradict the axes, the sides or the "
+            f"size:{listed}\nRepair it, or measure with despite_errors=True"
+        )
 
 
 class _Taken(dict[str, Measured]):

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 
 import click
 
-from bodymeasure.atlas import Atlas, Severity, Unit, check_atlas
+from bodymeasure.atlas import Atlas, FindingKind, Severity, Unit, check_atlas
 from bodymeasure.cli.console import print_note
 from bodymeasure.errors import InputError, MissingExtraError, ReadWarning
 from bodymeasure.formats import read_atlas
@@ -214,7 +214,8 @@ def load_sound_atlas(name: str, *, despite_errors: bool) -> Atlas:
     atlas = load_atlas(name)
     if despite_errors:
         return atlas
-    errors = [f"{f.kind}: {f.message}" for f in check_atlas(atlas) if f.severity == Severity.ERROR]
+    findings = check_atlas(atlas)
+    errors = [f"{f.kind}: {f.message}" for f in findings if f.severity == Severity.ERROR]
     if errors:
         more = f"\n  and {len(errors) - LISTED} more" if len(errors) > LISTED else ""
         listed = "".join(f"\n  {message}" for message in errors[:LISTED])
@@ -222,4 +223,8 @@ def load_sound_atlas(name: str, *, despite_errors: bool) -> Atlas:
             f"{name}: the atlas has {len(errors)} error{'s' if len(errors) > 1 else ''}:{listed}"
             f"{more}\nRepair it (`bodymeasure check` lists all), or measure --despite-errors."
         )
+    for finding in findings:
+        # Other warnings leave lengths as they are; this one multiplies all of them.
+        if finding.kind == FindingKind.SIZE:
+            print_note(f"{name}: {finding.message}.")
     return atlas

@@ -15,6 +15,7 @@ from bodymeasure.atlas.check.gaps import (
     t_junctions,
     welded_index,
 )
+from bodymeasure.atlas.check.stance import stance_findings
 from bodymeasure.atlas.normals import normal_coefficients
 from bodymeasure.atlas.seams import EDGES, edge_table
 from bodymeasure.atlas.size import require_size
@@ -26,7 +27,7 @@ KINK = 15.0
 
 
 def check_atlas(atlas: Atlas) -> tuple[Finding, ...]:
-    """Return the faults of an atlas's geometry, errors first.
+    """Return the faults of an atlas's geometry and of its landmarks' places, errors first.
 
     Parameters
     ----------
@@ -35,8 +36,9 @@ def check_atlas(atlas: Atlas) -> tuple[Finding, ...]:
     Returns
     -------
     tuple of Finding
-        Empty if there is nothing to say. Errors: patches without area or folded over, seams with
-        a gap, more than two patches on an edge. Warnings: edges or corners that collapse, points
+        Empty if there is nothing to say. Errors: directions, sides, an order or a size that the
+        landmarks of a body contradict, patches without area or folded over, seams with a gap, more
+        than two patches on an edge. Warnings: edges or corners that collapse, points
         without a normal, seams that are not joined by index, T-junctions, patches that face
         against their neighbors, kinked seams, separate parts. Open boundaries are no fault.
 
@@ -59,6 +61,7 @@ def check_atlas(atlas: Atlas) -> tuple[Finding, ...]:
     degeneracy = find_degeneracy(project(control_points), normals)
     findings = degeneracy_findings(atlas, degeneracy)
     findings += fold_findings(atlas, normals, degeneracy)
+    findings += stance_findings(atlas)
 
     # A patch without area has no sides worth joining.
     collapsed = degeneracy.edges | degeneracy.patches[:, None]

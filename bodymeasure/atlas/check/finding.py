@@ -14,6 +14,11 @@ class Severity(StrEnum):
 class FindingKind(StrEnum):
     """The kinds of findings; the values are words for tables."""
 
+    DIRECTIONS = "wrong directions"
+    TURNED = "turned body"
+    SIDES = "exchanged sides"
+    ORDER = "wrong order"
+    SIZE = "unlikely size"
     COLLAPSED_PATCH = "collapsed patch"
     FOLDED_PATCH = "folded patch"
     SEAM_GAP = "seam gap"
@@ -37,7 +42,7 @@ class Finding:
     severity : Severity
     kind : FindingKind
     patches : tuple of int
-        Numbers of the patches concerned.
+        Numbers of the patches concerned; none if the finding is on the landmarks.
     message : str
         The patches and edges by name, the numbers with their unit, what was expected, and the
         remedy.

@@ -16,8 +16,9 @@ COLORS = {Severity.ERROR: "bold red", Severity.WARNING: "yellow"}
 @atlas_argument
 @same_unit_option
 def check(atlas: str) -> int:
-    """List the faults of ATLAS: gaps in seams, folds, collapsed edges, kinks.
+    """List the faults of ATLAS: gaps in seams, folds, collapsed edges, kinks, wrong axes or size.
 
+    Axes, sides and size are those of a body, as its landmarks show them.
     Errors make lengths wrong, and lead to exit code 1; warnings do not.
     """
     loaded = load_atlas(atlas)

@@ -119,11 +119,13 @@ def chart(
     check_codes(loaded_definitions)
     body = load_sound_atlas(atlas, despite_errors=despite_errors)
     if output is None:
-        document = chart_document(measured_chart(body, loaded_definitions), unit)
+        document = chart_document(
+            measured_chart(body, loaded_definitions, despite_errors=despite_errors), unit
+        )
         _print(document, form or "table")
         return _exit_code(document, definitions)
     with output_folder(output):
-        measured = measured_chart(body, loaded_definitions)
+        measured = measured_chart(body, loaded_definitions, despite_errors=despite_errors)
         pictures = _pictures(measured) if pictures_wanted else None
         stem = Path(atlas).stem
         files = write_chart(measured, output, unit=unit, stem=stem, pictures=pictures or False)
@@ -138,7 +140,9 @@ def chart(
     return code
 
 
-def measured_chart(atlas: "Atlas", definitions: "Definitions") -> "Chart":
+def measured_chart(
+    atlas: "Atlas", definitions: "Definitions", *, despite_errors: bool = False
+) -> "Chart":
     """Measure a body, with a progress bar.
 
     Raises
@@ -152,7 +156,12 @@ def measured_chart(atlas: "Atlas", definitions: "Definitions") -> "Chart":
     if not total:
         raise InputError(f"the set {definitions.name!r} defines no measurement; add one to it")
     with progress_bar("measuring", total) as progress:
-        return measure_chart(atlas, definitions, progress=lambda done, _total: progress(done))
+        return measure_chart(
+            atlas,
+            definitions,
+            progress=lambda done, _total: progress(done),
+            despite_errors=despite_errors,
+        )
 
 
 def _pictures(chart: "Chart") -> "TapePictures":

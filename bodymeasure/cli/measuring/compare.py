@@ -150,8 +150,8 @@ def _readings(name: str, definitions: "Definitions", *, despite_errors: bool) ->
     if _is_file_of_values(name):
         return read_readings(Path(name))
     atlas = load_sound_atlas(name, despite_errors=despite_errors)
-    document = chart_document(measured_chart(atlas, definitions), Unit.CM)
-    return readings_of(document)
+    chart = measured_chart(atlas, definitions, despite_errors=despite_errors)
+    return readings_of(chart_document(chart, Unit.CM))
 
 
 def _print(comparison: "Comparison") -> None:

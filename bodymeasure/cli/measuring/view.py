@@ -87,7 +87,7 @@ def view(
     else:
         _check_screenshot(screenshot)
     if with_chart:
-        note = chart_viewer(_chart(loaded, definitions, key), screenshot, key=key)
+        note = chart_viewer(_chart(loaded, definitions, key, despite_errors), screenshot, key=key)
     else:
         note = viewer(_survey(loaded, no_cross_check, processes), screenshot)
     if note:
@@ -103,7 +103,9 @@ def _survey(loaded: "Atlas", no_cross_check: bool, processes: int) -> Survey:
         )
 
 
-def _chart(loaded: "Atlas", definitions: Path | None, key: str | None) -> "Chart":
+def _chart(
+    loaded: "Atlas", definitions: Path | None, key: str | None, despite_errors: bool
+) -> "Chart":
     """Measure the chart of a body, in which a measurement that is to be shown must have a tape.
 
     Raises
@@ -119,7 +121,7 @@ def _chart(loaded: "Atlas", definitions: Path | None, key: str | None) -> "Chart
         near = nearest(key, keys)
         hint = f"did you mean {near!r}?" if near else f"such as {', '.join(keys[:3])}"
         raise InputError(f"there is no measurement {key!r} in {wanted.name!r}; {hint}")
-    chart = measured_chart(loaded, wanted)
+    chart = measured_chart(loaded, wanted, despite_errors=despite_errors)
     if key is not None and not (chart[key].tapes and math.isfinite(chart[key].value)):
         reason = chart[key].reason or "it is calculated from others; show one of those"
         raise InputError(f"{key}: there is no tape to show: {reason}")
