@@ -10,6 +10,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
+from bodymeasure.subdivision.darts import dart_limits
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh
 from bodymeasure.subdivision.sums import sum_at
 
@@ -62,8 +63,8 @@ def loop_schaefer(mesh: PolygonMesh) -> PatchNets:
     control points everywhere.
 
     Along the boundary and along creases the surface ends in the cubic B-spline of its polygon.
-    Corners stay where they are (`PolygonMesh.corner_vertices`), and a crease that ends inside the
-    surface fades out.
+    Corners stay where they are (`PolygonMesh.corner_vertices`). A crease that ends inside the
+    surface fades out; its end lies on the limit surface.
     """
     if (mesh.sizes != 4).any():
         raise InputError("a face is no quad; expected four corners each")
@@ -103,7 +104,21 @@ def _inner_points(mesh: PolygonMesh) -> Array:
         + 2.0 * (vertices[mesh.heads] + vertices[corners[mesh.preceding]])
         + vertices[corners[opposite]]
     )
-    return np.asarray(total / (weight + 5.0))
+    inner = np.asarray(total / (weight + 5.0))
+    # Their mean is the limit of a smooth vertex; where a crease ends, they follow the limit.
+    darts, limits = dart_limits(mesh)
+    if len(darts):
+        moved = np.zeros_like(vertices)
+        moved[darts] = limits - _means(mesh, inner)[darts]
+        inner += moved[corners]
+    return inner
+
+
+def _means(mesh: PolygonMesh, inner: Array) -> Array:
+    """The mean of the inner control points round each vertex, shape (vertices, 3)."""
+    count = len(mesh.vertices)
+    faces = np.bincount(mesh.corners, minlength=count)[:, None]
+    return np.asarray(sum_at(mesh.corners, inner, count) / np.maximum(faces, 1))
 
 
 def _edge_points(mesh: PolygonMesh, inner: Array) -> Array:
@@ -125,9 +140,7 @@ def _edge_points(mesh: PolygonMesh, inner: Array) -> Array:
 
 def _corner_points(mesh: PolygonMesh, inner: Array) -> Array:
     """Return the limit of each vertex, shape (vertices, 3)."""
-    count = len(mesh.vertices)
-    faces = np.bincount(mesh.corners, minlength=count)[:, None]
-    points = sum_at(mesh.corners, inner, count) / np.maximum(faces, 1)
+    count, points = len(mesh.vertices), _means(mesh, inner)
     ends = mesh.ends[mesh.sharp]
     neighbors = sum_at(ends.ravel(), mesh.vertices[ends[:, ::-1]].reshape(-1, 3), count)
     curve = (4.0 * mesh.vertices + neighbors) / 6.0

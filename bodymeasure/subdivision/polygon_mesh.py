@@ -134,6 +134,20 @@ class PolygonMesh:
         return np.asarray((self._sharp_edges_at == 2) & ~self.corner_vertices)
 
     @cached_property
+    def darts(self) -> Bools:
+        """Other vertices at which a crease ends, shape (n,)."""
+        return np.asarray((self._sharp_edges_at == 1) & ~self.corner_vertices)
+
+    @cached_property
+    def twin(self) -> Ints:
+        """The half-edge on the other side of the edge of each, -1 on the boundary."""
+        result = np.full(len(self.corners), -1)
+        order = np.argsort(self.edge, kind="stable")
+        first, second = order[self.sides[self.edge[order]] == 2].reshape(-1, 2).T
+        result[first], result[second] = second, first
+        return result
+
+    @cached_property
     def _sharp_edges_at(self) -> Ints:
         """How many sharp edges meet at each vertex."""
         return np.bincount(self.ends[self.sharp].ravel(), minlength=len(self.vertices))
@@ -157,9 +171,8 @@ def _key(mesh: PolygonMesh, tail: Ints, head: Ints) -> Ints:
 
 def _joined_corners(mesh: PolygonMesh, passed: Bools) -> Ints:
     """A number for each corner, the same for those joined over `passed` edges at their vertex."""
-    order = np.argsort(mesh.edge, kind="stable")
-    inner = (mesh.sides == 2) & passed
-    first, second = order[inner[mesh.edge[order]]].reshape(-1, 2).T
+    first = np.flatnonzero((mesh.twin >= 0) & passed[mesh.edge])
+    second = mesh.twin[first]
     # The twin of a half-edge begins where it ends.
     rows = np.concatenate([first, mesh.following[first]])
     columns = np.concatenate([mesh.following[second], second])

@@ -19,6 +19,7 @@ from bodymeasure.subdivision import (
     quads_of,
     subdivide,
 )
+from bodymeasure.subdivision.polygons import refined as subdivided
 
 SAMPLES = Path(__file__).parents[2] / "sample_patches" / "quad_meshes.npz"
 NO_CREASES = np.empty((0, 2), dtype=np.int64)
@@ -152,8 +153,30 @@ def test_a_crease_that_ends_inside_fades_out() -> None:
     crease = row * 9 + np.array([[0, 1], [1, 2], [2, 3], [3, 4]])
     creased = net(loop_schaefer(polygons(grid_mesh(points), crease))).reshape(6, 8, 4, 4, 3)
     smooth = net(loop_schaefer(polygons(grid_mesh(points)))).reshape(6, 8, 4, 4, 3)
-    np.testing.assert_array_equal(creased[:, 4:], smooth[:, 4:])
+    np.testing.assert_array_equal(creased[:, 5:], smooth[:, 5:])
+    # Beside the end itself, control points move with its limit.
+    changed = (creased[:, 4] != smooth[:, 4]).any(axis=-1)
+    assert changed.sum() == 2 * 4
+    assert changed[2, 2:, :2].all()
+    assert changed[3, :2, :2].all()
     assert np.abs(creased[2, :3] - smooth[2, :3]).max() > 0.005
+
+
+@pytest.mark.parametrize("crease", [[[2, 3]], [[2, 3], [3, 7]]])
+def test_the_end_of_a_crease_lies_where_repeated_subdivision_brings_it(
+    crease: list[list[int]],
+) -> None:
+    mesh = polygons(QuadMesh(CUBE, SIX), np.array(crease))
+    ends = [crease[0][0], crease[-1][1]]
+    limits = loop_schaefer(mesh).points[ends]
+    away = []
+    for _ in range(7):
+        mesh = subdivided(mesh)
+        np.testing.assert_allclose(loop_schaefer(mesh).points[ends], limits, rtol=0, atol=1e-14)
+        away.append(np.abs(mesh.vertices[ends] - limits).max())
+    assert away[-1] < 1e-3
+    # The distance is quartered by each step.
+    np.testing.assert_allclose(np.divide(away[4:], away[3:-1]), 0.25, rtol=0.05)
 
 
 def test_a_cube_with_sharp_edges_is_a_cube() -> None:
