@@ -29,7 +29,7 @@ class Definitions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     version : int
         The version of the format, 1; a file has to say so.
     words : str
-        What the set holds.
+        A description of the set.
     extends : {"", "default"}
         With ``default``, the set is the default one with the changes that this file makes to it: an
         entry whose key (a rule: name) is there already takes the place of that one, and an entry

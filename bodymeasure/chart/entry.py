@@ -21,7 +21,7 @@ class Fault(NamedTuple):
     Parameters
     ----------
     entry : Entry
-        As it stands in the set, with ``{side}``.
+        The entry as it stands in the set, with ``{side}``.
     member : str
         The member at fault; empty if it is the whole.
     words : str

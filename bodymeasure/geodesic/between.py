@@ -30,7 +30,7 @@ def geodesic_between(
         A landmark's name, a point of the atlas, or a position in the atlas's unit, for which the
         closest point of the surface is taken.
     via : sequence of the same
-        What the path leads through, in order; each leg between two points is a geodesic.
+        The points that the path leads through, in order; each leg between two points is a geodesic.
     on_failure : {"raise", "status"}
         What to do if there is no length that can be trusted: raise, or say so in the status, with
         NaN for a length. By default it raises, so that no caller mistakes a NaN for a length.
@@ -90,7 +90,7 @@ def geodesics_between(
     ----------
     atlas : Atlas
     starts, ends : sequence of str, AtlasPoint or position of shape (3,)
-        As many of the one as of the other; each as for `geodesic_between`.
+        Equal numbers of starts and ends; each is as for `geodesic_between`.
     on_failure : {"raise", "status"}
         As for `geodesic_between`. With "status", a pair without a length that can be trusted does
         not keep the others from being measured.

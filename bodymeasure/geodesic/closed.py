@@ -31,7 +31,7 @@ class ClosedPath(AtlasPath):
     Parameters
     ----------
     kind : LoopKind
-        What loops lie close to it.
+        The kind of the loops that lie close to it.
 
     Examples
     --------

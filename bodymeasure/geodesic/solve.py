@@ -259,7 +259,7 @@ def _broadcast(*shapes: tuple[int, ...]) -> tuple[int, ...]:
     except ValueError:
         raise InputError(
             f"the batch shapes {', '.join(map(str, shapes))} of surface, start and end do not "
-            "broadcast with one another"
+            "broadcast with one another; expected equal ones, or 1 where they differ"
         ) from None
 
 

@@ -83,7 +83,8 @@ def chain_arcs(arcs: Arcs, sides: Ints) -> list[Chain] | None:
     ----------
     arcs : Arcs
     sides : ndarray of int, shape (crossings,)
-        As in `Crossings`; two arcs meet everywhere but on edges with one side, where they end.
+        The `sides` of `Crossings`; two arcs meet everywhere but on edges with one side, where they
+        end.
     """
     # Crossings on edges of patches that the section does not enter are none of its own.
     meeting = np.bincount(arcs.ends.ravel(), minlength=len(sides))

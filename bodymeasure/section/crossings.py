@@ -22,7 +22,7 @@ class Crossings(NamedTuple):
     along : ndarray, shape (cells, 4, degree)
         The parameter that varies on the side, at each crossing.
     sides : ndarray of int, shape (crossings,)
-        How many patches meet in each: 0 inside a patch, else as in `EdgeTable.sides`.
+        The number of patches that meet in each: 0 inside a patch, else as in `EdgeTable.sides`.
     """
 
     number: Ints

@@ -21,7 +21,7 @@ class SectionLoop:
     Parameters
     ----------
     surface : CutSurface
-        What is cut, by which plane.
+        The patches that are cut, and the plane that cuts them.
     pieces : Pieces
         In the order in which they follow one another.
     piece_length : ndarray, shape (pieces,)

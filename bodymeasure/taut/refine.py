@@ -26,7 +26,7 @@ class SegmentLengths(NamedTuple):
     length, error : ndarray, shape (n,)
         The length of each segment's arc, and its error.
     depth : ndarray, shape (n,)
-        How deep the segment's middle lies inside the skin; 0 outside.
+        The depth of the segment's middle inside the skin; 0 outside.
     """
 
     length: Array

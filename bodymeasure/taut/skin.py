@@ -43,9 +43,9 @@ class Feet(NamedTuple):
     normal : ndarray, shape (k, 3)
         Unit vectors out of the body; on a seam's kink, towards the position.
     gap : ndarray, shape (k,)
-        How far the positions are outside the plane through their foot, negative inside.
+        The distance of the positions from the plane through their foot, negative inside.
     depth : ndarray, shape (k,)
-        How deep they are inside the body, 0 outside: the distance of the foot.
+        Their depth inside the body, which is the distance of the foot; 0 outside.
     bend : ndarray, shape (k, 3, 3)
         Second derivatives of the gap by the position, at the foot: minus the shape operator.
     """

@@ -44,7 +44,7 @@ class String(NamedTuple):
     pressure : ndarray, shape (n - 1,)
         The force with which they press; 0 where they do not.
     error : float
-        By how much the length may still change, in its unit.
+        The amount by which the length may still change, in its unit.
     settled : bool
     """
 

@@ -36,7 +36,7 @@ class MeasurementDefinition(Entry, frozen=True, kw_only=True, tag_field="kind"):
         measurements.
     name : str
     words : str
-        What is measured, and how the tape lies.
+        A description of what is measured and how the tape lies.
     group : str
         Heading in tables, such as "Girths".
     iso : Iso, optional

@@ -37,7 +37,9 @@ def patches_of_regions(atlas: Atlas, beginnings: Sequence[str]) -> Ints:
     """
     known = sorted(set(filter(None, atlas.regions)))
     if not known:
-        raise InputError("the atlas has no body regions, by which the rule chooses patches")
+        raise InputError(
+            "the atlas has no body regions, by which the rule chooses patches; name them"
+        )
     for beginning in beginnings:
         if not any(region.startswith(beginning) for region in known):
             raise InputError(

@@ -78,7 +78,7 @@ def _side_faults(definition: Entry, named: str) -> Iterator[Fault]:
                 definition,
                 sided[0],
                 f"{sided[0]} has {SIDE}, but the {label} {named!r} has not, so that left and right "
-                f"could not be told apart; write it in both, such as '{named}_{SIDE}'"
+                f"could not be distinguished; write it in both, such as '{named}_{SIDE}'"
                 if label == "key"
                 else f"{sided[0]} has {SIDE}, but the name {named!r} has not; write it in both, "
                 f"such as '{named} {SIDE}'",

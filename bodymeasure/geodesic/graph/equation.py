@@ -62,7 +62,7 @@ def linearize(coefficients: Any, offset: Any, slope: Any, bend: Any) -> tuple[An
     Parameters
     ----------
     coefficients : array, shape (powers, 3, points, 3, problems)
-        As from `graph.maps.offset_map`.
+        The polynomials that `graph.maps.offset_map` gives.
     offset, slope, bend : array, shape (points, problems)
         q, q' and q''.
 

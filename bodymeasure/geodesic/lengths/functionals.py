@@ -31,7 +31,8 @@ class SecondOrder:
     ----------
     value : ndarray, shape (problems,)
     gradient : ndarray, shape (problems, k)
-        By the values at the nodes; of two unknown functions, all nodes of u come first.
+        The derivatives by the values at the nodes; of two unknown functions, all nodes of u come
+        first.
     hessian : ndarray, shape (problems, k, k)
     """
 

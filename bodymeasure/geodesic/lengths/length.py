@@ -32,12 +32,13 @@ class Length:
     raw : ndarray
         The length of the path as computed.
     correction : ndarray
-        How much longer than the geodesic the path is, to leading order; 0 where nothing is known.
+        The amount by which the path is longer than the geodesic, to leading order; 0 where nothing
+        is known.
     error : ndarray
         The estimated error of ``raw - correction``; infinite where nothing is known.
     residual : ndarray
         The largest geodesic curvature at the quadrature points, which lie between the nodes, times
-        the length: 0 for a geodesic. Of a path over several patches it is the largest among its
+        the length: 0 for a geodesic. For a path over several patches it is the largest among its
         pieces and the differences of the unit tangents' components along the seams it crosses.
     index : ndarray of int
         The Morse index of the geodesic that the path stands for: 0 for a strict local minimum, and
@@ -132,7 +133,7 @@ def is_leading_order(correction: Any, residual: Any, length: Any) -> Any:
     Parameters
     ----------
     correction, residual, length : array
-        Of shapes that broadcast with one another; the length is that of the whole path.
+        Arrays of shapes that broadcast with one another; the length is that of the whole path.
 
     Returns
     -------

@@ -91,7 +91,9 @@ class RBFCollocation:
         if self.centers is not None:
             centers = _sequence("centers", self.centers)
             if not (len(centers) and np.isfinite(centers).all()):
-                raise InputError("centers must be finite numbers, at least one")
+                raise InputError(
+                    f"centers is {self.centers!r}; expected finite numbers, at least one"
+                )
         counts = self._counts
         if self.collocation_points is not None:
             _check_collocation_points(self.collocation_points, counts)
@@ -156,4 +158,7 @@ def _check_collocation_points(points: Sequence[float], counts: tuple[int, ...]) 
         )
     inside = (array > 0.0) & (array < 1.0)
     if not (inside.all() and (np.diff(array) > 0.0).all()):
-        raise InputError("collocation points must increase, strictly between 0 and 1")
+        raise InputError(
+            f"collocation_points is {points!r}; expected numbers that increase, strictly between "
+            "0 and 1"
+        )

@@ -73,10 +73,10 @@ class BoxModels(NamedTuple):
     def steps(self) -> tuple[Array, Bools]:
         """Return the steps to the minima in the box, and which models have one.
 
-        By a primal-dual active set: what would leave the box is put on its bound, and what is on a
-        bound and not pressed there is let go, until nothing changes (M. Hintermueller, K. Ito,
-        K. Kunisch, SIAM J. Optim. 13 (2002) 865-888). A path that comes to lie along an edge does
-        so in one step, not point by point.
+        The steps are found by a primal-dual active set: what would leave the box is put on its
+        bound, and what is on a bound and not pressed there is let go, until nothing changes (M.
+        Hintermueller, K. Ito, K. Kunisch, SIAM J. Optim. 13 (2002) 865-888). A path that comes to
+        lie along an edge does so in one step, not point by point.
 
         Returns
         -------

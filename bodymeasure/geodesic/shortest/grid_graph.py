@@ -91,13 +91,13 @@ class _Grid(NamedTuple):
     halfway : ndarray, shape (k, 2)
         Points (u, v) of a grid of half the spacing.
     on_halfway : ndarray of int, shape (LINES^2,)
-        Where the grid's own points are among them.
+        The numbers of the grid's own points among them.
     steps : ndarray of int, shape (3, steps)
-        Of each step its first point, middle and last, as numbers among `halfway`.
+        The first point, the middle and the last point of each step, as numbers among `halfway`.
     edges, heads : ndarray of int, shape (2 steps,)
-        Of each directed edge, sorted by its tail: its step, and the grid point it leads to.
+        The step of each directed edge, sorted by its tail, and the grid point to which it leads.
     degrees : ndarray of int, shape (LINES^2,)
-        How many edges leave each point.
+        The number of edges that leave each point.
     """
 
     halfway: Array

@@ -18,7 +18,7 @@ class Kernel:
     factor : tuple of int
         The coefficients of the other factor, constant term first.
     smoothness : int
-        How many times the function is continuously differentiable, in one dimension at r = 0.
+        The number of continuous derivatives, in one dimension at r = 0.
 
     Examples
     --------

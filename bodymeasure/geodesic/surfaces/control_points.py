@@ -43,7 +43,7 @@ def checked_control_points(value: Any) -> Any:
     largest = np.maximum(np.abs(low), np.abs(high)).max(axis=1, initial=0.0)
     bad = np.flatnonzero(~np.isfinite(largest))
     if len(bad):
-        raise InputError(f"patch {bad[0]} has control points that are not finite")
+        raise InputError(f"patch {bad[0]} has control points that are not finite; correct them")
     huge = np.flatnonzero(largest > LARGEST)
     if len(huge):
         raise InputError(
@@ -83,7 +83,8 @@ def _as_array(value: Any) -> Any:
     except (TypeError, ValueError):
         raise InputError(
             f"a surface of type {type(value).__name__} is neither an array of real numbers nor "
-            "an object with a method `derivatives`"
+            "an object with a method `derivatives`; expected one of them, such as an atlas's "
+            "`control_points`"
         ) from None
 
 

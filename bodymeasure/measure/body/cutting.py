@@ -18,7 +18,7 @@ def cut_loop(
     left : ndarray, shape (3,)
         The direction to the wearer's left, which is the planes' normal.
     bounds : tuple of two float
-        Where the left and the right plane cut this direction.
+        The coordinates in this direction at which the left and the right plane cut.
 
     Returns
     -------

@@ -90,11 +90,12 @@ def vertical_drop(
     ----------
     atlas : Atlas
     start : str, AtlasPoint or ndarray of shape (3,)
-        Where the tape starts; a position off the surface stands for the nearest point of the
+        The start of the tape; a position off the surface stands for the nearest point of the
         section.
     level : str, AtlasPoint or ndarray of shape (3,)
-        At whose height it ends. Where two ways lead there directly, as from the side of the neck
-        to the front and to the back, the one that ends nearer to this place is meant.
+        The place at whose height the tape ends. Where two ways lead there directly, as from the
+        side of the neck to the front and to the back, the one that ends nearer to this place is
+        meant.
     plane : {"median", "side"}
         Whether the plane through the start runs from front to back or from left to right.
 

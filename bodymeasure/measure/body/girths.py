@@ -39,12 +39,12 @@ class Girth:
     loop : SectionLoop
         The whole loop of the section.
     tape : SectionLoop or BridgedLoop
-        What is measured: the loop, or what cuts leave of it.
+        The curve that is measured: the loop, or what cuts leave of it.
     hull : Hull
         Where the taut tape leaves it.
     unit : Unit
     remark : str
-        What was not checked; empty if nothing.
+        A remark on what was not checked; empty if all was.
     """
 
     contact: float

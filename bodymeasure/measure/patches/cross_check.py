@@ -53,7 +53,7 @@ class CrossCheck:
     exact : ndarray
         Shortest path inside the patch, extrapolated from exact polyhedral distances.
     exact_uncertainty : ndarray
-        How far `exact` may be off.
+        The uncertainty of `exact`.
     heat : ndarray
         Distance by the heat method: a plausibility check, right to some percent.
     difference : ndarray

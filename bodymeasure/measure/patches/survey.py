@@ -33,11 +33,11 @@ class Survey:
     cross_check : CrossCheck or None
         None if it was not asked for.
     findings : tuple of Finding
-        What `check_atlas` noticed.
+        The findings of `check_atlas`.
     settings, versions : mapping of str to str
-        How it was computed, in words, and the versions of the packages in use.
+        The settings of the computation, in words, and the versions of the packages in use.
     seconds : mapping of str to float
-        How long each step took.
+        The time that each step took.
     """
 
     atlas: Atlas

@@ -23,7 +23,7 @@ class LandmarkRule(Entry, frozen=True, kw_only=True, tag_field="rule"):
         Name of the landmark that the rule gives, as in ISO 8559-1. ``{side}`` in it and in the
         names to which it refers stands for left and right in turn.
     words : str
-        What the landmark is, for the user.
+        A description of the landmark, for the user.
     """
 
     label: ClassVar[str] = "name"

@@ -66,7 +66,8 @@ class AtlasPath:
         The largest geodesic curvature times the piece's length, and the largest difference of the
         unit tangents' components along a seam where it is crossed: 0 for an exact geodesic.
     status : Status
-        Of several legs, the first that is not ``CONVERGED``, those without a length before others.
+        The status; that of several legs is the first that is not ``CONVERGED``, where those without
+        a length come before others.
     pieces : tuple of PathPiece
         In order.
     crossings : tuple of SeamCrossing

@@ -151,7 +151,7 @@ def _repaired(
     best : RefinedPath
         The best path now.
     missed : float
-        By how much another one was shorter that was not better by enough.
+        The largest amount by which another path was shorter, but not by enough to be better.
     held : PathPart or None
         The path of legs and arcs, if edges hold it from all sides, so that it needs no neighbor.
     """
