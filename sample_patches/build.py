@@ -94,7 +94,7 @@ def _with_landmarks(atlas: Atlas, source: Path, body: str) -> Atlas:
     limits = limit_positions(mesh, list(numbers.values()))
     landmarks, residuals, outside = {}, [], []
     for name, limit, nearest in zip(numbers, limits, closest_points(atlas, limits)[0], strict=True):
-        point = replace(nearest, u=_onto_edge(nearest.u), v=_onto_edge(nearest.v))
+        point = nearest._replace(u=_onto_edge(nearest.u), v=_onto_edge(nearest.v))
         distance = np.linalg.norm(atlas.position(point) - limit)
         if distance > LANDMARK_REACH:
             outside.append(name)

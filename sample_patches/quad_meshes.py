@@ -6,6 +6,7 @@ so that the limit surface is that of the whole mesh up to the atlas's boundary a
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -18,7 +19,7 @@ FILE = "quad_meshes.npz"
 # room for shortest paths beside the boundary.
 MARGIN = 6
 # The meshes' coordinates are whole micrometers, so nothing is lost.
-PER_METRE = 1_000_000
+PER_METER = 1_000_000
 
 
 def write_quad_meshes(meshes: Mapping[str, ControlMesh], covered: str, folder: Path) -> None:
@@ -41,12 +42,15 @@ def write_quad_meshes(meshes: Mapping[str, ControlMesh], covered: str, folder: P
     is_inner = np.isin(np.sort(whole.quads, axis=1) @ _KEY, np.sort(inner, axis=1) @ _KEY)
     order = np.argsort(~is_inner[chosen], kind="stable")
     kept, numbers = part(whole, chosen)
-    arrays = {"quads": kept.quads[order].astype(np.uint16), "covered": np.array(is_inner.sum())}
+    arrays: dict[str, Any] = {
+        "quads": kept.quads[order].astype(np.uint16),
+        "covered": np.array(is_inner.sum()),
+    }
     for body, mesh in meshes.items():
-        scaled = PER_METRE * mesh.vertices[numbers]
+        scaled = PER_METER * mesh.vertices[numbers]
         arrays[body] = np.round(scaled).astype(np.int32)
         if np.abs(arrays[body] - scaled).max() > 1e-6:
-            raise ValueError(f"the mesh of {body} has coordinates below a micrometre")
+            raise ValueError(f"the mesh of {body} has coordinates below a micrometer")
     np.savez_compressed(folder / FILE, **arrays)
 
 

@@ -71,7 +71,7 @@ def heat_distances(vertices: Array, faces: Ints, sources: Ints) -> Array:
     Returns
     -------
     ndarray, shape (k, n)
-        NaN throughout if libigl cannot factorise the mesh's Laplacian.
+        NaN throughout if libigl cannot factorize the mesh's Laplacian.
 
     Raises
     ------

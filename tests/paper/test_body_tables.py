@@ -50,7 +50,7 @@ FOUND = Table5(comparison(PHYSICAL, ERROR), comparison(PHYSICAL, 0.0 * ERROR - 0
 TWO = comparison(PHYSICAL, np.array([0.01, 0.02, np.nan, 0.04, 0.01]))
 
 
-def test_the_papers_form_is_in_centimetres_with_two_functions_beside() -> None:
+def test_the_papers_form_is_in_centimeters_with_two_functions_beside() -> None:
     rows = table_5(FOUND, TWO).records
     assert [row["curve"] for row in rows] == [
         "a diagonal 1",

@@ -19,9 +19,9 @@ def test_the_atlas_lies_on_the_meshs_limit_surface_as_its_provenance_says(name: 
     atlas = load_sample(name)
     vertices = np.unique(mesh.quads[:covered])
     _, distance = closest_points(atlas, limit_positions(mesh)[vertices])
-    millimetres = 1e3 * distance
+    millimeters = 1e3 * distance
     stated = re.findall(r"([\d.]+) mm", atlas.provenance["fit"])
-    measured = (np.sqrt(np.mean(millimetres**2)), np.quantile(millimetres, 0.99), millimetres.max())
+    measured = (np.sqrt(np.mean(millimeters**2)), np.quantile(millimeters, 0.99), millimeters.max())
     assert [f"{value:.2f}" for value in measured] == stated
     assert f"the {len(vertices)} control mesh vertices" in atlas.provenance["fit"]
 
@@ -42,7 +42,7 @@ def test_the_meshes_share_their_quads_and_are_wide_enough_for_the_limit_surface(
         assert (other.vertices != mesh.vertices).any()
 
 
-def test_coordinates_are_whole_micrometres_in_metres() -> None:
+def test_coordinates_are_whole_micrometers_in_meters() -> None:
     vertices = load_source_mesh("female_heavy")[0].vertices
     np.testing.assert_array_equal(vertices, np.round(vertices, 6))
     assert 1.2 < np.ptp(vertices[:, 2]) < 1.7

@@ -59,7 +59,7 @@ def test_both_sides_of_a_symmetric_body_agree() -> None:
         assert length == pytest.approx(other, rel=1e-11)
 
 
-def test_the_centre_plane_lies_in_the_seams() -> None:
+def test_the_center_plane_lies_in_the_seams() -> None:
     atlas = load_sample("male_average")
     (loop,) = plane_section(atlas, Plane(np.zeros(3), atlas.axes.left_vector)).loops
     assert not loop.closed

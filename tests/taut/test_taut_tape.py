@@ -76,7 +76,7 @@ def test_it_is_between_chord_and_contact_for_all_landmarks(name: str) -> None:
 @pytest.mark.parametrize(
     "ends", [("back neck point", "back waist point"), ("front neck point", "front waist point")]
 )
-def test_on_the_centre_lines_it_is_the_hull_of_the_profile(
+def test_on_the_center_lines_it_is_the_hull_of_the_profile(
     name: str, ends: tuple[str, str]
 ) -> None:
     body = bm.load_sample(name)

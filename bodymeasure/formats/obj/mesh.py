@@ -18,7 +18,7 @@ from bodymeasure.errors import InputError
 from bodymeasure.formats.obj.statements import (
     ObjFile,
     Statement,
-    labelled,
+    labeled,
     parse,
     vertex_numbers,
 )
@@ -46,7 +46,7 @@ def from_statements(file: ObjFile, source: str) -> Faces:
     """The mesh of a file that is parsed already."""
     faces, names, groups, lines = [], [], [], []
     tag_statements: list[Statement] = []
-    for statement, labels in labelled(file.statements()):
+    for statement, labels in labeled(file.statements()):
         if statement.keyword in ("f", "fo"):
             faces.append(statement)
             names.append(labels.name)

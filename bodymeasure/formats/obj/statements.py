@@ -244,7 +244,7 @@ class Labels(NamedTuple):
     groups: str
 
 
-def labelled(statements: Iterable[Statement]) -> Iterator[tuple[Statement, Labels]]:
+def labeled(statements: Iterable[Statement]) -> Iterator[tuple[Statement, Labels]]:
     """Each statement but ``o`` and ``g``, with what these say."""
     labels = Labels("", "")
     for statement in statements:

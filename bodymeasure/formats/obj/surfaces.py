@@ -20,7 +20,7 @@ from bodymeasure.formats.obj.statements import (
     Labels,
     ObjFile,
     Statement,
-    labelled,
+    labeled,
     parse,
     vertex_numbers,
 )
@@ -82,7 +82,7 @@ def _surfaces(file: ObjFile, source: str) -> Iterator[_Surface]:
     kind, rational, degrees = "", False, (0, 0)
     body: Statement | None = None
     parameters: dict[str, tuple[float, ...]] = {}
-    for statement, labels in labelled(file.statements()):
+    for statement, labels in labeled(file.statements()):
         keyword, words, line, _ = statement
         place = f"{source}, line {line}"
         if keyword in REFUSED:

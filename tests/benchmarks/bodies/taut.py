@@ -34,7 +34,7 @@ from helpers.oracles.profiles import profile_hull
 
 LANDMARKS = 13
 PUSH = 0.02
-CENTRE_LINES = (
+CENTER_LINES = (
     ("back neck point", "back waist point"),
     ("back waist point", "back hip point"),
     ("back neck point", "back hip point"),
@@ -108,9 +108,9 @@ def mirror(atlas: bm.Atlas) -> None:
     print(f"  mirror images of {len(apart)}: worst {max(apart):.1e}", flush=True)
 
 
-def centre_lines(atlas: bm.Atlas) -> None:
+def center_lines(atlas: bm.Atlas) -> None:
     """Print how far tapes are from the hull of the profile."""
-    for first, second in CENTRE_LINES:
+    for first, second in CENTER_LINES:
         ends = atlas.landmarks[first], atlas.landmarks[second]
         hull = profile_hull(atlas, *ends)
         tape = bm.taut_tape(atlas, *ends, on_failure="status")
@@ -138,7 +138,7 @@ def main() -> None:
         ]
         survey("random", list(zip(points[::2], points[1::2], strict=True)), atlas)
         mirror(atlas)
-        centre_lines(atlas)
+        center_lines(atlas)
 
 
 if __name__ == "__main__":
