@@ -21,7 +21,7 @@ def hint(word: str, known: Iterable[str], *, expected: str = "expected one of") 
     if near is not None:
         return f"did you mean {near!r}?"
     more = f", and {len(known) - LISTED} more" if len(known) > LISTED else ""
-    return f"{expected} {', '.join(known[:LISTED])}{more}" if known else "there is none"
+    return f"{expected} {', '.join(known[:LISTED])}{more}" if known else "there are none"
 
 
 def counted(number: int, singular: str, plural: str | None = None) -> str:

@@ -16,6 +16,7 @@ import click
 from bodymeasure.cli.console import print_error, print_note
 from bodymeasure.cli.options import EXIT_CODES
 from bodymeasure.errors import BodymeasureError
+from bodymeasure.wording import hint
 
 # The commands in the order of the help, the main one first, and the module in this package that
 # defines a command of that name. A command is added by its module and one line.
@@ -69,9 +70,9 @@ class _Commands(click.Group):
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
         return list(COMMANDS)
 
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command:
         if cmd_name not in COMMANDS:
-            return None
+            ctx.fail(f"No such command {cmd_name!r}; {hint(cmd_name, COMMANDS)}")
         module = importlib.import_module(f"bodymeasure.cli.{COMMANDS[cmd_name]}")
         command: click.Command = getattr(module, cmd_name)
         return command

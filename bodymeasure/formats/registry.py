@@ -67,7 +67,7 @@ FORMATS = {
     "obj-surfaces": Format("a Wavefront OBJ file", (), obj_surfaces.read, None),
     "obj-mesh": Format("a Wavefront OBJ file", (), obj_mesh.read, None),
     "3dm": Format(
-        "Rhino's file", (".3dm",), rhino.read, None, frozenset({"unit", "names", "regions"})
+        "a Rhino file", (".3dm",), rhino.read, None, frozenset({"unit", "names", "regions"})
     ),
     "step": Format("a STEP file", (".step", ".stp"), cad.read_step, None, frozenset({"unit"})),
     "iges": Format("an IGES file", (".iges", ".igs"), cad.read_iges, None, frozenset({"unit"})),
@@ -207,7 +207,8 @@ def write_atlas(
     path = Path(path)
     form = format_of(path, format)
     if form.write is None:
-        raise InputError(f"{path}: {form.title} of this kind is only read; choose another format")
+        written = ", ".join(end for end, other in EXTENSIONS.items() if other.write is not None)
+        raise InputError(f"{path}: this format can only be read; expected one of {written}")
     write_bytes(path, form.write(atlas))
 
 
@@ -292,7 +293,7 @@ def format_of(path: Path, name: str | None = None) -> Format:
     if key in table:
         return table[key]
     what = (
-        f"{path}: unknown kind of file {path.suffix!r}"
+        f"{path}: {f'unknown kind of file {path.suffix!r}' if path.suffix else 'has no extension'}"
         if name is None
         else f"unknown format {name!r}"
     )

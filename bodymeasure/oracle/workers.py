@@ -80,6 +80,7 @@ def map_in_processes(
 
     # Fresh interpreters: a fork would copy the locks of VTK's and BLAS's threads as they stand.
     context = multiprocessing.get_context("spawn")
+    children = set(multiprocessing.active_children())
     pool = ProcessPoolExecutor(processes, mp_context=context, initializer=_start_worker)
     try:
         with _environment(ONE_THREAD), _deaf_to_interrupts():
@@ -93,6 +94,11 @@ def map_in_processes(
             "`if __name__ == '__main__':`, since workers import the script; "
             "processes=1 works without workers and shows where it stops"
         ) from error
+    except BaseException:
+        # What they are at is of no use any more; without this, an interrupt would wait for it.
+        for process in set(multiprocessing.active_children()) - children:
+            process.terminate()
+        raise
     finally:
         pool.shutdown(cancel_futures=True)
 

@@ -161,7 +161,7 @@ def test_files_are_chosen_by_extension_or_format(tmp_path: Path) -> None:
     assert read_atlas(folder / "b.txt", unit="cm", format="bpt").digest == atlas.digest
     with pytest.raises(InputError, match="unknown format 'stl'; expected one of atlas, npz, bpt"):
         read_atlas(folder / "b.txt", format="stl")
-    with pytest.raises(InputError, match="of this kind is only read"):
+    with pytest.raises(InputError, match=r"can only be read; expected one of \.atlas, \.npz"):
         write_atlas(atlas, folder / "c.obj", format="obj-mesh")
 
 

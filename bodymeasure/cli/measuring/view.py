@@ -119,7 +119,7 @@ def _chart(
     keys = [item.key for item in both_sides(wanted.measurement)]
     if key is not None and key not in keys:
         near = nearest(key, keys)
-        hint = f"did you mean {near!r}?" if near else f"such as {', '.join(keys[:3])}"
+        hint = f"did you mean {near!r}?" if near else f"expected one such as {', '.join(keys[:3])}"
         raise InputError(f"there is no measurement {key!r} in {wanted.name!r}; {hint}")
     chart = measured_chart(loaded, wanted, despite_errors=despite_errors)
     if key is not None and not (chart[key].tapes and math.isfinite(chart[key].value)):

@@ -19,7 +19,7 @@ def test_samples_stay_as_they_are(run: Run, tmp_path: Path) -> None:
         assert (ran.code, ran.out) == (2, "")
         assert "is a sample, which stays as it is; write to a file with -o FILE" in ran.err
     ran = run("landmarks", "remove", "enneper", "x", "-o", tmp_path / "gone" / "a.atlas")
-    assert "the atlas has no landmark 'x'; there is none" in ran.err
+    assert "the atlas has no landmark 'x'; there are none" in ran.err
 
 
 def test_nothing_is_left_where_nothing_can_be_written(run: Run, tmp_path: Path) -> None:
