@@ -95,6 +95,27 @@ def test_an_interrupt_of_the_writing_leaves_nothing(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
+# An importer that is interrupted, as if Ctrl-C came while the command line is imported.
+INTERRUPT_IMPORT = """
+import sys
+class Interrupted:
+    def find_spec(name, path=None, target=None):
+        if name == "bodymeasure.cli.main":
+            raise KeyboardInterrupt
+sys.meta_path.insert(0, Interrupted)
+sys.argv = ["bodymeasure", "info", "enneper"]
+from bodymeasure.__main__ import main
+main()
+"""
+
+
+def test_an_interrupt_of_the_imports_shows_no_traceback() -> None:
+    ran = subprocess.run(
+        [sys.executable, "-c", INTERRUPT_IMPORT], capture_output=True, text=True, check=False
+    )
+    assert (ran.returncode, ran.stdout, ran.stderr) == (130, "", INTERRUPTED.lstrip())
+
+
 def test_a_disk_with_little_room_leaves_nothing(tmp_path: Path) -> None:
     # No file may grow beyond 4 KiB, which is an error in Python and as good as a full disk.
     limit = "import resource\nresource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))\n"
