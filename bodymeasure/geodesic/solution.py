@@ -176,7 +176,7 @@ class GeodesicSolution:
         count = int(np.prod(self.shape))
         numbers = np.arange(count).reshape(self.shape)[key]
         place = np.full(count, -1)
-        # Indices may repeat a problem; then each batch of paths gives its rows as often.
+        # Indices may repeat a problem; then the batches of paths repeat its rows, too.
         chosen = np.atleast_1d(np.asarray(numbers)).ravel()
         batches = []
         for batch in self.batches:

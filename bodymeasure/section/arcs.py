@@ -86,7 +86,7 @@ def chain_arcs(arcs: Arcs, sides: Ints) -> list[Chain] | None:
         The `sides` of `Crossings`; two arcs meet everywhere but on edges with one side, where they
         end.
     """
-    # Crossings on edges of patches that the section does not enter are none of its own.
+    # Crossings on edges of patches that the section does not enter do not belong to it.
     meeting = np.bincount(arcs.ends.ravel(), minlength=len(sides))
     if (meeting != np.where(sides == 1, 1, 2))[meeting > 0].any():
         return None
@@ -97,7 +97,7 @@ def chain_arcs(arcs: Arcs, sides: Ints) -> list[Chain] | None:
     used = np.zeros(len(ends), dtype=np.bool_)
 
     def follow(end: int) -> list[int]:
-        """Ends (2 arc + side) at which one enters arc after arc, from a first one."""
+        """Return the ends (2 arc + side) at which arc after arc is entered, from a first one."""
         entered = []
         while not used[end // 2]:
             used[end // 2] = True

@@ -7,14 +7,14 @@ import numpy as np
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.bezier import elevate, split
 
-# Where rectangles are cut. In the middle, symmetric patches and round heights would put corners of
-# rectangles on the section again and again.
+# The part of a rectangle at which it is cut. Cuts in the middle would put corners of rectangles on
+# the section of symmetric patches, or at round heights, again and again.
 CUT = 0.4877
 # The largest slope of a graph, in the rectangle's own coordinates. It is above 1, so that each
 # direction passes one of the two tests, and not much above, so that quadrature is easy.
 STEEPEST = 4.0
-# Halvings after which a rectangle without a direction is undecided: its second-order terms are
-# 1e-12 of the patch.
+# The number of halvings after which a rectangle without a direction is undecided: its second-order
+# terms are 1e-12 of the patch.
 DEEPEST = 20
 # The sign of derivatives below this part of the size is rounding.
 ROUNDING = 1e-15
@@ -110,7 +110,7 @@ def _taken(cells: Cells, mask: Bools) -> Cells:
 
 
 def _graph_axis(distance: Array, least: float) -> Ints:
-    """0 or 1 where the section is surely a graph over u or v, else -1, shape (k,)."""
+    """Return 0 or 1 where the section is surely a graph over u or v, else -1, shape (k,)."""
     degree = distance.shape[1] - 1
     along_u, along_v = (
         elevate(degree * np.diff(distance, axis=axis)[..., None], degree, degree)[..., 0]

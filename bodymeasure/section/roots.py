@@ -6,7 +6,7 @@ from bodymeasure._typing import Array
 
 # The most steps: halving alone needs some 55 for all digits, and with Newton's steps it takes six.
 MAX_STEPS = 120
-# What rounding leaves of parameters, which lie in [0, 1].
+# The rounding error of parameters, which lie in [0, 1].
 FINEST = 4e-16
 
 

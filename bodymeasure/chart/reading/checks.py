@@ -62,16 +62,16 @@ def _text_faults(definition: Entry) -> Iterator[Fault]:
                 )
 
 
-# The members that all measurements and rules have tell a reader something; the others say what is
+# The members that all measurements and rules have describe them to a reader; the others say what is
 # measured.
-_TELLING = {*MeasurementDefinition.__struct_fields__, *LandmarkRule.__struct_fields__}
+_DESCRIPTIVE = {*MeasurementDefinition.__struct_fields__, *LandmarkRule.__struct_fields__}
 
 
 def _side_faults(definition: Entry, named: str) -> Iterator[Fault]:
     """Refuse ``{side}`` unless it is in the label, the name and what is measured."""
     label = definition.label
     sided = [member for member, text in texts(definition) if SIDE in text]
-    places = [member for member in sided if member not in _TELLING]
+    places = [member for member in sided if member not in _DESCRIPTIVE]
     if SIDE not in named:
         if sided:
             yield Fault(

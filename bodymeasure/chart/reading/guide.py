@@ -68,7 +68,7 @@ def _members(kind: type[Entry], base: type[Entry]) -> Iterator[str]:
         if not field.required:
             given = field.default is not None
             said.append(f"The default is {json.dumps(field.default)}." if given else "Optional.")
-        # Members of which the same is said stand together.
+        # Members with the same description stand together.
         about.setdefault(" ".join(filter(None, said)), []).append(field.name)
     yield from (f"{', '.join(names)}: {said}" for said, names in about.items())
 

@@ -6,7 +6,8 @@ from bodymeasure._typing import Array, Bools
 from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 
-# Tried in turn. Strongly bent paths take the highest; past that, rounding errors win.
+# The degrees that are tried in turn. Strongly bent paths take the highest; at higher ones, rounding
+# errors outweigh the gain.
 DEGREES = (12, 20, 32, 48, 72, 108, 160)
 # Errors fall about geometrically with the degree. This part of the degree so predicted is taken,
 # since they fall faster at the end than at the beginning.

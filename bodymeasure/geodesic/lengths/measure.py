@@ -27,7 +27,7 @@ the estimate covers the true error of the corrected length on more than 99.9 % o
 factor of three some adversarial ones were off by 1.6 times the estimate. It is about a hundred
 times too large in the median where errors are above rounding, and some 1e-5 of what is corrected.
 It is of leading order: callers trust it only where the correction is a small part of the length
-(`length.TRUSTED_CORRECTION`) and the path turns but little between its nodes
+(`length.TRUSTED_CORRECTION`) and the path turns little between its nodes
 (`length.TRUSTED_RESIDUAL`).
 """
 

@@ -30,7 +30,7 @@ NEAR = 0.05
 # A path must be shorter than one that is known by this part to be taken instead.
 SHORTER = 1e-8
 # After so many polygons that are shorter than the best path but could not be made exact, the
-# problem stays doubtful: hardly ever can another one be made exact then, and each takes as long as
+# problem stays doubtful: another one can hardly ever be made exact then, and each takes as long as
 # a hundred that can.
 MOST_FAILURES = 2
 

@@ -163,7 +163,7 @@ def _refined(polygons: Array, edges: int) -> Array:
 
 
 def _on_edges(polygons: Array) -> Array:
-    """The polygons with inner points that all but touch an edge put onto it."""
+    """The polygons, with the inner points that almost touch an edge put onto it."""
     result = polygons.copy()
     inner = result[:, 1:-1]
     inner[inner < TOUCHING] = 0.0

@@ -144,7 +144,7 @@ def _direction(jacobian: Array, residual: Array, like: Array) -> tuple[Array, Bo
 
 
 def _solve_one_by_one(matrix: Array, right: Array) -> tuple[Array, Bools]:
-    """The same where some systems of the batch are exactly singular, solved one by one."""
+    """The solutions of systems, some of them exactly singular, and which are regular."""
     solution = np.zeros_like(right)
     regular = np.ones(len(matrix), bool)
     for i in range(len(matrix)):

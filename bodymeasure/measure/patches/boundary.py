@@ -82,7 +82,7 @@ def curve_lengths(control_points: Array) -> tuple[Array, Array]:
     rest = np.arange(len(control_points))
     for halvings in range(1, MAX_HALVINGS + 1):
         # The number is odd, so that two divisions share no inner end: next to a shared one, both
-        # would miss a cusp alike.
+        # would miss a cusp.
         finer = _composite(control_points[rest], parts=2**halvings + 1)
         error[rest] = np.abs(finer - length[rest]) + ROUNDING * finer
         length[rest] = finer

@@ -182,7 +182,7 @@ def _of_path(refined: RefinedPath, crossings: _Crossings) -> tuple[float, float]
 
 
 def _of_loop(refined: RefinedPath, crossings: _Crossings) -> tuple[float, float, LoopKind]:
-    """Return the same for a loop, and its kind."""
+    """Return what `_of_path` returns, for a loop, and its kind."""
     seam, mean = crossings.seam, crossings.tangent
     mean = mean / np.linalg.norm(mean, axis=1)[:, None]
     length = np.linalg.norm(seam, axis=1)

@@ -19,7 +19,7 @@ SEGMENTS = 6
 TRIANGLES = 30_000
 # The shortest path is sought among the points through which the patch graph has a way that is
 # longer than its shortest way of all by no more than these parts of it. The graph's ways are a few
-# percent too long, and not all alike. A wider band is tried where one holds no path.
+# percent too long, by different amounts. A wider band is tried where one holds no path.
 BANDS = (0.08, 0.5, np.inf)
 
 

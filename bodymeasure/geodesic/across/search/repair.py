@@ -23,8 +23,8 @@ SHORT = 1e-3
 # A path that crosses a seam this near to a corner, in the parameter of the seam, may have to pass
 # the corner on the other side.
 NEAR_CORNER = 1e-2
-# A piece that could be shorter by no more than this part of the path needs no neighbor: so it is
-# where a piece runs along a seam from which the surface falls alike to both sides.
+# A piece that could be shorter by no more than this part of the path needs no neighbor. That is so
+# where a piece runs along a seam from which the surface falls equally on both sides.
 WORTHWHILE = 1e-10
 # A path that is farther outside its patch than this, between its nodes, lacks a neighbor.
 OUTSIDE = 1e-9
