@@ -15,7 +15,7 @@ from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError
 from bodymeasure.formats.json_faults import place_of_fault
 from bodymeasure.formats.patches import ReadPatches
-from bodymeasure.formats.spline_patches import spline_patches
+from bodymeasure.formats.spline_patches import DegreeError, notes_of_refused, spline_patches
 
 
 class _ControlPoints(msgspec.Struct):
@@ -86,17 +86,22 @@ def read(content: bytes, source: str) -> ReadPatches:
     weights: list[Array] = []
     names: list[str] = []
     places: list[str] = []
+    refused: list[str] = []
     for number, surface in enumerate(shape.data):
         place = f"surface {number}" + (f" ({surface.name!r})" if surface.name else "")
         try:
             surface_nets, surface_weights = _patches(surface)
+        except DegreeError as error:
+            refused.append(f"{place}: {error}")
+            continue
         except InputError as error:
             raise InputError(f"{source}, {place}: {error}") from None
         nets += surface_nets
         weights += surface_weights
         names += [surface.name] * len(surface_nets)
         places += [place] * len(surface_nets)
-    return ReadPatches(nets, weights, names, places=places)
+    notes = notes_of_refused(refused, source, any_read=bool(nets))
+    return ReadPatches(nets, weights, names, places=places, notes=notes)
 
 
 def _patches(surface: _Surface) -> tuple[list[Array], list[Array]]:

@@ -15,6 +15,10 @@ from bodymeasure.errors import InputError
 ROUNDING = 1e-5
 
 
+class DegreeError(InputError):
+    """A surface is of a degree that cannot be read; the others of its file can."""
+
+
 def spline_patches(
     points: Array,
     weights: Array,
@@ -44,11 +48,13 @@ def spline_patches(
 
     Raises
     ------
+    DegreeError
+        If a degree is above 9.
     InputError
-        If a degree is above 9, or the knots or the range of a direction are wrong.
+        If the knots or the range of a direction are wrong.
     """
     if max(degrees) > LARGEST_DEGREE:
-        raise InputError(
+        raise DegreeError(
             f"has the degrees {degrees[0]} and {degrees[1]}; only degrees up to {LARGEST_DEGREE} "
             "can be read; reduce the degree where it was made"
         )
@@ -133,3 +139,16 @@ def _rounded(pieces: Array, bound: float) -> float:
     ends = np.append(pieces[:, 0], pieces[-1, 1])
     nearest = float(ends[np.abs(ends - bound).argmin()])
     return nearest if abs(nearest - bound) <= ROUNDING * (ends[-1] - ends[0]) else bound
+
+
+def notes_of_refused(refused: Sequence[str], source: str, *, any_read: bool) -> list[str]:
+    """Return notes that surfaces are left out; `refused` says of each where it is and why.
+
+    Raises
+    ------
+    InputError
+        If no other surface of the file was read.
+    """
+    if refused and not any_read:
+        raise InputError(f"{source}, {refused[0]}")
+    return [f"{each}; it is left out" for each in dict.fromkeys(refused)]

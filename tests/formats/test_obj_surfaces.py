@@ -1,3 +1,5 @@
+import json
+
 import numpy as np
 import pytest
 from helpers.files.format_atlases import UNIT, body_like, read, write
@@ -7,6 +9,7 @@ from bodymeasure import Atlas, InputError
 from bodymeasure._typing import Array
 from bodymeasure.atlas import edge_table
 from bodymeasure.bezier import evaluate
+from bodymeasure.errors import ReadWarning
 
 PLAIN = write(body_like(1, 2), "obj").decode()
 
@@ -231,3 +234,33 @@ def test_a_huge_degree_is_refused_at_once() -> None:
     lines += ["parm u " + "0 " * 999 + "0.5 " + "1 " * 999, "parm v 0 0 1 1", "end"]
     with pytest.raises(InputError, match=r"^file, line 2003: has the degrees 998 and 1; only"):
         read("\n".join(lines).encode(), "obj")
+
+
+@pytest.mark.parametrize("form", ["obj", "geomdl"])
+def test_a_surface_of_too_high_a_degree_is_left_out_beside_others(
+    form: str, rng: np.random.Generator
+) -> None:
+    high = rng.normal(size=(13, 2, 3))
+    if form == "obj":
+        ends = np.array([0.0, 1.0]), np.array([0.0, 1.0])
+        text = surface(high, (12, 1), "bezier", ends)
+        shifted = (text + PLAIN).splitlines()
+        for number, line in enumerate(shifted[len(text.splitlines()) :], len(text.splitlines())):
+            if line.startswith("surf"):
+                words = line.split()
+                shifted[number] = " ".join(words[:5] + [str(int(w) + 26) for w in words[5:]])
+        content, alone = "\n".join(shifted), text
+    else:
+        document = json.loads(write(body_like(1, 2), "geomdl"))
+        extra = json.loads(write(body_like(1, 2), "geomdl"))["shape"]["data"][0]
+        extra |= {"degree_u": 12, "degree_v": 1, "size_u": 13, "size_v": 2}
+        extra |= {"knotvector_u": [0.0] * 13 + [1.0] * 13, "knotvector_v": [0, 0, 1, 1]}
+        extra["control_points"] = {"points": high.reshape(-1, 3).tolist()}
+        document["shape"]["data"].insert(0, extra)
+        document["shape"]["count"] = 3
+        content = json.dumps(document)
+        alone = json.dumps({"shape": {"type": "surface", "data": [extra]}})
+    with pytest.warns(ReadWarning, match=r"has the degrees 12 and 1; only .* it is left out"):
+        assert len(read(content.encode(), form)) == 2
+    with pytest.raises(InputError, match=r"^file, .*: has the degrees 12 and 1; only"):
+        read(alone.encode(), form)

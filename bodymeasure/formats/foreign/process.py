@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.formats.patches import ReadPatches
-from bodymeasure.formats.spline_patches import spline_patches
+from bodymeasure.formats.spline_patches import notes_of_refused, spline_patches
 
 # A broken file may keep its reader busy for ever; a sound one of so many bytes, for some seconds.
 CHUNK = 2_000_000
@@ -112,8 +112,6 @@ def _patches(arrays: Mapping[str, NDArray[Any]], source: str) -> tuple[str, Read
         names += [face["name"]] * len(own_nets)
         groups += [face["group"]] * len(own_nets)
         places += [face["place"]] * len(own_nets)
-    if refused and not nets:
-        raise InputError(f"{source}, {refused[0]}")
-    notes += [f"{each}; it is left out" for each in dict.fromkeys(refused)]
+    notes += notes_of_refused(refused, source, any_read=bool(nets))
     found = ReadPatches(nets, weights, names, groups, places, notes=notes)
     return document["unit"], found

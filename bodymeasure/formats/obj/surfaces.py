@@ -25,7 +25,12 @@ from bodymeasure.formats.obj.statements import (
     vertex_numbers,
 )
 from bodymeasure.formats.patches import ReadPatches
-from bodymeasure.formats.spline_patches import clamped_knots, spline_patches
+from bodymeasure.formats.spline_patches import (
+    DegreeError,
+    clamped_knots,
+    notes_of_refused,
+    spline_patches,
+)
 from bodymeasure.formats.text import few_numbers, quoted, whole_number, written
 
 # Elements with a body; curves are passed over.
@@ -59,10 +64,14 @@ def from_statements(file: ObjFile, source: str) -> ReadPatches:
     names: list[str] = []
     groups: list[str] = []
     places: list[str] = []
+    refused: list[str] = []
     for surface in _surfaces(file, source):
         place = f"line {surface.statement.line}"
         try:
             surface_nets, surface_weights = _patches(surface, file, source)
+        except DegreeError as error:
+            refused.append(f"{place}: {error}")
+            continue
         except InputError as error:
             message = str(error)
             if not message.startswith(source):
@@ -74,7 +83,8 @@ def from_statements(file: ObjFile, source: str) -> ReadPatches:
         names += [surface.labels.name] * count
         groups += [surface.labels.groups] * count
         places += [place] * count
-    return ReadPatches(nets, weights, names, groups, places, notes=file.notes)
+    notes = (*file.notes, *notes_of_refused(refused, source, any_read=bool(nets)))
+    return ReadPatches(nets, weights, names, groups, places, notes=notes)
 
 
 def _surfaces(file: ObjFile, source: str) -> Iterator[_Surface]:
