@@ -239,6 +239,14 @@ def test_what_rhino_does_not_show_is_counted_and_named(tmp_path: Path) -> None:
         assert part in message
 
 
+def test_a_file_that_shows_nothing_is_refused_with_the_reason(tmp_path: Path) -> None:
+    file = model()
+    file.Objects.Add(*flat("old", visible=False))
+    file.Write(str(tmp_path / "a.3dm"), 7)
+    with pytest.raises(bm.InputError, match=r"holds no patch; .*: 1 object is not .* \('old'\) is"):
+        bm.read_atlas(tmp_path / "a.3dm")
+
+
 def test_a_block_that_holds_itself_is_left_out() -> None:
     identifiers = [uuid.UUID(int=number) for number in range(3)]
     items = []

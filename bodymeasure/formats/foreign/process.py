@@ -18,6 +18,8 @@ from bodymeasure.formats.spline_patches import notes_of_refused, spline_patches
 
 # A broken file may keep its reader busy for ever; a sound one of so many bytes, for some seconds.
 CHUNK = 2_000_000
+# Reasons that an error quotes why a file has no surface; it counts the others.
+_QUOTED = 3
 
 
 class Reader(NamedTuple):
@@ -112,6 +114,11 @@ def _patches(arrays: Mapping[str, NDArray[Any]], source: str) -> tuple[str, Read
         names += [face["name"]] * len(own_nets)
         groups += [face["group"]] * len(own_nets)
         places += [face["place"]] * len(own_nets)
+    if notes and not nets and not refused:
+        more = f" and {len(notes) - _QUOTED} more" if len(notes) > _QUOTED else ""
+        raise InputError(
+            f"{source}: holds no patch; expected at least one: {'; '.join(notes[:_QUOTED])}{more}"
+        )
     notes += notes_of_refused(refused, source, any_read=bool(nets))
     found = ReadPatches(nets, weights, names, groups, places, notes=notes)
     return document["unit"], found
