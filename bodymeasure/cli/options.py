@@ -2,7 +2,7 @@
 
 import os
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
 from importlib.util import find_spec
@@ -12,9 +12,10 @@ from typing import Any, TypeVar
 import click
 
 from bodymeasure.atlas import Atlas, FindingKind, Severity, Unit, check_atlas
+from bodymeasure.atlas.axes import DIRECTIONS
 from bodymeasure.cli.console import print_note
 from bodymeasure.errors import InputError, MissingExtraError, ReadWarning
-from bodymeasure.formats import read_atlas
+from bodymeasure.formats import format_of, read_atlas
 from bodymeasure.samples import sample_names, sample_path
 from bodymeasure.wording import nearest
 
@@ -45,34 +46,41 @@ BENCHMARK_FIGURE = ("the benchmark's figure", "matplotlib", "matplotlib", "bench
 VIEWER = ("the viewer", "pyvista", "pyvista", "viewer")
 VIEWER_COLORS = ("the viewer", "matplotlib", "matplotlib", "viewer")
 
-# The key under which `load_atlas` finds the unit of the file that it is to read.
-_FILE_UNIT = f"{__name__}.file_unit"
+# The key under which `load_atlas` finds what the user says about the file that it is to read.
+_FILE_OPTIONS = f"{__name__}.file_options"
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 
 
-def _keep_unit(ctx: click.Context, _parameter: click.Parameter, unit: str | None) -> None:
-    if unit is not None:
-        ctx.meta[_FILE_UNIT] = unit
+def _keep(ctx: click.Context, parameter: click.Parameter, value: str | None) -> None:
+    if value is not None:
+        name = str(parameter.name).removeprefix("file_")
+        ctx.meta.setdefault(_FILE_OPTIONS, {})[name] = value
 
 
-_file_unit_option = partial(
-    click.option,
-    type=click.Choice([unit.value for unit in Unit]),
-    expose_value=False,
-    callback=_keep_unit,
-)
-# The option of commands that have no other unit.
-same_unit_option = _file_unit_option("--unit", help="The same as --file-unit.")
+def _file_option(name: str, choices: Sequence[str], words: str) -> Callable[[_Command], _Command]:
+    kind = click.Choice(choices)
+    return click.option(name, type=kind, expose_value=False, callback=_keep, help=words)
+
+
+def file_options(command: _Command) -> _Command:
+    """Add the options that say what the format of an atlas's file leaves out."""
+    for name, choices, words in (
+        ("--front", DIRECTIONS, "Direction in which the body looks; -y by default."),
+        ("--up", DIRECTIONS, "Direction of up, if the file's format has none; +z by default."),
+        (
+            "--file-unit",
+            [unit.value for unit in Unit],
+            "Unit of the file's coordinates, if its format has none; it is never guessed.",
+        ),
+    ):
+        command = _file_option(name, choices, words)(command)
+    return command
 
 
 def _of_atlas(**settings: Any) -> Callable[[_Command], _Command]:
-    """Return the argument ATLAS together with the option for its unit, which `load_atlas` reads."""
+    """Return the argument ATLAS together with the options that `load_atlas` reads."""
     argument = click.argument("atlas", **settings)
-    option = _file_unit_option(
-        "--file-unit",
-        help="Unit of the coordinates of ATLAS, if its format has none; it is never guessed.",
-    )
-    return lambda command: argument(option(command))
+    return lambda command: argument(file_options(command))
 
 
 atlas_argument = _of_atlas(metavar="ATLAS")
@@ -134,21 +142,40 @@ def available_cores() -> int:
     return os.cpu_count() or 1
 
 
-def load_atlas(name: str, **options: Any) -> Atlas:
+def load_atlas(name: str, *, if_none: bool = False, **options: Any) -> Atlas:
     """Return an atlas from a file, or a sample by its name if there is no such file.
 
-    `options` are those of `read_atlas`; the unit is the one that the user gave for the file.
+    `options` are those of `read_atlas`; the unit and the axes are those that the user gave for the
+    file. With `if_none`, they are left out where the file has its own.
 
     Raises
     ------
     InputError
         If it is neither, or not a valid atlas.
     """
+    path = _path_of_atlas(name)
+    context = click.get_current_context(silent=True)
+    given = {} if context is None else dict(context.meta.get(_FILE_OPTIONS, {}))
+    if if_none and given:
+        kept = format_of(path).keeps
+        # Formats with landmarks are those of bodymeasure, which have axes too.
+        had = {"unit": "unit", "up": "landmarks", "front": "landmarks"}
+        given = {key: value for key, value in given.items() if had[key] not in kept}
+    with _notes():
+        return read_atlas(path, **given, **options)
+
+
+def lacks_unit(name: str) -> bool:
+    """Whether the format of an atlas's file has no unit."""
+    return "unit" not in format_of(_path_of_atlas(name)).keeps
+
+
+def _path_of_atlas(name: str) -> Path:
     path = Path(name)
     # A folder may have the name of the sample whose report it holds.
     if name in sample_names() and not _is_file(path):
-        path = sample_path(name)
-    elif len(path.parts) == 1 and not _exists(path):
+        return sample_path(name)
+    if len(path.parts) == 1 and not _exists(path):
         # A name with an extension means a file, unless it is nearly the name of a sample.
         near = nearest(path.stem, sample_names(), similarity=NEAR)
         hint = "`bodymeasure samples` lists the samples"
@@ -156,10 +183,7 @@ def load_atlas(name: str, **options: Any) -> Atlas:
             hint = f"did you mean the sample {near!r}?"
         if near or not path.suffix:
             raise InputError(f"{name}: no such file, and no sample of that name; {hint}")
-    context = click.get_current_context(silent=True)
-    unit = None if context is None else context.meta.get(_FILE_UNIT)
-    with _notes():
-        return read_atlas(path, unit=unit, **options)
+    return path
 
 
 @contextmanager
@@ -203,7 +227,7 @@ def require(*needs: tuple[str, str, str, str]) -> None:
             raise MissingExtraError(feature, package, extra)
 
 
-def load_sound_atlas(name: str, *, despite_errors: bool) -> Atlas:
+def load_sound_atlas(name: str, *, despite_errors: bool, if_none: bool = False) -> Atlas:
     """Return an atlas as `load_atlas` does; refuse one whose check finds errors.
 
     Raises
@@ -211,7 +235,7 @@ def load_sound_atlas(name: str, *, despite_errors: bool) -> Atlas:
     InputError
         If errors were found and `despite_errors` is false: the errors, and what to do.
     """
-    atlas = load_atlas(name)
+    atlas = load_atlas(name, if_none=if_none)
     if despite_errors:
         return atlas
     findings = check_atlas(atlas)

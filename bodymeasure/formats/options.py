@@ -68,8 +68,8 @@ class ReadOptions:
             known = ", ".join(unit.value for unit in Unit)
             raise InputError(
                 f"{source}: {title} says no unit, and none was given; say in which unit its "
-                f"coordinates are (one of {known}): unit=... in Python, --file-unit or --unit on "
-                "the command line; `bodymeasure convert` keeps it in a file"
+                f"coordinates are (one of {known}): unit=... in Python, --file-unit on the "
+                "command line; `bodymeasure convert` keeps it in a file"
             )
         return self.unit
 

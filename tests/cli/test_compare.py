@@ -6,6 +6,7 @@ import pytest
 from helpers.charts.hand_made_chart import hand_made_chart
 from helpers.command_line import Run
 
+from bodymeasure import load_sample, write_atlas
 from bodymeasure.cli.measuring.compare import MINIMUM_SUBJECTS
 from bodymeasure.compare import MINIMUM_SUBJECTS as STANDARD
 from bodymeasure.report.body import chart_document, chart_to_csv
@@ -123,15 +124,38 @@ def test_bad_input_is_told_and_nothing_written(
     assert hand in before
 
 
-def test_an_atlas_is_measured(run: Run, tmp_path: Path) -> None:
+@pytest.fixture
+def one_height(tmp_path: Path) -> Path:
+    """A set of definitions with one measurement."""
     pytest.importorskip("pygeodesic")
-    definitions = tmp_path / "set.toml"
-    definitions.write_text(
+    path = tmp_path / "set.toml"
+    path.write_text(
         'format = "bodymeasure measurements"\nversion = 1\nname = "One"\n[[measurement]]\n'
         'key = "back_neck_height"\nkind = "height"\nname = "Back neck height"\n'
         'at = "back neck point"\n',
         "utf-8",
     )
-    ran = run("compare", "female_average", "female_old", "--set", definitions, "--unit", "m")
+    return path
+
+
+def test_an_atlas_is_measured(run: Run, one_height: Path) -> None:
+    ran = run("compare", "female_average", "female_old", "--set", one_height, "--unit", "m")
     assert (ran.code, ran.err) == (0, "")
     assert re.search(r"^Back neck height +1\.\d{3} +1\.\d{3} +\+0\.\d{4} ", ran.out, re.M)
+
+
+def test_the_unit_and_axes_of_an_atlas_whose_format_has_none(
+    run: Run, tmp_path: Path, one_height: Path
+) -> None:
+    bare = tmp_path / "bare.bpt"
+    write_atlas(load_sample("female_average"), bare)
+    arguments = ("compare", "female_average", bare, "--set", one_height)
+    ran = run(*arguments)
+    assert (ran.code, ran.out) == (2, "")
+    assert "says no unit" in ran.err
+    # The file has lost its landmarks too, so that there is nothing to compare in the end.
+    ran = run(*arguments, "--file-unit", "m", "--up", "+z", "--front", "-y")
+    assert "have no value of the same measurement" in ran.err
+    ran = run("compare", "female_average", "male_average", "--file-unit", "cm")
+    assert (ran.code, ran.out) == (2, "")
+    assert "is in m, but the unit cm was given" in ran.err

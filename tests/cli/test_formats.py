@@ -27,7 +27,7 @@ def teapot(tmp_path: Path) -> Path:
 
 def test_loose_patches_are_converted_to_an_atlas(run: Run, teapot: Path) -> None:
     target = teapot.with_suffix(".atlas")
-    ran = run("convert", teapot, "-o", target, "--unit", "inch", "--up", "+z", "--front", "-x")
+    ran = run("convert", teapot, "-o", target, "--file-unit", "inch", "--up", "+z", "--front", "-x")
     assert (ran.code, ran.err) == (0, "")
     assert ran.out == f"{target}: 32 patches, 52 seams, 4 parts, in inch\n"
     atlas = read_atlas(target)
@@ -52,7 +52,7 @@ def test_what_is_lost_is_told(run: Run, tmp_path: Path) -> None:
 def test_a_group_of_a_mesh(run: Run, tmp_path: Path) -> None:
     (tmp_path / "mesh.obj").write_text(MESH)
     target = tmp_path / "left.atlas"
-    arguments = ("convert", tmp_path / "mesh.obj", "-o", target, "--unit", "cm", "--group")
+    arguments = ("convert", tmp_path / "mesh.obj", "-o", target, "--file-unit", "cm", "--group")
     ran = run(*arguments, "left")
     assert (ran.code, ran.err) == (0, "")
     assert ran.out == f"{target}: 1 patch, 0 seams, 1 part, in cm\n"
@@ -64,7 +64,7 @@ def test_a_group_of_a_mesh(run: Run, tmp_path: Path) -> None:
 def test_formats_may_be_told(run: Run, teapot: Path) -> None:
     renamed = teapot.rename(teapot.with_name("teapot.txt"))
     target = teapot.with_name("other.txt")
-    options = ("--from", "bpt", "--format", "bez", "--unit", "cm", "--weld", "0.001")
+    options = ("--from", "bpt", "--format", "bez", "--file-unit", "cm", "--weld", "0.001")
     ran = run("convert", renamed, "-o", target, *options)
     assert ran.code == 0
     assert target.read_bytes().startswith(b"BBP\n")
@@ -77,14 +77,17 @@ def test_formats_may_be_told(run: Run, teapot: Path) -> None:
         (("convert", "teapot.bpt", "-o", "x.atlas"), "a BPT file says no unit, and none was given"),
         (("convert", "teapot.bpt", "-o", "x.stl"), "unknown kind of file '.stl'"),
         (("convert", "teapot.bpt", "-o", "no/x.atlas"), "no/x.atlas: cannot be written"),
-        (("convert", "teapot.bpt", "-o", "x.obj", "--unit", "ft"), "'ft' is not one of 'm', 'cm'"),
         (
-            ("convert", "enneper", "-o", "x.obj", "--unit", "m"),
+            ("convert", "teapot.bpt", "-o", "x.obj", "--file-unit", "ft"),
+            "'ft' is not one of 'm', 'cm'",
+        ),
+        (
+            ("convert", "enneper", "-o", "x.obj", "--file-unit", "m"),
             "is in cm, but the unit m was given",
         ),
         (("convert", "enneper", "-o", "x.obj", "--format", "obj-mesh"), "'obj-mesh' is not one of"),
         (("info", "teapot.bpt"), "says no unit"),
-        (("check", "teapot.bpt"), "--file-unit or --unit on the command line"),
+        (("check", "teapot.bpt"), "--file-unit on the command line"),
         (("diagonals", "teapot.bpt", "--unit", "cm"), "says no unit, and none was given"),
     ],
 )
@@ -103,7 +106,7 @@ def test_bad_input_is_told_and_nothing_written(
 
 
 def test_info_says_what_an_atlas_holds(run: Run, teapot: Path) -> None:
-    ran = run("info", teapot, "--unit", "cm")
+    ran = run("info", teapot, "--file-unit", "cm")
     assert (ran.code, ran.err) == (0, "")
     title, *rows = ran.out.splitlines()
     assert title == str(teapot)
@@ -130,17 +133,43 @@ def test_info_lists_landmarks_and_where_an_atlas_comes_from(run: Run) -> None:
 
 
 def test_info_of_a_rational_surface(run: Run) -> None:
-    ran = run("info", DATA / "octant.bez", "--unit", "m")
+    ran = run("info", DATA / "octant.bez", "--file-unit", "m")
     assert "3, rational" in ran.out
 
 
-@pytest.mark.parametrize("option", ["--unit", "--file-unit"])
-def test_commands_without_another_unit_take_either_option(
-    run: Run, teapot: Path, option: str
-) -> None:
-    ran = run("check", teapot, option, "mm")
+def test_the_unit_of_a_file_has_one_name(run: Run, teapot: Path) -> None:
+    ran = run("check", teapot, "--file-unit", "mm")
     assert ran.code == 0
     assert ran.out.endswith("32 patches in mm, 0 errors, 9 warnings\n")
+    for command in ("check", "info", "view"):
+        ran = run(command, teapot, "--unit", "mm")
+        assert (ran.code, ran.out) == (2, "")
+        assert "Did you mean" in ran.err
+        assert "--file-unit" in ran.err
+
+
+def test_convert_reads_one_unit_and_writes_another(run: Run, teapot: Path) -> None:
+    target = teapot.parent / "teapot.atlas"
+    ran = run("convert", teapot, "-o", target, "--unit", "mm")
+    assert (ran.code, target.exists()) == (2, False)
+    assert "--file-unit on the command line" in ran.err
+    ran = run("convert", teapot, "-o", target, "--file-unit", "cm", "--unit", "mm")
+    assert ran.code == 0
+    written, read = read_atlas(target), read_atlas(teapot, unit="cm")
+    assert written.unit == "mm"
+    assert written.points == pytest.approx(10.0 * read.points, rel=1e-15)
+
+
+@pytest.mark.parametrize("command", ["info", "check", "diagonals"])
+def test_all_that_read_an_atlas_take_its_axes(run: Run, teapot: Path, command: str) -> None:
+    options = ("--file-unit", "cm", "--up", "+y", "--front", "+z")
+    ran = run(command, teapot, *options)
+    assert ran.code == 0
+    if command == "info":
+        assert "up +y, front +z" in ran.out
+    refused = run(command, "enneper", "--up", "+y", "--front", "+z")
+    assert (refused.code, refused.out) == (2, "")
+    assert "has up +z and front -y, but others were given" in refused.err
 
 
 def test_lengths_have_a_unit_of_their_own(run: Run, teapot: Path) -> None:
@@ -153,5 +182,5 @@ def test_lengths_have_a_unit_of_their_own(run: Run, teapot: Path) -> None:
 
 
 def test_the_unit_of_one_file_is_not_that_of_the_next(run: Run, teapot: Path) -> None:
-    assert run("check", teapot, "--unit", "mm").code == 0
+    assert run("check", teapot, "--file-unit", "mm").code == 0
     assert run("check", teapot).code == 2

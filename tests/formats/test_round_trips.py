@@ -118,7 +118,7 @@ def test_names_become_unique_and_unique_ones_stay(names: list[str]) -> None:
 @pytest.mark.parametrize("form", TEXT)
 def test_the_unit_must_be_given(form: str) -> None:
     content = write(body_like(1, 1), form)
-    with pytest.raises(InputError, match=r"^file: .* says no unit.*--file-unit or --unit"):
+    with pytest.raises(InputError, match=r"^file: .* says no unit.*--file-unit on the"):
         read(content, form, ReadOptions())
     axes = Axes("+y", "+z")
     atlas = read(content, form, ReadOptions(unit=Unit.INCH, axes=axes))

@@ -5,15 +5,12 @@ from pathlib import Path
 import click
 from rich.text import Text
 
-from bodymeasure.atlas import Atlas, summarize
-from bodymeasure.atlas.axes import DIRECTIONS
+from bodymeasure.atlas import Atlas, Unit, summarize
 from bodymeasure.cli.console import RESULTS, print_note
-from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, same_unit_option
+from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas
 from bodymeasure.files import require_writable
 from bodymeasure.formats import FORMATS, format_of, write_atlas
 from bodymeasure.wording import counted
-
-_direction = click.Choice(DIRECTIONS)
 
 
 @click.command(short_help="Convert an atlas from one format to another.", epilog=EXIT_CODES)
@@ -26,16 +23,10 @@ _direction = click.Choice(DIRECTIONS)
     required=True,
     help="File to write; its extension determines the format.",
 )
-@same_unit_option
 @click.option(
-    "--up",
-    type=_direction,
-    help="Direction of up, if the file has none; +z by default.",
-)
-@click.option(
-    "--front",
-    type=_direction,
-    help="Direction in which the body looks, if the file has none; -y by default.",
+    "--unit",
+    type=click.Choice([unit.value for unit in Unit]),
+    help="Unit of the coordinates that are written.  [default: that of ATLAS]",
 )
 @click.option(
     "--group",
@@ -66,8 +57,7 @@ _direction = click.Choice(DIRECTIONS)
 def convert(
     atlas: str,
     output: Path,
-    up: str | None,
-    front: str | None,
+    unit: str | None,
     groups: tuple[str, ...],
     tolerance: float | None,
     source_format: str | None,
@@ -78,17 +68,19 @@ def convert(
     B-splines become Bezier patches, loose patches are joined, and each quad of a mesh of polygons
     becomes a patch of its Catmull-Clark surface; `bodymeasure docs formats` lists the
     formats.
+
+    --file-unit is the unit of ATLAS's coordinates, --unit that of the coordinates in FILE.
     """
     target = format_of(output, target_format)
     require_writable(output)
     loaded = load_atlas(
         atlas,
-        up=up,
-        front=front,
         group=groups,
         tolerance=tolerance,
         format=source_format,
     )
+    if unit is not None:
+        loaded = loaded.converted(unit)
     write_atlas(loaded, output, format=target_format)
     summary = summarize(loaded)
     RESULTS.print(

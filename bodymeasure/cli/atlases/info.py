@@ -7,7 +7,7 @@ from rich.text import Text
 
 from bodymeasure.atlas import Atlas, Finding, Severity, check_atlas, summarize
 from bodymeasure.cli.console import print_table
-from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, same_unit_option
+from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas
 from bodymeasure.cli.tables import facts_table
 from bodymeasure.wording import counted
 
@@ -17,7 +17,6 @@ LISTED = 8
 
 @click.command(short_help="Describe an atlas.", epilog=EXIT_CODES)
 @atlas_argument
-@same_unit_option
 def info(atlas: str) -> None:
     """Describe ATLAS: its patches, size and unit, seams, landmarks and quality."""
     loaded = load_atlas(atlas)

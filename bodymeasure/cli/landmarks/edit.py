@@ -45,7 +45,7 @@ def _output_options(command: _Command) -> _Command:
     type=float,
     nargs=3,
     metavar="X Y Z",
-    help="Take the closest point to a position; needs --unit.",
+    help="Take the closest point to a position; needs --position-unit.",
 )
 @click.option("--patch", metavar="NAME", help="Take a point of this patch; needs --uv.")
 @click.option("--uv", type=float, nargs=2, metavar="U V", help="Parameters, from 0 to 1.")
@@ -54,7 +54,7 @@ def _output_options(command: _Command) -> _Command:
     type=click.Path(path_type=Path),
     metavar="FILE",
     help="Take the closest point to a vertex of this OBJ, OFF or PLY file; needs --vertex and "
-    "--unit.",
+    "--position-unit.",
 )
 @click.option(
     "--vertex",
@@ -73,10 +73,11 @@ def _output_options(command: _Command) -> _Command:
     type=click.Path(path_type=Path),
     metavar="FILE",
     help="Take several at once: the closest points to positions in a CSV file with the columns "
-    "name, x, y, z; needs --unit.",
+    "name, x, y, z; needs --position-unit.",
 )
 @click.option(
-    "--unit",
+    "--position-unit",
+    "unit",
     type=click.Choice([unit.value for unit in Unit]),
     help="Unit of the positions, or of the mesh.",
 )
@@ -200,9 +201,9 @@ def _check_usage(
         )
     if (unit is None) != (given[0] == "--patch"):
         raise click.UsageError(
-            f"{given[0]} needs --unit, the unit of the position: m, cm, mm or inch."
+            f"{given[0]} needs --position-unit, the unit of the position: m, cm, mm or inch."
             if unit is None
-            else "--unit is for positions; --patch has none."
+            else "--position-unit is for positions; --patch has none."
         )
 
 

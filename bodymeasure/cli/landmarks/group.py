@@ -34,8 +34,8 @@ def landmarks() -> None:
     \b
     For example:
       bodymeasure landmarks body.atlas
-      bodymeasure landmarks add body.atlas "bust point left" --at 9.1 -16.0 116.4 --unit cm -o new.atlas
-      bodymeasure landmarks add body.atlas "wrist point left" --mesh body.obj --vertex 4711 --unit m --in-place
+      bodymeasure landmarks add body.atlas "bust point left" --at 9.1 -16.0 116.4 --position-unit cm -o new.atlas
+      bodymeasure landmarks add body.atlas "wrist point left" --mesh body.obj --vertex 4711 --position-unit m --in-place
       bodymeasure landmarks check body.atlas
     """  # noqa: D301, E501  (click needs the character itself, and lines as they are typed)
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,8 @@ from bodymeasure.cli.options import (
     ROUTES,
     definitions_option,
     despite_errors_option,
+    file_options,
+    lacks_unit,
     load_sound_atlas,
     require,
 )
@@ -27,6 +30,7 @@ from bodymeasure.files import require_writable, write_bytes
 if TYPE_CHECKING:
     from rich.table import Table
 
+    from bodymeasure.atlas import Atlas
     from bodymeasure.chart import Definitions
     from bodymeasure.compare import Comparison, Readings
 
@@ -44,6 +48,7 @@ COLORS = {"within": "green", "exceeds": "red", "too few subjects": "yellow"}
 )
 @click.argument("first", metavar="A")
 @click.argument("second", metavar="B")
+@file_options
 @definitions_option
 @click.option(
     "--unit",
@@ -79,7 +84,8 @@ def compare(
 
     Each of the two is an atlas or a sample, which is measured; a chart's measurements.json or
     measurements.csv; or a CSV file typed by hand, with the columns measurement (key or name),
-    value, unit (m, cm, mm, inch, deg) and, if there are several, subject.
+    value, unit (m, cm, mm, inch, deg) and, if there are several, subject. --file-unit, --up and
+    --front are for an atlas whose format says none.
 
     With several subjects, the mean difference of each measurement is assessed by ISO 20685-1: its
     95 % confidence interval has to lie within the maximum allowable error.
@@ -93,7 +99,11 @@ def compare(
     from bodymeasure.compare import known_from
 
     loaded = load_definitions(definitions)
-    readings = [_readings(name, loaded, despite_errors=despite_errors) for name in (first, second)]
+    atlases = [name for name in (first, second) if not _is_file_of_values(name)]
+    # With one that lacks a unit, --file-unit is meant for it; else it must not contradict.
+    if_none = any(lacks_unit(name) for name in atlases)
+    load = partial(load_sound_atlas, despite_errors=despite_errors, if_none=if_none)
+    readings = [_readings(name, loaded, load) for name in (first, second)]
     if readings[0].name == readings[1].name:
         # Two charts of one body, for instance, are distinguished by their files.
         readings = [
@@ -143,14 +153,14 @@ def _is_file_of_values(name: str) -> bool:
     return Path(name).suffix.lower() in READ_SUFFIXES
 
 
-def _readings(name: str, definitions: "Definitions", *, despite_errors: bool) -> "Readings":
+def _readings(name: str, definitions: "Definitions", load: Callable[[str], "Atlas"]) -> "Readings":
     from bodymeasure.compare import read_readings, readings_of
     from bodymeasure.report.body import chart_document
 
     if _is_file_of_values(name):
         return read_readings(Path(name))
-    atlas = load_sound_atlas(name, despite_errors=despite_errors)
-    chart = measured_chart(atlas, definitions, despite_errors=despite_errors)
+    # Errors that were to be refused were refused when the atlas was loaded.
+    chart = measured_chart(load(name), definitions, despite_errors=True)
     return readings_of(chart_document(chart, Unit.CM))
 
 

@@ -22,7 +22,6 @@ from bodymeasure.cli.options import (
     optional_atlas_argument,
     processes_option,
     require,
-    same_unit_option,
 )
 from bodymeasure.errors import InputError
 from bodymeasure.files import require_writable
@@ -38,7 +37,6 @@ PICTURE_SUFFIXES = (".png", "")
 
 @click.command(short_help="Show a body and its diagonals in a window.", epilog=EXIT_CODES)
 @optional_atlas_argument
-@same_unit_option
 @click.option(
     "--screenshot",
     type=click.Path(path_type=Path),

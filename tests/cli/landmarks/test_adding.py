@@ -20,8 +20,8 @@ def words(text: str) -> str:
 def test_a_position_is_added(run: Run, tmp_path: Path) -> None:
     new = tmp_path / "new.atlas"
     ran = run(
-        "landmarks", "add", "female_average", "bust pont left", "--at", *BUST, "--unit", "cm",
-        "-o", new,
+        "landmarks", "add", "female_average", "bust pont left", "--at", *BUST,
+        "--position-unit", "cm", "-o", new,
     )  # fmt: skip
     note = "'bust pont left' is no name that measurements use; did you mean 'bust point left'?\n"
     assert (ran.code, ran.err) == (0, note)
@@ -40,14 +40,14 @@ def test_a_position_is_added(run: Run, tmp_path: Path) -> None:
 def test_a_position_in_a_wrong_unit_is_refused_with_the_right_one(run: Run, bare: Path) -> None:
     before = bare.read_bytes()
     place = ("landmarks", "add", bare, "bust point left", "--in-place", "--at")
-    ran = run(*place, *BUST, "--unit", "mm")
+    ran = run(*place, *BUST, "--position-unit", "mm")
     assert (ran.code, ran.out) == (2, "")
     assert "from the surface, more than 20 mm; in cm it would be 0.056 cm from it: check" in ran.err
     assert bare.read_bytes() == before
-    ran = run(*place, "9.1", "-30", "116.4", "--unit", "cm")
+    ran = run(*place, "9.1", "-30", "116.4", "--position-unit", "cm")
     assert ran.code == 2
     assert "cm from the surface, more than 2 cm; check its coordinates, its unit" in ran.err
-    assert run(*place, "9.1", "-30", "116.4", "--unit", "cm", "--far").code == 0
+    assert run(*place, "9.1", "-30", "116.4", "--position-unit", "cm", "--far").code == 0
     assert set(read_atlas(bare).landmarks) == {"front waist point", "bust point left"}
 
 
@@ -71,21 +71,36 @@ def test_landmarks_are_moved_only_when_told(run: Run, bare: Path) -> None:
         (("x", *AT, "--patch", "p", "--in-place"), "got --at and --patch"),
         (
             ("x", *AT, "--in-place"),
-            "--at needs --unit, the unit of the position: m, cm, mm or inch",
+            "--at needs --position-unit, the unit of the position: m, cm, mm or inch",
         ),
-        (("x", *AT, "--unit", "cm"), "Give either -o FILE or --in-place"),
-        (("x", *AT, "--unit", "cm", "--in-place", "-o", "y.atlas"), "Give either -o FILE or"),
-        ((*AT, "--unit", "cm", "--in-place"), "Missing argument 'NAME': what the landmark is"),
+        (("x", *AT, "--position-unit", "cm"), "Give either -o FILE or --in-place"),
+        (
+            ("x", *AT, "--position-unit", "cm", "--in-place", "-o", "y.atlas"),
+            "Give either -o FILE or",
+        ),
+        (
+            (*AT, "--position-unit", "cm", "--in-place"),
+            "Missing argument 'NAME': what the landmark is",
+        ),
         (("x", "--patch", "p", "--in-place"), "--patch and --uv belong together; give both"),
-        (("x", *AT, "--uv", "0", "1", "--unit", "cm", "--in-place"), "--patch and --uv belong"),
-        (("x", "--mesh", "m.obj", "--unit", "cm", "--in-place"), "--mesh and --vertex belong"),
-        (("x", *AT, "--unit", "cm", "--from-one", "--in-place"), "--from-one says how --vertex"),
         (
-            ("x", "--patch", "p", "--uv", "0", "1", "--unit", "cm", "--in-place"),
-            "--unit is for positions; --patch has none",
+            ("x", *AT, "--uv", "0", "1", "--position-unit", "cm", "--in-place"),
+            "--patch and --uv belong",
         ),
         (
-            ("x", "--from", "picks.csv", "--unit", "cm", "--in-place"),
+            ("x", "--mesh", "m.obj", "--position-unit", "cm", "--in-place"),
+            "--mesh and --vertex belong",
+        ),
+        (
+            ("x", *AT, "--position-unit", "cm", "--from-one", "--in-place"),
+            "--from-one says how --vertex",
+        ),
+        (
+            ("x", "--patch", "p", "--uv", "0", "1", "--position-unit", "cm", "--in-place"),
+            "--position-unit is for positions; --patch has none",
+        ),
+        (
+            ("x", "--from", "picks.csv", "--position-unit", "cm", "--in-place"),
             "--from takes the names from its file; leave NAME out",
         ),
     ],

@@ -22,7 +22,7 @@ def test_vertices_are_counted_from_0_or_from_1(run: Run, bare: Path, tmp_path: P
     name = "elbow point left"
     for options, place in ((("1",), places[1]), (("3", "--from-one"), places[2])):
         ran = run(
-            "landmarks", "add", bare, name, "--mesh", mesh, "--unit", "inch", "--in-place",
+            "landmarks", "add", bare, name, "--mesh", mesh, "--position-unit", "inch", "--in-place",
             "--replace", "--vertex", *options,
         )  # fmt: skip
         assert (ran.code, ran.err) == (0, "")
@@ -35,7 +35,7 @@ def test_vertices_are_counted_from_0_or_from_1(run: Run, bare: Path, tmp_path: P
         (("-1",), "has no vertex -1"),
     ):
         ran = run(
-            "landmarks", "add", bare, "x", "--mesh", mesh, "--unit", "inch", "--in-place",
+            "landmarks", "add", bare, "x", "--mesh", mesh, "--position-unit", "inch", "--in-place",
             "--vertex", *options,
         )  # fmt: skip
         assert (ran.code, ran.out) == (2, "")
@@ -53,7 +53,7 @@ def test_other_meshes_are_read_by_trimesh(
     trimesh.Trimesh(corners, [[0, 1, 2]], process=False).export(mesh)
     arguments = (
         "landmarks", "add", bare, "elbow point left", "--mesh", mesh, "--vertex", "2",
-        "--unit", "m", "--in-place",
+        "--position-unit", "m", "--in-place",
     )  # fmt: skip
     assert run(*arguments).code == 0
     found = read_atlas(bare).landmarks["elbow point left"]
@@ -87,7 +87,8 @@ def test_bad_meshes_are_told(
     if content is not None:
         mesh.write_text(content, "utf-8")
     ran = run(
-        "landmarks", "add", bare, "x", "--mesh", mesh, "--vertex", "0", "--unit", "m", "--in-place"
+        "landmarks", "add", bare, "x", "--mesh", mesh, "--vertex", "0",
+        "--position-unit", "m", "--in-place"
     )  # fmt: skip
     assert (ran.code, ran.out) == (2, "")
     assert message in ran.err
@@ -99,7 +100,7 @@ def test_several_are_added_from_a_file(run: Run, bare: Path, tmp_path: Path, hea
     rows = f'{header}bust point left,{",".join(BUST)}\n\n"bust point right",-9.1,-16,1.164e2\n'
     picks.write_text(rows, "utf-8")
     new = tmp_path / "new.atlas"
-    ran = run("landmarks", "add", bare, "--from", picks, "--unit", "cm", "-o", new)
+    ran = run("landmarks", "add", bare, "--from", picks, "--position-unit", "cm", "-o", new)
     assert (ran.code, ran.err) == (0, "")
     assert ran.out.endswith(f"{new}: 3 landmarks\n")
     atlas = read_atlas(new)
@@ -131,7 +132,7 @@ def test_bad_files_of_picks_are_told(
     picks = tmp_path / "picks.csv"
     picks.write_bytes(content if isinstance(content, bytes) else content.encode())
     before = bare.read_bytes()
-    ran = run("landmarks", "add", bare, "--from", picks, "--unit", "cm", "--in-place")
+    ran = run("landmarks", "add", bare, "--from", picks, "--position-unit", "cm", "--in-place")
     assert (ran.code, ran.out) == (2, "")
     assert message in ran.err
     assert bare.read_bytes() == before

@@ -12,7 +12,7 @@ AT = ("--at", *BUST)
 
 def test_samples_stay_as_they_are(run: Run, tmp_path: Path) -> None:
     for arguments in (
-        ("add", "female_average", "x", *AT, "--unit", "cm"),
+        ("add", "female_average", "x", *AT, "--position-unit", "cm"),
         ("remove", "female_average", "crotch point"),
     ):
         ran = run("landmarks", *arguments, "--in-place")
