@@ -37,7 +37,7 @@ ORDERS = {
     " landmarks/paths · body, sides · kinds, landmarks/rules · landmarks · definitions ·"
     " needed, reading, chart · evaluate",
     "cli": "console, tables · options · atlases, docs, landmarks, measuring, study · main",
-    "compare": "names, records · readings · iso20685, read, shown · comparison, page",
+    "compare": "names, records · readings · iso20685, plausible, read, shown · comparison, page",
     "formats": "groups, json_faults, options, patches, spline_patches, text · atlas_json, bez, bpt,"
     " foreign, geomdl, npz, obj · mesh_vertices · registry",
     "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"

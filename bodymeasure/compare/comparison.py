@@ -6,6 +6,7 @@ from datetime import UTC, datetime
 from bodymeasure.atlas import Unit
 from bodymeasure.compare.iso20685 import MINIMUM_SUBJECTS, agreement, class_verdicts
 from bodymeasure.compare.names import Known, Vocabulary
+from bodymeasure.compare.plausible import Doubt, doubt, doubt_notes
 from bodymeasure.compare.readings import Reading, Readings, converted
 from bodymeasure.compare.records import Comparison, Difference
 from bodymeasure.errors import InputError
@@ -53,14 +54,23 @@ def compare(
     by_subject = [_by_subject(each, vocabulary) for each in (first, second)]
     pairs, notes = _pairs(first, second)
     differences: list[Difference] = []
+    doubts: tuple[list[Doubt], list[Doubt]] = [], []
     for subject, one, other in pairs:
         a, b = by_subject[0][one], by_subject[1][other]
         for key, each in vocabulary.by_key.items():
             if key in a and key in b:
+                for found, mine, theirs in zip(
+                    doubts, (a[key], b[key]), (b[key], a[key]), strict=True
+                ):
+                    if (doubtful := doubt(mine, theirs)) is not None:
+                        found.append(doubtful)
                 pair = _difference(subject, each, a[key], b[key], shown)
                 if pair is not None:
                     differences.append(pair)
         notes += _missing(subject if len(pairs) > 1 else "", a, b, first, second)
+    # A wrong unit spoils every difference, so that it comes before what is merely absent.
+    doubted = zip(doubts, (first, second), strict=True)
+    notes[:0] = [note for found, source in doubted for note in doubt_notes(found, source.name)]
     if not differences:
         raise InputError(
             f"{first.name} and {second.name} have no value of the same measurement; "

@@ -279,3 +279,42 @@ def test_the_page_of_one_subject_and_that_of_many(rng: np.random.Generator) -> N
     assert "Verdict of ISO 20685-1" in several.text
     assert "within" in several.text
     assert "\u00b10.90" in several.text
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "words"),
+    [
+        (
+            705.0,
+            "cm",
+            "is 705 cm, far from the other source's; in mm it would agree: is the unit mm",
+        ),
+        (70.5, "inch", "in cm it would agree"),
+        (28.0, "cm", "in inch it would agree"),
+        (0.71, "cm", "in m it would agree"),
+        (71.0, "mm", "in cm it would agree"),
+        (7116.0, "cm", "is 7116 cm, longer than any measurement of a body; expected at most 3 m"),
+    ],
+)
+def test_a_length_in_the_wrong_unit_is_doubted(value: float, unit: str, words: str) -> None:
+    measured = readings("chart", reading("bust_girth", 71.2, error=1e-7))
+    by_hand = readings("hand.csv", reading("bust_girth", value, unit))
+    for pair in ((measured, by_hand), (by_hand, measured)):
+        (note,) = compare(*pair, known=KNOWN).notes
+        assert note.startswith(f"hand.csv: bust_girth is {value:g} {unit}")
+        assert words in note
+
+
+@pytest.mark.parametrize("value", [50.0, 68.0, 71.0, 100.0])
+def test_lengths_that_differ_as_bodies_do_are_not_doubted(value: float) -> None:
+    measured = readings("chart", reading("bust_girth", 71.2, error=1e-7))
+    by_hand = readings("hand.csv", reading("bust_girth", value))
+    assert compare(measured, by_hand, known=KNOWN).notes == []
+
+
+def test_many_doubts_are_one_note() -> None:
+    body = [reading("bust_girth", 91.0), reading("neck_girth", 36.0)]
+    typed = [reading("bust_girth", 910.0), reading("neck_girth", 355.0)]
+    measured = readings("chart", *(replace(each, error=1e-7) for each in body))
+    (note,) = compare(measured, readings("hand.csv", *typed), known=KNOWN).notes
+    assert "(1 more like it)" in note
