@@ -210,6 +210,14 @@ class Atlas:
         return replace(self, points=self.points * (self.unit.meters / target.meters), unit=target)
 
 
+def require_atlas(value: object) -> None:
+    """Raise an InputError unless a value is an atlas; the name of a sample, say, is none."""
+    if not isinstance(value, Atlas):
+        raise InputError(
+            f"the atlas is {value!r}; expected an Atlas, as load_sample and read_atlas return it"
+        )
+
+
 def _checked_index(index: ArrayLike) -> Ints:
     try:
         array = np.asarray(index)

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from bodymeasure.atlas import Atlas, Severity
+from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.atlas.check.stance import stance_findings
 from bodymeasure.chart.body import Body, MissingLandmarkError
 from bodymeasure.chart.chart import Chart
@@ -70,6 +71,7 @@ def measure_chart(
     0.7110 m, measured
     """
     begin = time.perf_counter()
+    require_atlas(atlas)
     if not despite_errors:
         _require_sound_landmarks(atlas)
     definitions = load_definitions() if definitions is None else definitions

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Atlas, EdgeTable, edge_table
+from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.bezier import project
 from bodymeasure.errors import InputError
 from bodymeasure.section.arcs import Arcs, Chain, chain_arcs, pair_crossings
@@ -87,6 +88,9 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
     Where corners of patches or whole seams lie in the plane, it is moved by 1e-11 of the atlas's
     size, and the loops' error estimates say so.
     """
+    require_atlas(atlas)
+    if not isinstance(plane, Plane):
+        raise InputError(f"the plane is {plane!r}; expected a Plane, of a point and a normal")
     nets = _of_weight_one(atlas.control_points)
     distances = plane.distances(nets)
     size = float(np.abs(project(nets) - plane.point).max())

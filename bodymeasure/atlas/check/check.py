@@ -3,7 +3,7 @@
 import numpy as np
 
 from bodymeasure._typing import Bools, Ints
-from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.atlas import Atlas, require_atlas
 from bodymeasure.atlas.check.degeneracy import Degeneracy, degeneracy_findings, find_degeneracy
 from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
 from bodymeasure.atlas.check.folds import fold_findings
@@ -55,6 +55,7 @@ def check_atlas(atlas: Atlas) -> tuple[Finding, ...]:
     >>> [(finding.kind.value, finding.severity.value) for finding in findings[:1]]
     [('kinked seam', 'warning')]
     """
+    require_atlas(atlas)
     control_points = atlas.control_points
     require_size(project(control_points).reshape(-1, 3), atlas.unit)
     normals = normal_coefficients(control_points)

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from bodymeasure._typing import Array
-from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.atlas import Atlas, require_atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.atlas.units import Unit
@@ -47,6 +47,7 @@ def atlas_point(atlas: Atlas, location: Location, name: str = "the point") -> At
     >>> atlas_point(atlas, (0.0, 0.0, 0.0))
     AtlasPoint(patch=0, u=0.0, v=0.0)
     """
+    require_atlas(atlas)
     if isinstance(location, str):
         return landmark(atlas, location)
     if isinstance(location, AtlasPoint):
@@ -78,6 +79,7 @@ def position_of(atlas: Atlas, location: Location, name: str = "the point") -> Ar
     InputError
         If the atlas has no such landmark or point, or the position is not three finite numbers.
     """
+    require_atlas(atlas)
     if isinstance(location, (str, AtlasPoint)):
         return atlas.position(atlas_point(atlas, location, name))
     return _position(location, name)

@@ -6,6 +6,7 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, sides_of
+from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.bezier import bernstein
 
 # The number of Gauss points on each part of a curve; parts are halved until two results agree.
@@ -59,6 +60,7 @@ def boundary_lengths(atlas: Atlas) -> BoundaryLengths:
     >>> print(sides.length.round(6))
     [[1.478943 1.478943 1.478943 1.478943]]
     """
+    require_atlas(atlas)
     nets = atlas.control_points
     flat = sides_of(nets).reshape(-1, *nets.shape[-2:])
     length, error = curve_lengths(flat)

@@ -3,6 +3,7 @@
 import numpy as np
 
 from bodymeasure.atlas import Atlas
+from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import GeodesicSolution, Method, Search, solve_geodesic
 from bodymeasure.geodesic.status import OnFailure
@@ -55,6 +56,7 @@ def diagonals(
     >>> print(f"{solutions.length.max():.4f} {body.unit}")
     0.1345 m
     """
+    require_atlas(atlas)
     # The solver would refuse it too, but without its name.
     collapsed = collapsed_patches(atlas.control_points)
     if len(collapsed):
