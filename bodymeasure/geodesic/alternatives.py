@@ -88,7 +88,7 @@ def geodesic_alternatives(
     if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < 1:
         raise InputError(f"count is {count!r}; expected how many paths, a whole number above 0")
     neighbors = topology(atlas).neighbors
-    first, last = checked_points(atlas, (start, end), ("the start", "the end"))
+    (first, last), moves = checked_points(atlas, (start, end), ("the start", "the end"))
     shortest = shortest_leg(atlas, neighbors, first, last)
     # Paths with a length are shorter than all close to them.
     found = [shortest] if shortest.converged else []
@@ -96,7 +96,8 @@ def geodesic_alternatives(
         _search(atlas, neighbors, (first, last), count, found)
     if not found:
         raise ConvergenceError(shortest.status.sentence)
-    return tuple(sorted(found, key=lambda path: path.length)[:count])
+    shortest_first = sorted(found, key=lambda path: path.length)[:count]
+    return tuple(path.with_ends_moved(*moves) for path in shortest_first)
 
 
 def _search(

@@ -8,7 +8,7 @@ from bodymeasure.atlas.queries.locations import Location, listed
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
 from bodymeasure.geodesic.across.routes.topology import topology
-from bodymeasure.geodesic.across.search.ends import checked_points
+from bodymeasure.geodesic.across.search.ends import Ends, checked_points
 from bodymeasure.geodesic.across.search.leg import shortest_leg
 from bodymeasure.geodesic.status import OnFailure, check_on_failure
 
@@ -66,12 +66,7 @@ def geodesic_between(
     check_on_failure(on_failure)
     via = listed(via, "via")
     names = ("the start", *(f"via point {number}" for number in range(len(via))), "the end")
-    points = checked_points(atlas, (start, *via, end), names)
-    legs = [shortest_leg(atlas, topology(atlas).neighbors, *ends) for ends in pairwise(points)]
-    path = AtlasPath.concatenate(legs)
-    if on_failure == "raise" and not path.converged:
-        raise ConvergenceError(path.status.sentence)
-    return path
+    return _through(atlas, checked_points(atlas, (start, *via, end), names), on_failure)
 
 
 def geodesics_between(
@@ -122,4 +117,17 @@ def geodesics_between(
         checked_points(atlas, pair, [f"the {end} of pair {number}" for end in ("start", "end")])
         for number, pair in enumerate(zip(starts, ends, strict=True))
     ]
-    return tuple(geodesic_between(atlas, start, end, on_failure=on_failure) for start, end in pairs)
+    return tuple(_through(atlas, pair, on_failure) for pair in pairs)
+
+
+def _through(atlas: Atlas, ends: Ends, on_failure: OnFailure) -> AtlasPath:
+    """Return the path through points, each leg of it a geodesic."""
+    neighbors = topology(atlas).neighbors
+    legs = [
+        shortest_leg(atlas, neighbors, *points).with_ends_moved(*moves)
+        for points, moves in zip(pairwise(ends.points), pairwise(ends.moves), strict=True)
+    ]
+    path = AtlasPath.concatenate(legs)
+    if on_failure == "raise" and not path.converged:
+        raise ConvergenceError(path.status.sentence)
+    return path

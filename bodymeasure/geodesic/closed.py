@@ -104,7 +104,7 @@ def contracted_loop(
     if len(loop) < FEWEST:
         raise InputError(f"the loop has {counted(len(loop), 'point')}; expected at least {FEWEST}")
     names = [f"point {number} of the loop" for number in range(len(loop))]
-    points = checked_points(atlas, loop, names)
+    points, _ = checked_points(atlas, loop, names)
     neighbors = topology(atlas).neighbors
     positions = np.array([atlas.position(point) for point in points])
     size = float(np.linalg.norm(positions - np.roll(positions, 1, axis=0), axis=1).sum())

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.point import AtlasPoint, on_edges
 from bodymeasure.bezier import derivatives, evaluate, project
 from bodymeasure.errors import InputError
 
@@ -34,7 +34,8 @@ SINGULAR = 1e-6
 DAMPING = 1e-9
 # Part of a squared distance by which a step may seem to lead away near the end, from rounding.
 ROUNDING = 1e-12
-# Part of the atlas's size: two patches whose distances differ by less meet at the closest point.
+# Part of the atlas's size that is rounding: two patches whose distances differ by less meet at the
+# closest point, and a point this near to an edge is on it.
 TIE_TOLERANCE = 1e-13
 
 
@@ -118,7 +119,7 @@ class _Search:
             return derivatives(nets[rows], x, order=2)
 
         parameters, found_squared = descend(jets, positions[row], self.grid[i, j], LAST_STEP)
-        distance = np.sqrt(found_squared)
+        parameters, distance = self._on_edges(nets, parameters), np.sqrt(found_squared)
 
         best = np.full(len(positions), np.inf)
         np.minimum.at(best, row, distance)
@@ -130,6 +131,15 @@ class _Search:
         result = np.empty(len(positions))
         result[rows] = distance[chosen]
         return points, result
+
+    def _on_edges(self, nets: Array, parameters: Array) -> Array:
+        """Parameters (k, 2) that are exactly 0 or 1 where rounding alone keeps them from it."""
+        edge = on_edges(parameters)
+        rows = np.flatnonzero((edge != parameters).any(axis=1))
+        move = evaluate(nets[rows], edge[rows]) - evaluate(nets[rows], parameters[rows])
+        far = np.linalg.norm(move, axis=1) > TIE_TOLERANCE * self.size
+        edge[rows[far]] = parameters[rows[far]]
+        return edge
 
 
 @lru_cache(maxsize=4)

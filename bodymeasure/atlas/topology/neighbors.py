@@ -111,18 +111,18 @@ class Neighbors:
 
     def same(self, place: AtlasPoint) -> list[AtlasPoint]:
         """Return all places that are the same point of the atlas, this one first."""
-        found = {self._key(place): place}
+        found = {self.key(place): place}
         queue = [place]
         while queue:
             for step in self.steps(queue.pop()):
-                if self._key(step.place) not in found:
-                    found[self._key(step.place)] = step.place
+                if self.key(step.place) not in found:
+                    found[self.key(step.place)] = step.place
                     queue.append(step.place)
         return list(found.values())
 
     def are_same(self, place: AtlasPoint, other: AtlasPoint) -> bool:
         """Return whether two places are the same point of the atlas."""
-        return self._key(other) in {self._key(same) for same in self.same(place)}
+        return self.key(other) in {self.key(same) for same in self.same(place)}
 
     def ways(self, start: AtlasPoint, end: AtlasPoint) -> list[tuple[Step, ...]]:
         """Return the ways from one place to another that is the same point, the shortest first.
@@ -132,17 +132,17 @@ class Neighbors:
         found: list[tuple[Step, ...]] = []
 
         def follow(here: AtlasPoint, seen: frozenset[AtlasPoint], way: tuple[Step, ...]) -> None:
-            if self._key(here) == self._key(end):
+            if self.key(here) == self.key(end):
                 found.append(way)
                 return
             for step in self.steps(here):
-                if self._key(step.place) not in seen:
-                    follow(step.place, seen | {self._key(step.place)}, (*way, step))
+                if self.key(step.place) not in seen:
+                    follow(step.place, seen | {self.key(step.place)}, (*way, step))
 
-        follow(start, frozenset({self._key(start)}), ())
+        follow(start, frozenset({self.key(start)}), ())
         return sorted(found, key=len)
 
-    def _key(self, place: AtlasPoint) -> AtlasPoint:
+    def key(self, place: AtlasPoint) -> AtlasPoint:
         """Return a key that all places of a patch at one point share."""
         side = self.pole_side(place)
         if side is not None:

@@ -28,9 +28,10 @@ def free_leg(
     is not accurate enough or leaves its patches.
     """
     size, route = polygon.problem.size, free_route(polygon, part)
+    epsilon = polygon.problem.epsilon
     for degree in DEGREES:
         space = polynomial_space(degree)
-        problem = RouteProblem(atlas, route, space, size, part.slides)
+        problem = RouteProblem(atlas, route, space, size, part.slides, epsilon)
         leg = solve_leg(problem, _guess(polygon, part, problem))
         if leg is None:
             continue

@@ -87,7 +87,8 @@ class _System:
 
 def _in_place(problem: RouteProblem, unknowns: Array, iterations: int) -> RefinedPath:
     """The path with its ends fixed where they are."""
-    fixed = RouteProblem(problem.atlas, problem.at(unknowns), problem.space, problem.size)
+    route, epsilon = problem.at(unknowns), problem.epsilon
+    fixed = RouteProblem(problem.atlas, route, problem.space, problem.size, epsilon=epsilon)
     here = fixed.expand(unknowns)
     held = np.zeros(fixed.count, bool)
     return measured(fixed, BoxMinimum(unknowns, here.value, held, True, iterations, here.bands))

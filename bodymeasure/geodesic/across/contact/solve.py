@@ -82,7 +82,8 @@ def held_path(
 def _polygon(refined: RefinedPath) -> RefinedPath:
     """The polygon at rest near a path."""
     before = refined.problem
-    problem = RouteProblem(before.atlas, refined.route, polygon_space(EDGE_COUNT), before.size)
+    space, size = polygon_space(EDGE_COUNT), before.size
+    problem = RouteProblem(before.atlas, refined.route, space, size, epsilon=before.epsilon)
     start = resampled(refined, problem)
     return measured(problem, minimize_in_box(problem.expand, start, problem.idle, MOST_STEPS))
 

@@ -12,7 +12,10 @@ is added to the estimate. A crossing that a corner holds stays where it is and c
 A piece that a seam holds, because the neighbor is no better, is the shortest only of those on its
 patch: its excess is added to its error rather than subtracted from its length.
 
-The excess of a piece of hardly any length is at most the difference between it and its chord.
+The excess of a piece of hardly any length is at most the difference between it and its chord. What
+smooths the length (`problem.EPSILON`) moves the ends of a piece of length :math:`l` by parts of it
+of the order of :math:`\varepsilon / l^2`, which lengthens the path by the square of that, and by no
+more than :math:`2 l`: the piece, there and back, joins what is before and after it.
 
 The error covers paths along this route; it says nothing of other routes.
 
@@ -84,6 +87,7 @@ def route_length(refined: RefinedPath) -> tuple[Length, LoopKind | None]:
     chord = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1)
     correction = np.where(short, 0.0, measured.correction)
     error = np.where(short, refined.lengths - chord, measured.error)
+    error = error + _smoothing(refined)
     residual = np.where(short, 0.0, measured.residual)
     held = refined.held_nodes.any(axis=(1, 2))
     error = error + np.where(held, np.abs(correction), 0.0)
@@ -115,6 +119,13 @@ def route_length(refined: RefinedPath) -> tuple[Length, LoopKind | None]:
     return length.scaled(problem.size), kind
 
 
+def _smoothing(refined: RefinedPath) -> Array:
+    """By how much what smooths the length may lengthen the path at each piece, shape (pieces,)."""
+    lengths, epsilon = refined.lengths, refined.problem.epsilon
+    moved = epsilon / np.maximum(lengths**2, epsilon)
+    return np.asarray(np.where(refined.smoothed, 2.0 * lengths * moved**2, 0.0))
+
+
 class _Crossings(NamedTuple):
     """How a path crosses its seams.
 
@@ -127,13 +138,16 @@ class _Crossings(NamedTuple):
     difference : ndarray, shape (crossings,)
         The component along the seam by which they differ, times the seam's derivative.
     movable : ndarray of bool, shape (crossings,)
-        The crossings that count: neither held nor beside a piece of hardly any length.
+        The crossings that count: neither held nor beside a piece so short that it is smoothed.
+    short : ndarray of bool, shape (crossings,)
+        The crossings beside a piece of hardly any length, whose tangent is known to few digits.
     """
 
     seam: Array
     tangent: Array
     difference: Array
     movable: Bools
+    short: Bools
 
 
 def _crossings(refined: RefinedPath, short: Bools) -> _Crossings:
@@ -151,12 +165,14 @@ def _crossings(refined: RefinedPath, short: Bools) -> _Crossings:
     before = np.arange(len(crossings)) - problem.route.closed
     fixed = np.array([EDGES[crossing.from_side].fixed_axis for crossing in crossings])
     seam = np.where(fixed == 0, s_v[:, before, 1], s_u[:, before, 1]).T
+    smoothed = refined.smoothed
     leaving, entering = tangent[:, before, 1].T, tangent[:, before + 1, 0].T
     return _Crossings(
         seam=seam,
         tangent=0.5 * (leaving + entering),
         difference=((leaving - entering) * seam).sum(axis=1),
-        movable=~(refined.minimum.held[problem.joints] | short[before] | short[before + 1]),
+        movable=~(refined.minimum.held[problem.joints] | smoothed[before] | smoothed[before + 1]),
+        short=short[before] | short[before + 1],
     )
 
 
@@ -167,7 +183,7 @@ def _of_path(refined: RefinedPath, crossings: _Crossings) -> tuple[float, float]
     where the path is no minimum.
     """
     length = np.linalg.norm(crossings.seam, axis=1)
-    count = crossings.movable & (length > 0.0)
+    count = crossings.movable & ~crossings.short & (length > 0.0)
     jump = np.abs(crossings.difference[count]) / length[count]
     right = np.zeros(refined.problem.count)
     right[refined.problem.joints] = np.where(crossings.movable, crossings.difference, 0.0)
@@ -187,7 +203,7 @@ def _of_loop(refined: RefinedPath, crossings: _Crossings) -> tuple[float, float,
     mean = mean / np.linalg.norm(mean, axis=1)[:, None]
     length = np.linalg.norm(seam, axis=1)
     across = np.linalg.norm(seam - (seam * mean).sum(axis=1)[:, None] * mean, axis=1)
-    free = crossings.movable & (across > ALONG * length)
+    free = crossings.movable & ~crossings.short & (across > ALONG * length)
     if not free.any():
         return 0.0, 0.0, LoopKind.MINIMUM
     right = crossings.difference[free]

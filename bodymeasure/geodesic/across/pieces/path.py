@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -160,6 +161,10 @@ class AtlasPath:
             crossings=tuple(crossings),
             leg_ends=(*leg_ends[:-1], 1.0) if found else (),
         )
+
+    def with_ends_moved(self, *moves: float) -> Self:
+        """Return the path as that between ends from which its own were moved so far."""
+        return replace(self, error_estimate=self.error_estimate + sum(moves))
 
     def __repr__(self) -> str:
         kind, unit, status = type(self).__name__, self.atlas.unit, self.status.name

@@ -28,7 +28,8 @@ from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.rational import surfaces_of
 
 # Where a piece has no length, the root would have no derivative without this. It is in units of the
-# whole path's length.
+# whole path's length. A piece below its root would count for less than its length, so that its ends
+# could move for nothing: `refine` makes it smaller where a path has such pieces.
 EPSILON = 1e-14
 ALL_NODES = slice(None)
 
@@ -53,6 +54,8 @@ class RouteProblem:
         About the length of the path, by which the patches are scaled.
     slides : pair of int or None
         The side of its patch along which the start, or the end, may move.
+    epsilon : float
+        What is added under the root.
 
     Attributes
     ----------
@@ -76,9 +79,10 @@ class RouteProblem:
         space: TrialSpace,
         size: float,
         slides: Slides = (None, None),
+        epsilon: float = EPSILON,
     ) -> None:
         self.atlas, self.route, self.space = atlas, route, space
-        self.size, self.slides = size, slides
+        self.size, self.slides, self.epsilon = size, slides, epsilon
         self.surface = surfaces_of(scaled(atlas.control_points[list(route.patches)], 1.0 / size))
         nodes, pieces = space.size + 1, len(route.patches)
         inner = np.concatenate([np.arange(1, nodes - 1), np.arange(nodes + 1, 2 * nodes - 1)])
@@ -158,7 +162,7 @@ class RouteProblem:
     def by_piece(self, unknowns: Array) -> tuple[Array, Array, Array]:
         """Return the root of each piece, its gradient and its Hessian by the piece's unknowns."""
         whole = energy(self.surface, self.space, self.values(unknowns), ALL_NODES)
-        root = np.sqrt(2.0 * whole.value + EPSILON)
+        root = np.sqrt(2.0 * whole.value + self.epsilon)
         local, sign = self.local, self.sign
         slope = np.take_along_axis(whole.gradient, local, axis=1) * sign / root[:, None]
         piece = np.arange(len(root))[:, None, None]

@@ -1,5 +1,6 @@
 """Refinement: the shortest path or loop along a route, as far as a trial space goes."""
 
+from copy import copy
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,6 +16,12 @@ from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 
 # A piece this near to a corner, in (u, v), is tried in the corner itself.
 IN_CORNER = 1e-3
+# What smooths the length does nothing to pieces longer than this many times its root: such a piece
+# counts for a part of 5e-5 less than its length.
+SMOOTHED = 100.0
+# The factor by which its root is made smaller at a time, and where that ends: the parameters of
+# shorter pieces have hardly a digit.
+SHARPER, LEAST_EPSILON = 0.1, 1e-26
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,6 +50,12 @@ class RefinedPath:
     def length(self) -> float:
         """The length of the whole path, in the atlas's unit."""
         return float(self.lengths.sum()) * self.problem.size
+
+    @property
+    def smoothed(self) -> Bools:
+        """The pieces that are so short that they count for less than their length: (pieces,)."""
+        most = SMOOTHED * np.sqrt(self.problem.epsilon)
+        return np.asarray((self.lengths > 0.0) & (self.lengths < most))
 
     @property
     def held_nodes(self) -> Bools:
@@ -84,11 +97,27 @@ def refine(
     refined = measured(problem, minimum)
     corners = _corners(refined)
     if not corners.any():
-        return refined
+        return _sharpened(refined, problem.idle)
     place = np.where(corners, np.round(minimum.unknowns), minimum.unknowns)
     pinned = minimize_in_box(problem.expand, place, problem.idle | corners)
     through = measured(problem, replace(pinned, held=pinned.held | corners))
-    return through if through.length < refined.length else refined
+    if through.length < refined.length:
+        return _sharpened(through, problem.idle | corners)
+    return _sharpened(refined, problem.idle)
+
+
+def _sharpened(refined: RefinedPath, idle: Bools) -> RefinedPath:
+    """Return a path whose tiny pieces count with their lengths.
+
+    What smooths the length is made smaller, step by step, until it is small beside every piece.
+    """
+    problem, held = refined.problem, refined.minimum.held
+    while problem.epsilon > LEAST_EPSILON and refined.smoothed.any():
+        problem = copy(problem)
+        problem.epsilon *= SHARPER**2
+        minimum = minimize_in_box(problem.expand, refined.minimum.unknowns, idle)
+        refined = measured(problem, replace(minimum, held=minimum.held | (held & idle)))
+    return refined
 
 
 def measured(problem: RouteProblem, minimum: BoxMinimum) -> RefinedPath:

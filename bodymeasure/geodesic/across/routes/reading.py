@@ -86,6 +86,12 @@ def route_along(
         return Route.of(ends, ways[0]) if ways else None
     start = _nearest(neighbors.same(start), segments[0][0])
     end = _nearest(neighbors.same(end), segments[-1][1])
+    # Paths over a mesh leave out the piece between an end and a seam beside which it lies.
+    before, after = (
+        _across(neighbors, segments[0][0], start),
+        _across(neighbors, segments[-1][1], end),
+    )
+    segments = [*before, *segments, *after]
     steps: list[Step] = []
     for (_, leave), (enter, _) in pairwise(segments):
         # On one patch they are the same place, or beside one that is slightly off.
@@ -98,6 +104,15 @@ def route_along(
     if (start.patch, end.patch) != (segments[0][0].patch, segments[-1][1].patch):
         return None
     return Route.of((start, end), steps)
+
+
+def _across(
+    neighbors: Neighbors, place: AtlasPoint, end: AtlasPoint
+) -> list[tuple[AtlasPoint, AtlasPoint]]:
+    """Return the segment that stays at a place but on the patch of an end, unless it is on it."""
+    if place.patch == end.patch:
+        return []
+    return [(same, same) for same in neighbors.same(place) if same.patch == end.patch][:1]
 
 
 def _nearest(places: list[AtlasPoint], to: AtlasPoint) -> AtlasPoint:

@@ -1,8 +1,9 @@
-"""The ends of paths over an atlas, checked."""
+"""The ends of paths over an atlas, checked, and put on the seams beside which they lie."""
 
 from collections.abc import Sequence
 from functools import partial
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,9 +14,23 @@ from bodymeasure.errors import InputError
 from bodymeasure.geodesic.across.routes.topology import topology
 
 
-def checked_points(
-    atlas: Atlas, locations: Sequence[Location], names: Sequence[str]
-) -> tuple[AtlasPoint, ...]:
+class Ends(NamedTuple):
+    """The points that paths join.
+
+    Parameters
+    ----------
+    points : tuple of AtlasPoint
+        A point that lies beside an edge of its patch only by rounding is on the edge: else no seam
+        would lead over to the next patch there.
+    moves : tuple of float
+        How far that moved each of them, in the atlas's unit, by which lengths are uncertain.
+    """
+
+    points: tuple[AtlasPoint, ...]
+    moves: tuple[float, ...]
+
+
+def checked_points(atlas: Atlas, locations: Sequence[Location], names: Sequence[str]) -> Ends:
     """Return the points of locations, all on one part of the atlas.
 
     Parameters
@@ -30,7 +45,14 @@ def checked_points(
     InputError
         If a location is not on the atlas, or two are on parts that no seam joins.
     """
-    points = tuple(map(partial(atlas_point, atlas), locations, names))
+    given = tuple(map(partial(atlas_point, atlas), locations, names))
+    points = tuple(point.on_edge() for point in given)
+    moves = (
+        0.0
+        if point == there
+        else float(np.linalg.norm(atlas.position(point) - atlas.position(there)))
+        for point, there in zip(given, points, strict=True)
+    )
     part = topology(atlas).part
     for (name, point), (other, there) in pairwise(zip(names, points, strict=True)):
         if part[point.patch] != part[there.patch]:
@@ -40,4 +62,4 @@ def checked_points(
                 f"{len(np.unique(part))} separate parts; choose points on one of them, or join "
                 "the parts' control points (`bodymeasure check` says where they nearly meet)"
             )
-    return points
+    return Ends(points, tuple(moves))

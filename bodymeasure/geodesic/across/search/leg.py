@@ -17,6 +17,8 @@ from bodymeasure.geodesic.status import Status
 
 # The number of points on each piece from which the rough length of a path is calculated.
 SAMPLES = 5
+# Positions of one point on two patches agree to this part of the atlas's coordinates.
+ROUNDING = 4e-15
 # The trial space of a path that stays where it is.
 STANDSTILL = polynomial_space(1)
 
@@ -26,7 +28,7 @@ def shortest_leg(
 ) -> AtlasPath:
     """Return the shortest path between two points that was found."""
     if neighbors.are_same(start, end):
-        return _standstill(atlas, start, end)
+        return _standstill(atlas, neighbors, start, end)
     route = first_route(atlas, neighbors, (start, end))
     if route is not None:
         return leg_along(atlas, neighbors, (start, end), route)
@@ -44,14 +46,27 @@ def leg_along(
     samples = evaluate(atlas.control_points[list(route.patches)], (1.0 - t) * start + t * stop)
     size = float(np.linalg.norm(np.diff(samples, axis=1), axis=2).sum())
     if size == 0.0:
-        return _standstill(atlas, *points)
+        return _standstill(atlas, neighbors, *points)
     found = shortest_along(atlas, neighbors, route, size)
     return AtlasPath.of(atlas, points, found.part, found.status)
 
 
-def _standstill(atlas: Atlas, start: AtlasPoint, end: AtlasPoint) -> AtlasPath:
-    """A path without length."""
-    values = np.repeat(np.array(start[1:])[:, None], 2, axis=1)
-    length = Length(*map(np.asarray, (0.0, 0.0, 0.0, 0.0, 0, True)))
-    part = PathPart((PathPiece(start.patch, STANDSTILL, values, 0.0),), (), length)
+def _standstill(
+    atlas: Atlas, neighbors: Neighbors, start: AtlasPoint, end: AtlasPoint
+) -> AtlasPath:
+    """A path that stays where it is, but for the last digits in which its ends may differ.
+
+    It is straight on the patch of its end.
+    """
+    here = min(
+        (place for place in neighbors.same(start) if neighbors.key(place) == neighbors.key(end)),
+        key=lambda place: max(abs(place.u - end.u), abs(place.v - end.v)),
+    )
+    chord = float(np.linalg.norm(atlas.position(end) - atlas.position(here)))
+    rounding = ROUNDING * float(np.abs(atlas.points).max())
+    if chord <= rounding:
+        chord, rounding, here = 0.0, chord, end
+    values = np.array([here[1:], end[1:]]).T
+    length = Length(*map(np.asarray, (chord, 0.0, rounding, 0.0, 0, True)))
+    part = PathPart((PathPiece(end.patch, STANDSTILL, values, chord),), (), length)
     return AtlasPath.of(atlas, (start, end), part, Status.CONVERGED)

@@ -1,0 +1,126 @@
+"""Points a hair off seams, corners and poles, whose paths contradict no other path."""
+
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from helpers.surfaces.near_boundaries import beside, near_points, random_near_point
+from helpers.surfaces.quadrics import joined, sphere_nets, torus_nets
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import bodymeasure as bm
+from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.atlas.queries.closest import closest_points
+
+# There are no wheels of it for the latest versions of Python.
+pytest.importorskip("pygeodesic")
+
+EXPONENTS = np.arange(-16.0, -5.0)
+
+
+@cache
+def torus() -> Atlas:
+    return joined(torus_nets(2.0, 0.7))
+
+
+@cache
+def sphere() -> Atlas:
+    return joined(sphere_nets())
+
+
+def assert_triangle(atlas: Atlas, points: tuple[AtlasPoint, AtlasPoint, AtlasPoint]) -> None:
+    """No side of a triangle of shortest paths is longer than both others, or as they turned."""
+    sides = [bm.geodesic_between(atlas, *ends) for ends in pairwise((*points, points[0]))]
+    shorter, middle, longer = sorted(side.length for side in sides)
+    assert longer <= shorter + middle + sum(side.error_estimate for side in sides)
+    turned = bm.geodesic_between(atlas, points[1], points[0])
+    allowed = turned.error_estimate + sides[0].error_estimate
+    assert turned.length == pytest.approx(sides[0].length, rel=0.0, abs=allowed)
+
+
+@pytest.mark.parametrize("exponent", EXPONENTS)
+@pytest.mark.parametrize(
+    ("patch", "edge", "along"), [(25, 0.0, 0.25), (13, 1.0, 0.4), (60, 1.0, 0.7), (200, 0.0, 0.1)]
+)
+def test_a_hair_off_a_seam_is_as_far_as_the_seam(
+    patch: int, edge: float, along: float, exponent: float
+) -> None:
+    body = bm.load_sample("female_average")
+    for axis in (0, 1):
+        on = AtlasPoint(patch, *np.roll([edge, along], axis).tolist())
+        off = AtlasPoint(patch, *np.roll([beside(edge, exponent), along], axis).tolist())
+        there = bm.geodesic_between(body, "back neck point", on)
+        path = bm.geodesic_between(body, off, "back neck point")
+        apart = np.linalg.norm(body.position(on) - body.position(off))
+        allowed = apart + path.error_estimate + there.error_estimate
+        assert abs(path.length - there.length) <= allowed
+        # Moving an end by so much does not make the estimate any larger than that.
+        assert path.error_estimate <= 1.1 * there.error_estimate + 1e-9 * path.length
+
+
+@pytest.mark.parametrize("exponent", [-16.0, -13.0, -12.0, -11.0, -10.0, -9.0, -8.0, -7.0, -6.0])
+@pytest.mark.parametrize("corner", [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)])
+def test_meridians_that_begin_a_hair_off_a_corner(
+    corner: tuple[float, float], exponent: float
+) -> None:
+    u, v = (beside(edge, exponent) for edge in corner)
+    for start in (AtlasPoint(5, u, v), AtlasPoint(5, corner[0], v), AtlasPoint(5, u, corner[1])):
+        assert_triangle(torus(), (start, AtlasPoint(2, 0.3, 0.6), AtlasPoint(9, 0.8, 0.1)))
+
+
+@pytest.mark.parametrize("exponent", EXPONENTS)
+def test_great_circles_that_begin_a_hair_off_a_seam(exponent: float) -> None:
+    atlas = sphere()
+    ends = [AtlasPoint(0, beside(1.0, exponent), 0.3), AtlasPoint(0, 0.4, beside(0.0, exponent))]
+    for start in ends:
+        for end in (AtlasPoint(1, 0.6, 0.4), AtlasPoint(5, 0.2, 0.7), AtlasPoint(4, 0.5, 0.3)):
+            path = bm.geodesic_between(atlas, start, end)
+            a, b = atlas.position(start), atlas.position(end)
+            exact = np.arctan2(np.linalg.norm(np.cross(a, b)), a @ b)
+            assert abs(path.length - exact) <= path.error_estimate
+
+
+@pytest.mark.parametrize("away", [3e-11, 1e-9, 1e-7])
+def test_a_mesh_path_that_leaves_out_the_piece_before_a_seam(away: float) -> None:
+    ends = AtlasPoint(6, 1.0 - away, 0.118), AtlasPoint(3, 1.0, 0.405)
+    for start, end in (ends, ends[::-1]):
+        path = bm.geodesic_between(sphere(), start, end)
+        a, b = sphere().position(start), sphere().position(end)
+        exact = np.arctan2(np.linalg.norm(np.cross(a, b)), a @ b)
+        assert abs(path.length - exact) <= path.error_estimate
+
+
+def test_triangles_of_random_points_near_boundaries(rng: np.random.Generator) -> None:
+    for _ in range(8):
+        first, second, third = (random_near_point(rng, torus()) for _ in range(3))
+        assert_triangle(torus(), (first, second, third))
+
+
+@settings(max_examples=10, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(st.tuples(*[near_points(torus())] * 3))
+def test_triangles_of_any_points_near_boundaries(
+    points: tuple[AtlasPoint, AtlasPoint, AtlasPoint],
+) -> None:
+    assert_triangle(torus(), points)
+
+
+def test_points_apart_by_less_than_the_digits_of_a_seam_are_measured() -> None:
+    start = AtlasPoint(3, 0.4, 0.3)
+    end = AtlasPoint(3, 0.4 + 3e-10, 0.3)
+    path = bm.geodesic_between(torus(), start, end)
+    apart = np.linalg.norm(torus().position(start) - torus().position(end))
+    assert path.length == pytest.approx(apart, rel=1e-3)
+
+
+def test_the_closest_point_to_a_seam_is_exactly_on_it(rng: np.random.Generator) -> None:
+    body = bm.load_sample("female_average")
+    places = [
+        AtlasPoint(int(rng.integers(len(body))), 1.0, float(rng.random())) for _ in range(400)
+    ]
+    places += [AtlasPoint(place.patch, place.v, 0.0) for place in places]
+    found, _ = closest_points(body, [body.position(place) for place in places])
+    parameters = np.array([point[1:] for point in found])
+    away = np.abs(parameters - np.round(parameters)).min(axis=1)
+    assert not away.any()
