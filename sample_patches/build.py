@@ -117,7 +117,7 @@ def _onto_edge(parameter: float) -> float:
 
 
 def _fit(atlas: Atlas, mesh: ControlMesh) -> str:
-    """How far the body's surface lies from the atlas, in words."""
+    """Return the distances of the body's surface from the atlas in words."""
     covered = np.unique(mesh.groups[COVERED])
     _, distances = closest_points(atlas, limit_positions(mesh, covered.tolist()))
     millimeters = 1e3 * distances

@@ -45,7 +45,7 @@ def read_landmarks(path: Path) -> dict[str, int]:
 
 
 def limit_positions(mesh: ControlMesh, numbers: Sequence[int]) -> Array:
-    """Where vertices of a mesh come to lie on its Catmull-Clark surface.
+    """Return the limits of vertices of a mesh on its Catmull-Clark surface.
 
     Parameters
     ----------

@@ -20,7 +20,7 @@ class LayoutError(Exception):
 
 
 class Layout:
-    """How the patches of an atlas meet, and where they are.
+    """The neighbors and positions of the patches of an atlas.
 
     `centers` are positions (patches, 3); `to_left` and `to_front` their components.
     """

@@ -1,4 +1,4 @@
-"""Which way a body faces in its coordinates."""
+"""The axes of a body: which way is up, and which way it faces."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""How large and how small an atlas may be."""
+"""The limits on the size of an atlas."""
 
 import numpy as np
 

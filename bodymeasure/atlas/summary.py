@@ -16,7 +16,7 @@ from bodymeasure.bezier import project
 
 @dataclass(frozen=True)
 class AtlasSummary:
-    """What an atlas holds.
+    """The content of an atlas in numbers.
 
     Parameters
     ----------

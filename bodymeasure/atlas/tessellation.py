@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Patches(Protocol):
-    """What a tessellation needs of an atlas."""
+    """The data of an atlas that a tessellation needs."""
 
     @property
     def index(self) -> Ints:
@@ -158,7 +158,7 @@ def _corner_parameters(count: int, segments: int) -> Array:
 
 
 def _has_three_corners(faces: Ints) -> Bools:
-    """Whether faces have three different corners, as half of those along a collapsed edge lack."""
+    """Return which faces have three different corners; half of those on a collapsed edge do not."""
     return np.asarray((faces != np.roll(faces, 1, axis=1)).all(axis=1))
 
 

@@ -159,7 +159,8 @@ def _atlas(record: _AtlasRecord) -> Atlas:
 
 def _index(record: _AtlasRecord) -> Ints:
     """Return the numbers of the control points, shape (patches, degree + 1, degree + 1)."""
-    return np.array(_squares(record, "numbers", [p.points for p in record.patches]), dtype=np.int64)
+    numbers = _squares(record, "numbers", [patch.points for patch in record.patches])
+    return numbers.astype(np.int64)
 
 
 def _weights(record: _AtlasRecord) -> Array | None:
@@ -168,11 +169,11 @@ def _weights(record: _AtlasRecord) -> Array | None:
         return None
     ones = [[1.0] * (record.degree + 1)] * (record.degree + 1)
     given = [ones if patch.weights is None else patch.weights for patch in record.patches]
-    return np.array(_squares(record, "weights", given), dtype=np.float64)
+    return _squares(record, "weights", given)
 
 
-def _squares(record: _AtlasRecord, what: str, values: list[list[list[Any]]]) -> Any:
-    """Checks that each patch has as many rows and columns as its degree wants."""
+def _squares(record: _AtlasRecord, what: str, values: list[Any]) -> Array:
+    """Return the values of all patches, if each has as many rows and columns as its degree asks."""
     if not LEAST_DEGREE <= record.degree <= LARGEST_DEGREE:
         raise InputError(
             f"the degree is {record.degree}; expected {LEAST_DEGREE} to {LARGEST_DEGREE}"
@@ -186,7 +187,7 @@ def _squares(record: _AtlasRecord, what: str, values: list[list[list[Any]]]) -> 
                 f"patch {number} ({patch.name!r}): expected {side} rows of {side} {what}, as of "
                 f"degree {record.degree}; got {wrong[0]}"
             )
-    return np.array(values).reshape(-1, side, side)
+    return np.array(values, dtype=np.float64).reshape(-1, side, side)
 
 
 def _place_of_misfit(content: bytes) -> str | None:

@@ -1,11 +1,11 @@
-"""The place at which a file that should be JSON is none."""
+"""The place at which the JSON of a file is broken."""
 
 import json
 import re
 
 
 def place_of_fault(content: bytes, reason: str) -> str:
-    """Return the line and the reason for which it is no JSON, to follow the file's name."""
+    """Return the line at which a file is not JSON and the reason, to follow the file's name."""
     try:
         text = content.decode()
         json.loads(text)

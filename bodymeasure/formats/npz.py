@@ -23,11 +23,12 @@ from bodymeasure.errors import InputError
 
 FORMAT = "bodymeasure atlas"
 VERSION = 1
-# Largest expansion: coordinates of bodies shrink to a third or so, and more is made to fill memory.
+# The largest expansion: coordinates of bodies shrink to a third or so, and a file that expands more
+# was made to fill the memory.
 MOST_EXPANSION = 200
-# Bytes up to which a small file may expand more.
+# The size in bytes up to which a file may expand more.
 _SMALL = 1 << 20
-# Kinds of numbers that an array may hold: what is a coordinate, an index, a text.
+# The kinds of values that each array may hold, as NumPy codes them.
 _KINDS = {"points": "f", "index": "iu", "header": "U", "weights": "f"}
 _OPTIONAL = {"weights"}
 

@@ -1,4 +1,4 @@
-"""What a user says about a file that the file does not say itself."""
+"""The options of reading, in which a user adds what a file does not state itself."""
 
 import math
 from collections.abc import Sequence
@@ -91,7 +91,7 @@ class ReadOptions:
             raise InputError(f"{source}: is joined already; leave the tolerance out")
 
     def require_unit(self, source: str, unit: Unit) -> None:
-        """Refuse another unit than the file's own.
+        """Refuse a unit other than the file's own.
 
         Raises
         ------

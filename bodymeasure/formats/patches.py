@@ -15,7 +15,7 @@ from bodymeasure.errors import InputError
 
 @dataclass(frozen=True, eq=False)
 class ReadPatches:
-    """Bezier patches of any degrees, as read: not yet joined, without a unit.
+    """Bezier patches of any degrees as they are read, not yet joined.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ class ReadPatches:
     notes: Sequence[str] = ()
 
     def place(self, number: int) -> str:
-        """How an error calls a patch."""
+        """The words by which an error names a patch."""
         where = f", {self.places[number]}" if self.places else ""
         return f"{where}: patch {number}"
 

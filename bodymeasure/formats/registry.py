@@ -31,7 +31,7 @@ class Format(NamedTuple):
     Parameters
     ----------
     title : str
-        What errors call it.
+        The words by which errors name it.
     extensions : tuple of str
         Extensions of files that are read and written in this format.
     read : callable

@@ -10,8 +10,8 @@ from bodymeasure.atlas import LARGEST_DEGREE
 from bodymeasure.bezier import BezierPieces, bezier_pieces, restrict
 from bodymeasure.errors import InputError
 
-# Part of a surface's range: an end of the wanted part that is so close to a knot is that knot, from
-# which only rounding parts it.
+# An end of the wanted part that is this close to a knot, as a part of the surface's range, is that
+# knot up to rounding.
 ROUNDING = 1e-5
 
 
@@ -96,10 +96,7 @@ def _pieces(net: Array, degree: int, knots: Array, direction: str) -> BezierPiec
 
 @lru_cache(maxsize=64)
 def clamped_knots(degree: int, breaks: tuple[float, ...]) -> Array:
-    """The knots of Bezier pieces one after the other: inner ones `degree` times, ends once more.
-
-    Read-only.
-    """
+    """Return the knots of successive Bezier pieces: each `degree` times, the ends once more."""
     times = np.full(len(breaks), degree)
     times[[0, -1]] += 1
     knots = np.repeat(breaks, times)

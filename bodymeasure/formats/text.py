@@ -79,7 +79,7 @@ class TextFile:
                 yield number, words
 
     def place(self, line: int) -> str:
-        """How an error calls a line."""
+        """The words by which an error names a line."""
         return f"{self.source}, line {line}"
 
 

@@ -34,7 +34,7 @@ class MeshPath:
 
     @property
     def sentence(self) -> str:
-        """What the length is worth, in words."""
+        """The quality of the length in a sentence."""
         unit = "" if self.unit is None else f" {self.unit}"
         return (
             f"Measured on the mesh itself, not on a smooth surface: {self.length:.6g}{unit}, from "

@@ -61,7 +61,10 @@ class _Task(NamedTuple):
 
 
 class _Outcome(NamedTuple):
-    """For each pair a row: distances by level, by heat, how far the ends were moved."""
+    """The results of one patch: a row for each pair, and why the patch failed, if it did.
+
+    A row has the distances by level, the heat distance, and how far the ends were moved.
+    """
 
     rows: Array
     failure: str | None
@@ -76,7 +79,7 @@ def mesh_distances(
     processes: int = 1,
     progress: Callable[[int], None] | None = None,
 ) -> MeshDistances:
-    """Shortest distances within patches, found on meshes, for checking a method's lengths.
+    """Return shortest distances within patches, found on meshes, to check a method's lengths.
 
     Each patch is meshed alone, so that paths stay in it. Grid lines run through the end points at
     every level; they may lie anywhere in the patch.

@@ -86,7 +86,7 @@ def grid_lines(points: Array) -> tuple[Array, Array]:
 
 
 def refined_grid(lines_u: Array, lines_v: Array, coarsest: int, refinement: int) -> PatchGrid:
-    """A grid through the given lines, a whole refinement of the coarsest such grid.
+    """Return a grid through the given lines that refines the coarsest such grid.
 
     Between neighboring lines the steps are even, and each refinement divides those of the
     coarsest grid, so that the error has one expansion in powers of the step.
@@ -96,10 +96,10 @@ def refined_grid(lines_u: Array, lines_v: Array, coarsest: int, refinement: int)
     lines_u, lines_v : ndarray
         As `grid_lines` gives them.
     coarsest : int
-        Segments along the whole of u in the coarsest grid, `CELLS_V_PER_U` times as many along v:
-        about, since each strip has at least one.
+        About how many segments the coarsest grid has along the whole of u; it has `CELLS_V_PER_U`
+        times as many along v. Each strip has at least one.
     refinement : int
-        Into how many each of those is divided.
+        The number of parts into which each of those is divided.
     """
     return PatchGrid(
         _subdivided(lines_u, coarsest, refinement),
@@ -108,7 +108,7 @@ def refined_grid(lines_u: Array, lines_v: Array, coarsest: int, refinement: int)
 
 
 def _distinct(values: Array) -> Array:
-    """0, the values and 1 in order, those within `SAME_LINE` of the one before left out."""
+    """0, the values and 1 in order, without those within `SAME_LINE` of the one before."""
     inner = np.unique(values[(values > SAME_LINE) & (values < 1.0 - SAME_LINE)])
     apart = inner[np.diff(inner, prepend=0.0) > SAME_LINE]
     return np.concatenate([[0.0], apart, [1.0]])

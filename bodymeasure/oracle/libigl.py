@@ -8,7 +8,7 @@ import numpy as np
 from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError, MissingExtraError
 
-# libigl adds some hundred lengths in double precision.
+# The relative rounding error, since libigl adds some hundred lengths in double precision.
 ROUND_OFF = 1e-9
 
 

@@ -1,4 +1,4 @@
-"""What a mesh must be before libigl sees it."""
+"""The check of a mesh before libigl sees it."""
 
 from functools import lru_cache
 
@@ -10,8 +10,9 @@ from scipy.sparse.csgraph import connected_components
 from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
 
-# Twice a face's area relative to its longest edge squared. Coordinates are rounded to 1e-16 of the
-# mesh's size, which is up to 1e3 of the face's: below this the face's height is nothing but that.
+# The least that twice a face's area may be, relative to the square of its longest edge. Coordinates
+# are rounded to 1e-16 of the mesh's size, which is up to 1e3 times that of a face; below this, a
+# face's height is nothing but rounding.
 DEGENERATE_AREA = 1e-12
 
 
@@ -80,7 +81,7 @@ def _check_faces(vertices: Array, faces: Ints) -> None:
 
 @lru_cache(maxsize=64)
 def _check_topology(faces: bytes) -> None:
-    """Edges, fans and pieces; remembered, since the meshes of many patches have the same faces."""
+    """Check edges, fans and pieces; cached, since the meshes of many patches share their faces."""
     corners = np.frombuffer(faces, dtype=np.int64).reshape(-1, 3)
     _check_connection(corners, _check_edges(corners))
 
@@ -142,7 +143,7 @@ def _check_connection(faces: Ints, pairs: Ints) -> None:
     if pieces > 1:
         lone = int(np.flatnonzero(piece != piece[0])[0])
         raise InputError(
-            f"the mesh falls into {pieces} pieces: no way leads from face 0 to face {lone}; "
+            f"the mesh falls into {pieces} pieces: no path leads from face 0 to face {lone}; "
             "pass one piece"
         )
 

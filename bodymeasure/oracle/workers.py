@@ -1,4 +1,4 @@
-"""Work shared out to processes, since libigl holds the interpreter lock."""
+"""Work in several processes, since libigl holds the interpreter lock."""
 
 import multiprocessing
 import multiprocessing.resource_tracker
@@ -45,14 +45,14 @@ def map_in_processes(
     function : callable
         Importable by name: it is sent to fresh interpreters.
     items : sequence
-        Each is sent on its own: of some tenths of a second, so that few are lost at an interrupt.
+        Each is sent on its own, and should take some tenths of a second.
     processes : int
         How many workers; 1 calls the function here.
     progress : callable, optional
         Called here with the number of finished items, each time one is finished.
     apart : bool
-        Whether a single worker is started too, instead of calling the function here. Workers have
-        one thread each; with more, sums may be rounded otherwise.
+        Whether even a single worker is started, instead of calling the function here. Workers have
+        one thread each; with more threads, sums may be rounded differently.
 
     Returns
     -------
@@ -112,7 +112,7 @@ def _deaf_to_interrupts() -> Iterator[None]:
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
-    # Its start would clear the mask.
+    # If the tracker were started later, that would clear the mask.
     multiprocessing.resource_tracker.ensure_running()
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:

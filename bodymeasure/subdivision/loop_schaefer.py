@@ -67,7 +67,7 @@ def loop_schaefer(mesh: PolygonMesh) -> PatchNets:
     surface fades out; its end lies on the limit surface.
     """
     if (mesh.sizes != 4).any():
-        raise InputError("a face is no quad; expected four corners each")
+        raise InputError("a face is no quad; expected four corners in each")
     quads = mesh.corners.reshape(-1, 4)
     inner = _inner_points(mesh)
     edge_points = _edge_points(mesh, inner)
@@ -129,7 +129,7 @@ def _edge_points(mesh: PolygonMesh, inner: Array) -> Array:
     at = np.concatenate([number + ~upwards, number + upwards])
     beside = np.concatenate([inner, inner[mesh.following]])
     smooth = sum_at(at, beside, 2 * len(mesh.ends)) / np.repeat(mesh.sides, 2)[:, None]
-    # On sharp edges, of the cubic B-spline curve.
+    # On sharp edges, the points are those of the cubic B-spline curve.
     own = mesh.vertices[mesh.ends].reshape(-1, 3)
     other = mesh.vertices[mesh.ends[:, ::-1]].reshape(-1, 3)
     follows = (

@@ -30,7 +30,7 @@ class PolygonMesh:
     creases : ndarray of int, shape (creases, 2)
         Ends of edges that stay sharp.
     face_names : sequence of str, optional
-        What errors call the faces.
+        The names of the faces in errors.
     tagged : sequence of int
         Vertices that are corners by themselves.
     rounded : bool

@@ -79,7 +79,7 @@ def test_two_fans_within_one_piece() -> None:
 def test_two_pieces() -> None:
     # Between them libigl returns zero without a warning.
     vertices = np.vstack([PYRAMID, PYRAMID + np.array([3, 0, 0])])
-    refuse(vertices, np.vstack([ROOF, ROOF + 5]), "2 pieces: no way leads from face 0 to face 4")
+    refuse(vertices, np.vstack([ROOF, ROOF + 5]), "2 pieces: no path leads from face 0 to face 4")
 
 
 def test_shapes_and_types() -> None:

@@ -29,7 +29,7 @@ _CORNER_SIDES = ((0, 2), (1, 2), (0, 3), (1, 3))
 
 @dataclass(frozen=True)
 class Degeneracy:
-    """What collapses in each patch.
+    """The corners and sides that collapse in each patch.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ class Degeneracy:
 
 
 def collapsed_sides(control_points: Array) -> Bools:
-    """Which sides, in the order of `EDGES`, are a point beside their patch, shape (patches, 4)."""
+    """Return which sides, in the order of `EDGES`, are points beside their patch (patches, 4)."""
     extent = np.linalg.norm(np.ptp(sides_of(control_points), axis=2), axis=-1)
     return np.asarray(extent <= SAME_PLACE * patch_sizes(control_points)[:, None])
 

@@ -1,11 +1,11 @@
-"""What a check of an atlas finds."""
+"""The findings of the check of an atlas."""
 
 from dataclasses import dataclass
 from enum import StrEnum
 
 
 class Severity(StrEnum):
-    """Whether a finding spoils measurements or only deserves a look."""
+    """The weight of a finding: it spoils measurements, or only deserves a look."""
 
     ERROR = "error"
     WARNING = "warning"

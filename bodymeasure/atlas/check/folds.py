@@ -60,7 +60,7 @@ def fold_findings(atlas: Atlas, normals: Array, degeneracy: Degeneracy) -> list[
 
 
 def _regular(coefficients: Array) -> Bools:
-    """Whether all coefficients of each cell lie in a cone round their mean, clear of zero."""
+    """Return which cells have all coefficients in a cone round their mean, clear of zero."""
     mean = coefficients.mean(axis=(-3, -2))
     length = np.linalg.norm(mean, axis=-1, keepdims=True)
     direction = mean / np.where(length > 0.0, length, 1.0)

@@ -1,4 +1,4 @@
-"""How a body stands in its coordinates, by its landmarks and those of an average body."""
+"""The posture of a body in its coordinates, by its landmarks and those of an average body."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -43,7 +43,7 @@ _GAIN = 0.02
 
 
 class Posture(NamedTuple):
-    """How a body stands.
+    """The posture of a body.
 
     Parameters
     ----------

@@ -165,7 +165,7 @@ def _spacing(nets: Array) -> float:
 
 
 def _local_minima(values: Array) -> Bools:
-    """Where no neighbor on the grid of the last two axes is lower, shape as `values`."""
+    """Return where no neighbor on the grid of the last two axes is lower, shape as `values`."""
     padded = np.pad(values, [(0, 0), (1, 1), (1, 1)], constant_values=np.inf)
     count = values.shape[-1]
     result = np.ones(values.shape, dtype=np.bool_)

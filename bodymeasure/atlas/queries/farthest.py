@@ -1,4 +1,4 @@
-"""How far patches reach in a direction, and the points that lie farthest."""
+"""The extent of patches in a direction, and the points that lie farthest."""
 
 from typing import NamedTuple
 

@@ -175,7 +175,7 @@ def far_words(
 
 
 def _unit_hint(atlas: Atlas, position: Array, unit: Unit, limit: float) -> str:
-    """What to check about a position that is too far from the atlas."""
+    """Return advice on a position that is too far from the atlas."""
     others = [other for other in Unit if other is not unit]
     scales = np.array([other.meters / atlas.unit.meters for other in others])
     _, distances = closest_points(atlas, position * scales[:, None])

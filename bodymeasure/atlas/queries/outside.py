@@ -1,4 +1,4 @@
-"""On which side of its patches the outside of a body lies."""
+"""The side of its patches on which the outside of a body lies."""
 
 from typing import Literal
 

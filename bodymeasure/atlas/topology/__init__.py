@@ -1,1 +1,1 @@
-"""How the patches of an atlas meet at their edges and corners."""
+"""The edges and corners at which the patches of an atlas meet."""

@@ -1,4 +1,4 @@
-"""How joined patches meet: how many on an edge, facing which way, at what angle."""
+"""The joints of patches: their number on each edge, the sides that they face, and their angles."""
 
 from typing import NamedTuple
 

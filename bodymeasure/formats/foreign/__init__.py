@@ -1,1 +1,1 @@
-"""Formats that other libraries read, each in a process of its own."""
+"""Formats that other libraries read, each file in a process of its own."""

@@ -13,7 +13,7 @@ from bodymeasure.errors import MissingExtraError
 from bodymeasure.formats.foreign.process import Reader, surfaces_of_file
 from bodymeasure.formats.patches import ReadPatches
 
-# Seconds, of which it needs one or two to start.
+# The time limit in seconds; Open CASCADE needs one or two to start.
 LONGEST = 60.0
 
 

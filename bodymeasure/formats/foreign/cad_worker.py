@@ -8,9 +8,10 @@ import numpy as np
 
 from bodymeasure._typing import Array
 
-# Part of a face's range in u or v: edges that run so close to its border bound all of it.
+# Edges that run this close to the border of a face's range in u or v, as a part of the range, bound
+# all of it.
 ON_BORDER = 1e-6
-# Points along an edge at which its distance to the border is taken.
+# The number of points along an edge at which its distance to the border is taken.
 ALONG = 9
 
 
@@ -18,7 +19,7 @@ def main(file: str, result: str) -> int:
     """Read all faces of a file and save their B-spline surfaces; 1 if it cannot be read."""
     from OCP.Message import Message
 
-    # It would print what it thinks of the file.
+    # Without this, Open CASCADE prints its remarks on the file.
     _static(Message, "DefaultMessenger")().ChangePrinters().Clear()
     shape = _shape(file)
     if shape is None:

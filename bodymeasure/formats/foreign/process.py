@@ -1,4 +1,4 @@
-"""Files that a library of others reads, in a process of its own, which a broken file may end."""
+"""Read a file by another library, in a process of its own, which a broken file may crash."""
 
 import json
 import subprocess
@@ -16,14 +16,14 @@ from bodymeasure.errors import InputError
 from bodymeasure.formats.patches import ReadPatches
 from bodymeasure.formats.spline_patches import notes_of_refused, spline_patches
 
-# A broken file may keep its reader busy for ever; a sound one of so many bytes, for some seconds.
+# Bytes that a reader gets through in some seconds. A broken file may keep it busy forever.
 CHUNK = 2_000_000
 # Reasons that an error quotes why a file has no surface; it counts the others.
 _QUOTED = 3
 
 
 class Reader(NamedTuple):
-    """What reads a file.
+    """A script that reads one kind of file by another library.
 
     Parameters
     ----------
@@ -35,9 +35,9 @@ class Reader(NamedTuple):
     kind, title : str
         Extension of the files, and what they are called.
     library : str
-        What errors call it.
+        The name of the library in errors.
     longest : float
-        Seconds that it may take, and as many more for each `CHUNK` bytes.
+        The seconds that it may take, and as many more for each `CHUNK` bytes.
     """
 
     script: str
@@ -48,7 +48,7 @@ class Reader(NamedTuple):
 
 
 def surfaces_of_file(content: bytes, source: str, reader: Reader) -> tuple[str, ReadPatches]:
-    """The unit that a file says, and its surfaces cut into patches.
+    """Return the unit that a file states, and its surfaces cut into patches.
 
     Raises
     ------

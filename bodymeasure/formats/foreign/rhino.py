@@ -19,7 +19,7 @@ UNITS = {
     "Meters": Unit.M,
     "Inches": Unit.INCH,
 }
-# What a file says that says no unit.
+# What stands in place of the unit in a file that has none.
 NO_UNIT = ("None", "Unset")
 READER = Reader("rhino_worker.py", "3dm", "3dm", "rhino3dm", 60.0)
 

@@ -69,7 +69,7 @@ def seen_objects(file: Any) -> tuple[list[Placed], list[str]]:
 
 
 def called(number: int, item: Any) -> str:
-    """How a message calls an object."""
+    """Return the words by which a message names an object."""
     name = item.Attributes.Name
     return f"object {number}" + (f" ({name!r})" if name else "")
 
@@ -122,7 +122,7 @@ def _matrix(transform: Any) -> Array:
 
 
 def _why_hidden(file: Any, attributes: Any) -> str | None:
-    """What a note adds to the name of a hidden object; None if it is seen."""
+    """Return what a note adds to the name of a hidden object; None if it is seen."""
     if not attributes.Visible or attributes.Mode.name == "Hidden":
         return " is hidden"
     index, layers = attributes.LayerIndex, file.Layers

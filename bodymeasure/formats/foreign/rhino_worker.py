@@ -9,14 +9,14 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.formats.foreign.rhino_objects import UNMOVED, called, seen_objects
 
-# Bytes. A file of some kilobytes with one wrong byte may ask for many times what there is.
+# The limit in bytes: a file with one wrong byte may ask for more memory than the machine has.
 MEMORY = 4 * 2**30
 # Points along an edge at which it is compared with the sides of its face's surface.
 ALONG = 5
 # Segments of a surface's sides for that; their sag on a half circle is 1e-4 of its radius.
 SEGMENTS = 256
-# Part of a surface's size: if its edges run so close to its sides, the face is not trimmed. Rhino's
-# own edges follow within 1e-5 or so.
+# A face whose edges run this close to its surface's sides, as a part of the surface's size, is not
+# trimmed. Rhino's own edges follow the sides within 1e-5 or so.
 ON_SIDE = 1e-3
 
 

@@ -20,7 +20,7 @@ MEANINGFUL = frozenset(
     {"cstype", "deg", "bmat", "step", "f", "fo", "curv", "curv2", "surf", "parm", "trim", "hole"}
     | {"scrv", "end", "g", "o", "t", "bzp", "bsp", "cdc", "cdp", "res", "call", "csh"}
 )
-# Statements whose words are a name, in which # begins no remark.
+# Statements whose words are a name, in which # does not begin a remark.
 NAMES = frozenset({b"o", b"g"})
 # Lines that are no statement and that a note quotes; it counts the others.
 _QUOTED_LINES = 4
@@ -140,7 +140,7 @@ def _check_unknown(
 
 
 def _left_out(unknown: list[tuple[int, list[bytes]]]) -> str:
-    """What a user is told about lines that are no statements."""
+    """The note on lines that are no statements."""
     listed = ", ".join(
         f"line {line} ({quoted(words[0])})" for line, words in unknown[:_QUOTED_LINES]
     )
@@ -169,7 +169,7 @@ def vertices(content: bytes, source: str) -> Array:
 
 
 def _vertices(words: Words, source: str) -> tuple[Array, Array]:
-    """Points, and weights: 1 where none is given."""
+    """Points and weights; a weight is 1 where none is given."""
     ends = np.array(words.ends, dtype=np.int64)
     widths = np.diff(ends, prepend=0)
     wrong = np.flatnonzero(~np.isin(widths, _VERTEX_WORDS))

@@ -33,16 +33,16 @@ from bodymeasure.formats.spline_patches import (
 )
 from bodymeasure.formats.text import few_numbers, quoted, whole_number, written
 
-# Elements with a body; curves are passed over.
+# Elements with a body; curves are left out.
 ELEMENTS = frozenset({"surf", "curv", "curv2"})
 # Statements that belong to a surface's body and change its shape.
 TRIMMING = frozenset({"trim", "hole", "scrv"})
-# Statements for which the format has others by now, and those that refer to other files.
+# Statements that the format has replaced by others, and those that refer to other files.
 REFUSED = frozenset({"bmat", "step", "bzp", "bsp", "cdc", "cdp", "res", "call", "csh"})
 
 
 class _Surface(NamedTuple):
-    """A `surf` statement, what held when it came, and its parameters in u and v."""
+    """A `surf` statement, the settings that hold for it, and its parameters in u and v."""
 
     statement: Statement
     labels: Labels

@@ -27,7 +27,7 @@ _READ = "crease, corner, hole and interpolateboundary"
 
 
 class Tags(NamedTuple):
-    """What the tags of a file say, with vertices and faces from 0.
+    """The content of the tags of a file, with vertices and faces from 0.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ def read_tags(statements: list[Statement], vertices: int, faces: int, source: st
 
 
 def hole_faces(tags: Tags, mesh: PolygonMesh) -> Bools:
-    """Which faces of a mesh carry no surface, shape (faces,).
+    """Return which faces of a mesh carry no surface, shape (faces,).
 
     If the boundary is not interpolated, these are also the faces that have a vertex at which an
     edge of the boundary is no crease.
@@ -127,7 +127,7 @@ def _corners(statement: Statement, vertices: int, place: str) -> list[int]:
 
 
 def _is_sharp(word: bytes, what: str, place: str) -> bool:
-    """Whether a sharpness is infinite rather than none."""
+    """Return whether a sharpness is infinite rather than none."""
     sharpness = few_numbers([word], place)[0]
     if 0.0 < sharpness < SHARP:
         raise InputError(
@@ -146,7 +146,7 @@ def _integers(statement: Statement, expected: str, place: str) -> list[int]:
 
 
 def _counts(statement: Statement, expected: str, place: str) -> list[int]:
-    """How many integers, floats and strings a tag says that it has, and has."""
+    """Return how many integers, floats and strings a tag announces, and how many it has."""
     parts = b"".join(statement.words[1:2]).split(b"/")
     counts = [whole_number(part, expected, place) for part in parts]
     if len(counts) != 3 or min(counts) < 0 or sum(counts) != len(statement.words) - 2:

@@ -64,8 +64,8 @@ def accuracy_bars(chosen: ReadingResult, table_5_error: float) -> Table:
             Column("met", "Reached", "text"),
         ),
         rows,
-        f"Table 4 is that of reading “{chosen.reading.name}” with the solution inside the "
-        "patch; it is to be of the order of the paper's mean.",
+        f"Table 4 is taken from the reading “{chosen.reading.name}” with the solution inside the "
+        "patch; its means should be of the order of the paper's.",
     )
 
 
@@ -113,12 +113,12 @@ def speed_bars(tables: Sequence[Table]) -> Table:
         "Speed",
         columns,
         rows,
-        f"It was to be {THAN_PAPER:,.0f} times as fast as the paper's Ritz, which took "
-        f"{published.SECONDS_BY_RITZ} s on a computer of 2007, and {THAN_TWO:.0f} times as "
-        "our own two functions with all solutions. As accurate: median error and that of 90 % "
-        "of the patches no larger than our Ritz's. Time is of all patches; those that are not "
-        "solved would be left to the search for paths along edges, which is slower by far and "
-        "is not timed here.",
+        f"The aim was to be {THAN_PAPER:,.0f} times as fast as the paper's Ritz, which took "
+        f"{published.SECONDS_BY_RITZ} s on a computer of 2007, and {THAN_TWO:.0f} times as fast "
+        "as our own two functions with all solutions. A method is as accurate as Ritz if its "
+        "median error and its error on 90 % of the patches are no larger than those of our Ritz. "
+        "The time is that of all patches; those that are not solved would be left to the search "
+        "for paths along edges, which is slower by far and is not timed here.",
     )
 
 

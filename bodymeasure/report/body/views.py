@@ -158,9 +158,9 @@ def summary_sentences(document: ChartDocument) -> list[str]:
     total, missing = len(document.measurements), unmeasured(document)
     words = document.definitions_words.rstrip(".")
     sentences = [
-        f"{counted(total, 'measurement')} of the set “{document.definitions}”"
-        f"{f' ({words})' if words else ''}. All lengths are in {UNIT_NAMES[document.unit]}, along "
-        "the smooth surface of the body.",
+        f"The set “{document.definitions}” has {counted(total, 'measurement')}"
+        f"{f' ({words[:1].lower()}{words[1:]})' if words else ''}. Lengths are in "
+        f"{UNIT_NAMES[document.unit]}, and are taken on the smooth surface of the body.",
     ]
     if missing:
         kinds = "; ".join(

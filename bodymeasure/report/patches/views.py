@@ -167,7 +167,7 @@ def _checked(document: Document) -> list[str]:
         return ["The cross-check could not compare any diagonal."]
     sentences = [
         "Each length was checked against the shortest path on fine triangle meshes of the same "
-        f"patch, which independent software found: of {compared} compared, "
+        f"patch, which independent software found: of the {compared} that were compared, "
         + (
             f"{agrees} agree with it and {disagrees} do not; see “Worst cases”."
             if disagrees
@@ -176,8 +176,8 @@ def _checked(document: Document) -> list[str]:
     ]
     median = summary.difference.median
     sentences.append(
-        f"Half of the lengths differ from the check by {at_most(median, document.unit)}, all by "
-        f"{at_most(summary.difference.maximum, document.unit)}. In proportion to its length, "
+        f"Half of the lengths differ from the check by {at_most(median, document.unit)}, and all "
+        f"by {at_most(summary.difference.maximum, document.unit)}. In proportion to its length, "
         f"{summary.worst} differs most: by {scientific(summary.relative_difference.maximum)} "
         "of its length."
     )
@@ -189,8 +189,8 @@ def _precision(document: Document) -> str:
     if not spread.count:
         return "No length has an error estimate."
     return (
-        "By their own estimates the measured lengths are in error by "
-        f"at most {scientific(spread.maximum)} {document.unit}, half of them by at most "
+        "By their own estimates the measured lengths are in error by at most "
+        f"{scientific(spread.maximum)} {document.unit}, and half of them by at most "
         f"{scientific(spread.median)} {document.unit}. This is the error of the computation on "
         "this body's surface; it does not include that of the scan or the model from which the "
         "body was made."
