@@ -16,9 +16,9 @@ WINDOW_SIZE = (1000, 1100)
 INK = (0.15, 0.16, 0.17)
 TEXT_SIZE = 10
 TEXT_COLUMNS = 60
-# How near to a thing a click must be, as a fraction of the window's diagonal.
+# The distance within which a click picks a thing, as a fraction of the window's diagonal.
 PICK_TOLERANCE = 0.003
-# How surfaces and tubes are lit: as in the pictures.
+# Surfaces and tubes are lit as in the pictures.
 LIT: Mapping[str, Any] = {"smooth_shading": True, "ambient": AMBIENT, "diffuse": DIFFUSE}
 TURNS = "F1 front  F2 back  F3 left  F4 right    q: close"
 
@@ -33,7 +33,7 @@ class BodyWindow:
     off_screen : bool
         Whether nothing is to appear on a display.
     owners : mapping of str to ndarray
-        Arrays over the triangles of the surface, by name, that say what is picked there.
+        Arrays over the triangles of the surface, by name, which identify what is picked there.
 
     Attributes
     ----------
@@ -107,13 +107,13 @@ class BodyWindow:
         )
 
     def listen(self, help_text: str, keys: Mapping[str, Callable[[], object]]) -> None:
-        """On a display, let keys and clicks act, and name the keys in a line at the bottom.
+        """Let keys and clicks act if there is a display, and name the keys in a line at the bottom.
 
         Parameters
         ----------
         help_text : str
         keys : mapping of str to callable
-            What each key does, beside F1 to F4, which turn to the four sides.
+            The action of each key, beside F1 to F4, which turn to the four sides.
         """
         plotter = self.plotter
         if plotter.off_screen:

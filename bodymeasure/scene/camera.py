@@ -16,7 +16,8 @@ MARGIN = 0.02
 CLOSEUP_MARGIN = 0.18
 # A patch is seen from above if its picture would hold less than this of the upward direction.
 LYING = 0.2
-# How far surroundings may rise above a patch, as a fraction of its picture; the rest is cut away.
+# The height that surroundings may have above a patch, as a fraction of its picture; what is higher
+# is cut away.
 CUT_MARGIN = 0.1
 
 

@@ -12,7 +12,7 @@ CELLS = 16
 
 
 def intersects_itself(control_points: Array) -> bool:
-    """Return whether two triangles of a patch's mesh meet that have no common corner.
+    """Return whether two triangles of a patch's mesh that have no common corner meet.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def _near_pairs(triangles: Array, faces: Ints) -> tuple[Ints, Ints]:
 
 
 def _pierced(triangles: Array, others: Array) -> Bools:
-    """Return through which triangles (k, 3, 3) an edge of the other one goes."""
+    """Return which triangles (k, 3, 3) are pierced by an edge of their partners."""
     a, b, c = triangles.swapaxes(0, 1)
     result = np.zeros(len(triangles), bool)
     for i in range(3):

@@ -106,7 +106,7 @@ CHOICES = (
         "Here they are the shortest paths on the surface itself, between the points nearest to "
         "the corners of the patch.",
     ),
-    ("Time", "It is the processor time of one patch by itself; the paper has the clock's."),
+    ("Time", "It is the processor time of one patch by itself; the paper gives elapsed time."),
     ("The testing data", "They are described by the readings of section 6.1."),
 )
 SHARE = Column("share", "Share", "share")

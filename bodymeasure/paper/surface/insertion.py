@@ -5,8 +5,8 @@ import numpy as np
 from bodymeasure._typing import Array, Ints
 from bodymeasure.oracle.libigl import closest_on_mesh
 
-# Nearer to a vertex or an edge than this part of a face's height, no thin face is made, which would
-# try libigl's tolerances. Nothing is lost by it: it is the mesh that is moved to the point.
+# A point that is nearer to a vertex or an edge than this part of a face's height makes no thin face,
+# which libigl might not measure. Nothing is lost, since the mesh is moved to the point.
 NEAR = 0.05
 
 
@@ -38,7 +38,7 @@ def insert_point(vertices: Array, faces: Ints, point: Array) -> tuple[Array, Int
         vertices = vertices.copy()
         vertices[number] = point
         return vertices, faces, number
-    # All faces are split that have the corners between which the point lies.
+    # Every face that has the corners between which the point lies is split.
     corners = face[far]
     split = np.isin(faces, corners).sum(axis=1) == len(corners)
     number = len(vertices)

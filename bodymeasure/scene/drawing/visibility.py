@@ -13,8 +13,8 @@ from bodymeasure.scene.model import Surface
 # Height in pixels of the depth buffer that visibility is read from; on a mannequin, a pixel is
 # 2 mm.
 PIXELS = 700
-# How many pixels a point may lie behind the surface in its pixel and still count as seen: it lies
-# on that surface, which slopes inside the pixel.
+# The number of pixels that a point may lie behind the surface in its pixel and still count as seen:
+# it lies on that surface, which slopes inside the pixel.
 SLOPE = 2.5
 # A tape counts as hidden where the cosine between the surface's normal and the line of sight is
 # less than this: it is about to go round the side.

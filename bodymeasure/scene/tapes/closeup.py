@@ -1,5 +1,6 @@
 """One measurement from near: its tapes, its landmarks by name, its number in the corner."""
 
+import textwrap
 from collections.abc import Sequence
 
 import numpy as np
@@ -12,7 +13,7 @@ from bodymeasure.scene.model import Label, TapeLine, TapeScene
 from bodymeasure.scene.tapes.camera import closeup_view
 from bodymeasure.scene.tapes.label_layout import Columns, place_labels
 from bodymeasure.scene.tapes.mesh import COLORS, forward, tape_mesh
-from bodymeasure.scene.tapes.text import column_texts, leaders, wrapped
+from bodymeasure.scene.tapes.text import column_texts, leaders
 
 SIZE = (600, 500)
 NUMBER_PIXELS = 36
@@ -62,7 +63,7 @@ def _names(landmarks: Sequence[Label], view: View) -> tuple[list[Lines], list[Te
     if len(inside) == 0:
         return [], []
     places = places[inside]
-    names = [wrapped(landmarks[number].text, NAME_COLUMNS) for number in inside.tolist()]
+    names = [textwrap.fill(landmarks[number].text, NAME_COLUMNS) for number in inside.tolist()]
     rows = max(name.count("\n") + 1 for name in names)
     height = 1.2 * rows * NAME_PIXELS
     columns = Columns(NAME_ROOM, SIZE[0] - NAME_ROOM, 1.4 * NUMBER_PIXELS, SIZE[1], height)

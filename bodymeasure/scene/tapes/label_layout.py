@@ -136,7 +136,7 @@ def _uncrossed(anchors: Array, edge: float, places: Array) -> Array:
     """Exchange the places (n,) of anchors (n, 2) until no two leaders cross."""
     y = places.copy()
     while True:
-        # On which side of leader i the ends of leader j lie, at the column and at the anchor.
+        # The side of leader i on which the ends of leader j lie, at the column and at the anchor.
         along = anchors - np.stack([np.full(len(y), edge), y], axis=1)
         place = y[None, :] - y[:, None]
         anchor = anchors[None, :] - anchors[:, None]

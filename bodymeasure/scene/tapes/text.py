@@ -1,6 +1,5 @@
 """Numbers, names and leaders over pictures of tapes."""
 
-import textwrap
 from collections.abc import Sequence
 
 import numpy as np
@@ -41,8 +40,3 @@ def column_texts(texts: Sequence[str], layout: Layout, columns: Columns, size: f
         else Text(columns.left - gap, y, text, size, horizontal="right")
         for text, on_right, y in zip(texts, layout.on_right, layout.y, strict=True)
     ]
-
-
-def wrapped(name: str, columns: int) -> str:
-    """Break a name into lines of at most so many letters."""
-    return "\n".join(textwrap.wrap(name, columns))
