@@ -8,7 +8,7 @@ from bodymeasure.atlas.components import connected_components
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.mesh.arrays import TriangleMesh, face_spheres, part_of
 
-# Room for rounding in what a shortest path can reach.
+# The room for rounding in the bound on what a shortest path can reach.
 ROOM = 1e-9
 
 
@@ -62,7 +62,7 @@ def exact_path(mesh: TriangleMesh, source: int, target: int) -> Array:
 
 
 def _along_edges(mesh: TriangleMesh, source: int, target: int) -> float:
-    """Return the length of the shortest way along edges; infinite if there is none."""
+    """Return the length of the shortest path along edges; infinite if there is none."""
     first, last = mesh.faces.ravel(), np.roll(mesh.faces, -1, axis=1).ravel()
     count = len(mesh.vertices)
     low, high = np.minimum(first, last), np.maximum(first, last)

@@ -22,15 +22,15 @@ from bodymeasure.oracle.libigl import closest_on_mesh
 MeshPlace = int | Array
 """A vertex by its number, or a position of shape (3,) on or near the mesh."""
 
-# Lengths over meshes approach the surface's by the square of the triangles' size: what halving
-# them changes is three quarters of what is missing.
+# Lengths over meshes converge to the surface's with the square of the triangles' size, so that
+# halving the triangles changes them by three quarters of the error.
 MISSING = 4.0 / 3.0
 # Factor for meshes whose triangles are of many sizes and shapes.
 SAFETY = 3.0
 # An arc of a circle whose sag is s times its chord is longer than that by 8/3 s^2.
 ARC = 8.0 / 3.0
-# How far from a path the path over curved triangles is looked for: as a part of its length, and in
-# edges of the mesh. It is the same path, a little displaced.
+# The distances from a path within which the path over curved triangles is sought, as a part of its
+# length and in edges of the mesh. It is the same path, slightly displaced.
 ASIDE = 0.05
 RINGS = 3.0
 
@@ -45,7 +45,7 @@ def measure_mesh(
 ) -> MeshPath:
     """Find the shortest path over a triangle mesh, and estimate what the mesh's coarseness costs.
 
-    It measures the mesh, not a smooth surface: for that, `geodesic_between` wants an atlas.
+    It measures the mesh, not a smooth surface: for that, use `geodesic_between` on an atlas.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ def measure_mesh(
     Raises
     ------
     InputError
-        If the mesh is no oriented manifold of triangles (the message names the face or edge), a
+        If the mesh is not an oriented manifold of triangles (the message names the face or edge), a
         place is not on it, or no edges join two.
     MissingExtraError
         If pygeodesic or libigl is not installed.

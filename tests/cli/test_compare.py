@@ -98,7 +98,7 @@ def test_the_differences_are_written(
         (("chart.json", "gone.csv"), "gone.csv: no such file"),
         (
             ("chart.json", "hand.csv", "-o", "out.xml"),
-            "give a name that ends in .csv, .json, .html",
+            "expected a name that ends in one of .csv, .json, .html",
         ),
         (("chart.json", "hand.csv", "-o", "no/out.csv"), "cannot be written"),
         (("chart.json", "wrong.csv"), "no measurement is named 'bust grith'; did you mean"),

@@ -11,13 +11,15 @@ from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.seams import edge_table, sides_of
 from bodymeasure.bezier import bernstein, project
 
-# Part of the shorter edge's length, and of the patches' width across it: two free edges that run so
-# close were meant to be one seam (9 mm at an edge of 9 cm). The width distinguishes the two long
-# sides of a narrow strip, which are as far apart as the strip is wide, from two sides of a seam.
+# Two free edges were meant to be one seam if they run this close together, as a part of the shorter
+# edge's length and of the patches' width across it (9 mm at an edge of 9 cm). The width
+# distinguishes the two long sides of a narrow strip, which are as far apart as the strip is wide,
+# from two sides of a seam.
 NEAR = 0.1
-# Part of an edge's length: an end that is meant to touch the edge lies far closer to it.
+# An end touches an edge if it lies this close to it, as a part of the edge's length; an end that is
+# meant to touch lies far closer.
 TOUCHES = 0.01
-# Points along an edge at which two are compared: cubics that agree at four agree everywhere, and
+# The parameters at which two edges are compared: cubics that agree at four agree everywhere, and
 # curves of higher degrees nearly so.
 _ALONG = np.linspace(0.0, 1.0, 9)
 # Segments of an edge when a point's distance to it is taken; on a quarter circle their error is
@@ -25,9 +27,9 @@ _ALONG = np.linspace(0.0, 1.0, 9)
 _SEGMENTS = 32
 # Segments of a rational edge that is compared, whose points may crowd at one end.
 _FINE = 512
-# Pairs whose distance is taken at once, which bounds the memory where many edges crowd together.
+# The number of pairs whose distance is taken at once, which bounds the memory where edges crowd.
 _BLOCK = 10_000
-# Free edges whose middles lie next to a given one's; more than this at one place is no atlas.
+# The number of free edges that are considered near each one; no atlas has more at one place.
 _NEIGHBORS = 8
 
 

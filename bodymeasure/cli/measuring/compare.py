@@ -129,7 +129,9 @@ def _writer(output: Path | None) -> "Callable[[Comparison], bytes]":
     if output is not None:
         suffix = output.suffix.lower()
         if suffix not in WRITTEN_SUFFIXES:
-            raise InputError(f"{output}: give a name that ends in {', '.join(WRITTEN_SUFFIXES)}")
+            raise InputError(
+                f"{output}: expected a name that ends in one of {', '.join(WRITTEN_SUFFIXES)}"
+            )
         if suffix == ".html":
             require(CHART_PAGE)
         require_writable(output)

@@ -5,8 +5,8 @@ import numpy as np
 from bodymeasure._typing import Array, Ints
 from bodymeasure.oracle.libigl import closest_on_mesh
 
-# A point that is nearer to a vertex or an edge than this part of a face's height makes no thin face,
-# which libigl might not measure. Nothing is lost, since the mesh is moved to the point.
+# A point that is closer to a vertex or an edge than this part of a face's height makes no thin
+# face, which libigl might not measure. Nothing is lost, since the mesh is moved to the point.
 NEAR = 0.05
 
 

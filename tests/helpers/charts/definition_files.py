@@ -1,4 +1,4 @@
-"""Texts of files of definitions, and what is said of them."""
+"""Texts of files of definitions, and the messages about them."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What every kind of measurement and every rule for landmarks has to have."""
+"""The checks that every kind of measurement and every rule for landmarks has to pass."""
 
 import ast
 import inspect

@@ -16,7 +16,7 @@ from bodymeasure.bezier import derivatives
 DEGREES = (28, 40)
 AGREEMENT = 1e-11
 STEPS = 30
-# A Newton step this small, in (u, v), is the last.
+# The size in (u, v) of a Newton step that is the last.
 SMALL_STEP = 1e-11
 HALVINGS = 12
 
