@@ -121,8 +121,10 @@ class Neighbors:
         return list(found.values())
 
     def are_same(self, place: AtlasPoint, other: AtlasPoint) -> bool:
-        """Return whether two places are the same point of the atlas."""
-        return self.key(other) in {self.key(same) for same in self.same(place)}
+        """Return whether two places are the same point of the atlas, as far as `DIGITS` tell."""
+        # Only a place that is exactly on a seam can be written on the other side of it.
+        first, second = (map(self.key, self.same(each)) for each in (place, other))
+        return self.key(other) in first or self.key(place) in second
 
     def ways(self, start: AtlasPoint, end: AtlasPoint) -> list[tuple[Step, ...]]:
         """Return the ways from one place to another that is the same point, the shortest first.

@@ -114,6 +114,15 @@ def test_points_apart_by_less_than_the_digits_of_a_seam_are_measured() -> None:
     assert path.length == pytest.approx(apart, rel=1e-3)
 
 
+@pytest.mark.parametrize("exponent", EXPONENTS)
+def test_the_way_to_a_corner_that_is_written_on_another_patch(exponent: float) -> None:
+    start, end = AtlasPoint(8, 0.0, beside(1.0, exponent)), AtlasPoint(15, 1.0, 0.0)
+    apart = np.linalg.norm(torus().position(start) - torus().position(end))
+    for ends in ((start, end), (end, start)):
+        path = bm.geodesic_between(torus(), *ends)
+        assert abs(path.length - apart) <= path.error_estimate + 1e-6 * apart
+
+
 def test_the_closest_point_to_a_seam_is_exactly_on_it(rng: np.random.Generator) -> None:
     body = bm.load_sample("female_average")
     places = [

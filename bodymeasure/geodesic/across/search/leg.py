@@ -1,5 +1,7 @@
 """Legs of paths over an atlas, each the geodesic between two points."""
 
+from itertools import product
+
 import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
@@ -56,17 +58,18 @@ def _standstill(
 ) -> AtlasPath:
     """A path that stays where it is, but for the last digits in which its ends may differ.
 
-    It is straight on the patch of its end.
+    It is straight, on a patch on which both can be written.
     """
-    here = min(
-        (place for place in neighbors.same(start) if neighbors.key(place) == neighbors.key(end)),
-        key=lambda place: max(abs(place.u - end.u), abs(place.v - end.v)),
+    places = product(neighbors.same(start), neighbors.same(end))
+    here, there = min(
+        (pair for pair in places if neighbors.key(pair[0]) == neighbors.key(pair[1])),
+        key=lambda pair: max(abs(pair[0].u - pair[1].u), abs(pair[0].v - pair[1].v)),
     )
-    chord = float(np.linalg.norm(atlas.position(end) - atlas.position(here)))
+    chord = float(np.linalg.norm(atlas.position(there) - atlas.position(here)))
     rounding = ROUNDING * float(np.abs(atlas.points).max())
     if chord <= rounding:
-        chord, rounding, here = 0.0, chord, end
-    values = np.array([here[1:], end[1:]]).T
+        chord, rounding, here, there = 0.0, chord, end, end
+    values = np.array([here[1:], there[1:]]).T
     length = Length(*map(np.asarray, (chord, 0.0, rounding, 0.0, 0, True)))
-    part = PathPart((PathPiece(end.patch, STANDSTILL, values, chord),), (), length)
+    part = PathPart((PathPiece(there.patch, STANDSTILL, values, chord),), (), length)
     return AtlasPath.of(atlas, (start, end), part, Status.CONVERGED)
