@@ -21,7 +21,7 @@ IN_CORNER = 1e-3
 SMOOTHED = 100.0
 # The factor by which its root is made smaller at a time, and where that ends: the parameters of
 # shorter pieces have hardly a digit.
-SHARPER, LEAST_EPSILON = 0.1, 1e-26
+SHARPER, LEAST_EPSILON = 0.01, 1e-26
 
 
 @dataclass(frozen=True, eq=False)
