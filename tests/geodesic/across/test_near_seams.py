@@ -17,7 +17,12 @@ from bodymeasure.atlas.queries.closest import closest_points
 # There are no wheels of it for the latest versions of Python.
 pytest.importorskip("pygeodesic")
 
-EXPONENTS = np.arange(-16.0, -5.0)
+# The quick tests take some of them, the slow ones the others.
+QUICK = (-16.0, -12.0, -9.0, -7.0)
+EXPONENTS = [
+    pytest.param(exponent, marks=() if exponent in QUICK else pytest.mark.slow)
+    for exponent in np.arange(-16.0, -5.0).tolist()
+]
 
 
 @cache
@@ -65,7 +70,7 @@ def test_a_hair_off_a_seam_is_as_far_as_the_seam(
         assert path.error_estimate <= 1.1 * there.error_estimate + 1e-9 * path.length
 
 
-@pytest.mark.parametrize("exponent", [-16.0, -13.0, -12.0, -11.0, -10.0, -9.0, -8.0, -7.0, -6.0])
+@pytest.mark.parametrize("exponent", EXPONENTS)
 @pytest.mark.parametrize("corner", [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)])
 def test_meridians_that_begin_a_hair_off_a_corner(
     corner: tuple[float, float], exponent: float
