@@ -140,7 +140,7 @@ def test_an_extreme_girth_at_the_end_of_its_stretch_says_so() -> None:
         key="a", name="a", start="low front", end="high front", extreme="largest"
     )
     found = chart_of(atlas, [inside])["a"]
-    # Of a cubic from 1 to 2 that starts level: 1 + v^3.
+    # The radius is a cubic from 1 to 2 that starts level: 1 + v^3.
     assert found.value == pytest.approx((1.0 + 0.75**3) * ring_length(), rel=1e-9)
     assert found.outcome is Outcome.MEASURED
     assert found.reason.startswith("The extreme is at the end of the stretch: a more extreme girth")

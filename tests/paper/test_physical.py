@@ -104,7 +104,7 @@ def test_where_no_corridor_holds_the_path_the_doubt_is_told() -> None:
 
 
 def test_a_corridor_is_one_piece_though_the_surface_comes_near_itself() -> None:
-    """Of two parallel sheets, joined far away, only the path's own belongs to its corridor."""
+    """The corridor of a path holds its own sheet, not a parallel one that is joined far away."""
     bend = np.concatenate([np.linspace(0, 4, 9), [4.4], np.linspace(4, 0, 9)])
     height = np.concatenate([np.zeros(9), [0.15], 0.3 * np.ones(9)])
     net = np.stack([np.tile(column[:, None], 9) for column in (bend, height)], axis=-1)

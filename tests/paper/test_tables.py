@@ -156,7 +156,7 @@ def test_the_nearest_reading_comes_first() -> None:
     table = rows(closest_table([far, near]))
     assert [row["reading"] for row in table] == ["grid 0.6", "grid 1"]
     assert table[0]["off"] == pytest.approx(abs(0.03 - published.MEAN_LOSS))
-    # Of 1, 1, 1.5 and 2, one lies among the paper's.
+    # One of 1, 1, 1.5 and 2 lies among the paper's.
     assert table[0]["in_range"] == 0.25
 
 

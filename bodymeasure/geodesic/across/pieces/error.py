@@ -120,7 +120,7 @@ def route_length(refined: RefinedPath) -> tuple[Length, LoopKind | None]:
 
 
 def _smoothing(refined: RefinedPath) -> Array:
-    """By how much what smooths the length may lengthen the path at each piece, shape (pieces,)."""
+    """Return the most that the smoothing of the length may add at each piece: (pieces,)."""
     lengths, epsilon = refined.lengths, refined.problem.epsilon
     moved = epsilon / np.maximum(lengths**2, epsilon)
     return np.asarray(np.where(refined.smoothed, 2.0 * lengths * moved**2, 0.0))
