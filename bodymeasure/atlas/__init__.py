@@ -6,6 +6,7 @@ from bodymeasure.atlas.check.check import check_atlas
 from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
 from bodymeasure.atlas.check.weld import weld
 from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.queries.closest import closest_point
 from bodymeasure.atlas.queries.locations import Location
 from bodymeasure.atlas.seams import EDGES, Edge, EdgeTable, edge_table, sides_of
 from bodymeasure.atlas.summary import AtlasSummary, summarize
@@ -29,6 +30,7 @@ __all__ = [
     "Tessellation",
     "Unit",
     "check_atlas",
+    "closest_point",
     "convert_length",
     "edge_table",
     "sides_of",

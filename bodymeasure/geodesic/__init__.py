@@ -6,6 +6,7 @@ from bodymeasure.geodesic.across.pieces.path import AtlasPath, SeamCrossing
 from bodymeasure.geodesic.alternatives import geodesic_alternatives
 from bodymeasure.geodesic.between import geodesic_between, geodesics_between
 from bodymeasure.geodesic.closed import ClosedPath, contracted_loop
+from bodymeasure.geodesic.directed import DirectedPath, geodesic_from
 from bodymeasure.geodesic.methods.polynomial_collocation import PolynomialCollocation
 from bodymeasure.geodesic.methods.rbf_collocation import RBFCollocation
 from bodymeasure.geodesic.methods.relaxation import Relaxation
@@ -29,6 +30,7 @@ __all__ = [
     "WU_C10",
     "AtlasPath",
     "ClosedPath",
+    "DirectedPath",
     "EdgeContact",
     "GeodesicSolution",
     "HasDerivatives",
@@ -52,6 +54,7 @@ __all__ = [
     "contracted_loop",
     "geodesic_alternatives",
     "geodesic_between",
+    "geodesic_from",
     "geodesics_between",
     "rbf_coefficients",
     "solve_geodesic",

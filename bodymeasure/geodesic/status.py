@@ -37,6 +37,10 @@ class Status(Enum):
         "The shortest path on the patch runs along its edge for a part; its length holds to the "
         "stated error. On a whole body, a shorter way may lead over the neighboring patch."
     )
+    ENDS_AT_BOUNDARY = (
+        "The geodesic reaches a boundary of the surface before it is as long as asked, and ends "
+        "there; its length is that of the way up to it."
+    )
     LEAVES_PATCH = (
         "The geodesic between these points leaves the patch, so its length is not a length on the "
         "patch; measure across the neighboring patches, or take the mesh distance."
@@ -63,7 +67,7 @@ class Status(Enum):
     @property
     def has_length(self) -> bool:
         """Whether there is a length that can be trusted."""
-        return self in (Status.CONVERGED, Status.ON_BOUNDARY)
+        return self in (Status.CONVERGED, Status.ON_BOUNDARY, Status.ENDS_AT_BOUNDARY)
 
     @property
     def sentence(self) -> str:

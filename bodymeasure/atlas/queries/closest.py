@@ -89,6 +89,44 @@ def closest_points(atlas: Atlas, positions: ArrayLike) -> tuple[tuple[AtlasPoint
     return tuple(points), distances
 
 
+def closest_point(atlas: Atlas, position: ArrayLike) -> tuple[AtlasPoint, float]:
+    """Return the point of the smooth atlas that is closest to a position, and its distance.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    position : array_like, shape (3,)
+        In the atlas's unit; it may be anywhere in space.
+
+    Returns
+    -------
+    point : AtlasPoint
+        A point on a seam is given on the patch with the lowest number.
+    distance : float
+        In the atlas's unit.
+
+    Raises
+    ------
+    InputError
+        If the position is not three finite numbers.
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> paraboloid = bm.load_sample("paraboloid")
+    >>> bm.closest_point(paraboloid, (0.0, 0.0, -2.0))
+    (AtlasPoint(patch=0, u=0.0, v=0.0), 2.0)
+    """
+    try:
+        given = np.asarray(position, dtype=np.float64)
+    except (TypeError, ValueError):
+        given = np.empty(0)
+    if given.shape != (3,) or not np.isfinite(given).all():
+        raise InputError(f"the position is {position!r}; expected three finite numbers")
+    points, distances = closest_points(atlas, given[None])
+    return points[0], float(distances[0])
+
+
 class _Search:
     """The samples of an atlas, which all searches for closest points share."""
 

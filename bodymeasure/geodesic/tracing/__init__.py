@@ -1,0 +1,1 @@
+"""Geodesics that are followed from a point in a direction, over seams and through poles."""
