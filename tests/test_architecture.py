@@ -11,7 +11,7 @@ from helpers.modules import FOLDERS, MODULES, ROOT, loaded_by
 
 # Each layer imports from those above it in this list, not from others of its own line.
 LAYERS = (
-    ("_typing", "errors", "wording"),
+    ("_typing", "errors", "threads", "wording"),
     ("files",),
     ("bezier", "subdivision"),
     ("atlas",),

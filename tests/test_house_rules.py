@@ -17,7 +17,7 @@ RESERVED = {
     "matplotlib": {"bench", "scene", "report", "viewer", "paper"},
     "potpourri3d": {"bench"},
     "pygeodesic": {"bench", "geodesic", "mesh"},
-    "threadpoolctl": {"bench"},
+    "threadpoolctl": {"bench", "threads"},
     "jinja2": {"report", "paper"},
     "click": {"cli"},
     "markdown_it": {"cli"},

@@ -9,6 +9,7 @@ from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.seams import EDGES, edge_table
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError, MissingExtraError
+from bodymeasure.threads import one_blas_thread
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
@@ -82,6 +83,7 @@ class Tessellation:
         )
 
 
+@one_blas_thread()
 def tessellate(atlas: Patches, segments: int) -> Tessellation:
     """Return a triangle mesh of the whole atlas, every patch edge cut into equal parameter steps.
 

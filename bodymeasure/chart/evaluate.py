@@ -16,11 +16,13 @@ from bodymeasure.chart.reading.read import load_definitions
 from bodymeasure.chart.sides import both_sides
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.measure import package_versions
+from bodymeasure.threads import one_blas_thread
 
 # Packages whose versions can change a number of a chart.
 PACKAGES = ("bodymeasure", "numpy", "scipy", "pygeodesic")
 
 
+@one_blas_thread()
 def measure_chart(
     atlas: Atlas,
     definitions: Definitions | None = None,

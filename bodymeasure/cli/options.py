@@ -40,7 +40,6 @@ CHART_PICTURES = ("drawing (--no-pictures leaves it out)", "matplotlib", "matplo
 BENCHMARK = (
     ("the benchmark", "igl", "libigl", "bench"),
     ("the benchmark", "potpourri3d", "potpourri3d", "bench"),
-    ("the benchmark", "threadpoolctl", "threadpoolctl", "bench"),
 )
 BENCHMARK_FIGURE = ("the benchmark's figure", "matplotlib", "matplotlib", "bench")
 VIEWER = ("the viewer", "pyvista", "pyvista", "viewer")

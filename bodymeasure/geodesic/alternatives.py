@@ -19,6 +19,7 @@ from bodymeasure.geodesic.across.routes.via_pairs import via_pairs
 from bodymeasure.geodesic.across.search.ends import checked_points
 from bodymeasure.geodesic.across.search.leg import leg_along, shortest_leg
 from bodymeasure.geodesic.across.search.search import SHORTER
+from bodymeasure.threads import one_blas_thread
 
 # Two paths count as one if they are nowhere farther apart, at equal parts of their lengths, than
 # this part of the shorter one. Nobody chooses between ways a few micrometers to the left and to the
@@ -39,6 +40,7 @@ SLACK = 0.1
 MOST_WAYS = 16
 
 
+@one_blas_thread()
 def geodesic_alternatives(
     atlas: Atlas, start: Location, end: Location, count: int = 3
 ) -> tuple[AtlasPath, ...]:

@@ -11,8 +11,10 @@ from bodymeasure.geodesic.across.routes.topology import topology
 from bodymeasure.geodesic.across.search.ends import Ends, checked_points
 from bodymeasure.geodesic.across.search.leg import shortest_leg
 from bodymeasure.geodesic.status import OnFailure, check_on_failure
+from bodymeasure.threads import one_blas_thread
 
 
+@one_blas_thread()
 def geodesic_between(
     atlas: Atlas,
     start: Location,
@@ -69,6 +71,7 @@ def geodesic_between(
     return _through(atlas, checked_points(atlas, (start, *via, end), names), on_failure)
 
 
+@one_blas_thread()
 def geodesics_between(
     atlas: Atlas,
     starts: Sequence[Location],

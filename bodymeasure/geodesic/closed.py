@@ -15,6 +15,7 @@ from bodymeasure.geodesic.across.routes.topology import topology
 from bodymeasure.geodesic.across.search.ends import checked_points
 from bodymeasure.geodesic.across.search.search import shortest_along
 from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure
+from bodymeasure.threads import one_blas_thread
 from bodymeasure.wording import counted
 
 # The points that a loop has at least.
@@ -52,6 +53,7 @@ class ClosedPath(AtlasPath):
         return self.kind is LoopKind.MINIMUM and self.status is Status.CONVERGED
 
 
+@one_blas_thread()
 def contracted_loop(
     atlas: Atlas, loop: Sequence[Location], *, on_failure: OnFailure = "raise"
 ) -> ClosedPath:

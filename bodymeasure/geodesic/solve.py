@@ -20,6 +20,7 @@ from bodymeasure.geodesic.surfaces.control_points import checked_control_points,
 from bodymeasure.geodesic.surfaces.custom import CustomSurface
 from bodymeasure.geodesic.surfaces.protocol import Surface
 from bodymeasure.geodesic.surfaces.rational import surfaces_of
+from bodymeasure.threads import one_blas_thread
 
 # The number that the smallest lengths are rounded to.
 SMALLEST = float(np.finfo(np.float64).smallest_subnormal)
@@ -49,6 +50,7 @@ class HasDerivatives(Protocol):
         """
 
 
+@one_blas_thread()
 def solve_geodesic(
     surface: ArrayLike | HasDerivatives,
     start: ArrayLike,

@@ -18,6 +18,7 @@ from bodymeasure.mesh.insert import inserted
 from bodymeasure.mesh.path import MeshPath
 from bodymeasure.oracle import validate_mesh
 from bodymeasure.oracle.libigl import closest_on_mesh
+from bodymeasure.threads import one_blas_thread
 
 MeshPlace = int | Array
 """A vertex by its number, or a position of shape (3,) on or near the mesh."""
@@ -35,6 +36,7 @@ ASIDE = 0.05
 RINGS = 3.0
 
 
+@one_blas_thread()
 def measure_mesh(
     mesh: object,
     start: MeshPlace,

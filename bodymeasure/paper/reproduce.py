@@ -48,6 +48,7 @@ from bodymeasure.paper.tables.tables_3_and_4 import (
     truth_table,
 )
 from bodymeasure.samples import load_sample
+from bodymeasure.threads import one_blas_thread
 
 BODY_PATCHES = Reading(f"body {BODY}", "Patches of a sample body, normalized.", 1.0)
 # A quick run measures so many of the body's diagonals and boundary curves on its surface.
@@ -81,6 +82,7 @@ class _Study:
         return next(r for r in self.results if r.reading.name == CHOSEN)
 
 
+@one_blas_thread()
 def reproduce(settings: Settings, bar: Bar = no_bar) -> Reproduction:
     """Run everything, and return all tables.
 

@@ -17,6 +17,7 @@ from bodymeasure.geodesic.status import OnFailure, check_on_failure
 from bodymeasure.taut.skin import Skin, skin_of
 from bodymeasure.taut.solve import TautLeg, draw_taut
 from bodymeasure.taut.status import TautStatus
+from bodymeasure.threads import one_blas_thread
 from bodymeasure.wording import result_line
 
 # The number of segments of the first string of a leg.
@@ -80,6 +81,7 @@ class TautTape:
         return self.status.has_length
 
 
+@one_blas_thread()
 def taut_tape(
     atlas: Atlas,
     start: Location,

@@ -1,8 +1,9 @@
 """How two states of the package compare in speed, in one run on one machine.
 
 Run it by hand: ``python tests/benchmarks/side_by_side.py BEFORE_PYTHON AFTER_PYTHON
-[--repeats N] [WORKLOAD ...]``, with the interpreters of two environments in which the two states
-are installed.
+[--repeats N] [--default-threads] [WORKLOAD ...]``, with the interpreters of two environments in
+which the two states are installed. Both use one thread. With ``--default-threads`` the second one
+uses as many as its libraries choose: the same interpreter twice shows what threads cost.
 
 Both interpreters are started once and take turns at the same small workloads, so that whatever
 else the machine does affects both alike. For each workload the script prints processor times and
@@ -12,14 +13,14 @@ between the states are looked up under both.
 """
 
 import os
+import sys
 
-os.environ["OMP_NUM_THREADS"] = "1"
+os.environ["OMP_NUM_THREADS"] = str(os.cpu_count() if "--default-threads" in sys.argv else 1)
 import argparse
 import importlib
 import json
 import resource
 import subprocess
-import sys
 import tempfile
 import time
 from collections.abc import Callable
@@ -33,6 +34,8 @@ Work = Callable[[], object]
 PAIRS = 30
 # Patches of the large atlas, along either side.
 SIDE = 100
+# Patches with random heights.
+PATCHES = 20
 # Patches on which the paper's two-function system is solved.
 SYSTEMS = 20
 ENDS = ("back neck point", "back hip point")
@@ -52,6 +55,14 @@ def named(*places: str) -> Any:
 def body() -> Any:
     """A sample body that no other run has used."""
     return named("bodymeasure:load_sample")("female_average")
+
+
+def patches() -> Work:
+    heights = np.random.default_rng(2).uniform(-2.0, 2.0, (PATCHES, 4, 4))
+    x, y = np.meshgrid(np.arange(4) / 3.0, np.arange(4) / 3.0, indexing="ij")
+    solve = named("bodymeasure:solve_geodesic")
+    nets = [np.stack([x, y, height], axis=-1) for height in heights]
+    return lambda: [solve(net, (0.0, 0.0), (1.0, 1.0), on_failure="status") for net in nets]
 
 
 def diagonals() -> Work:
@@ -146,7 +157,7 @@ def two_functions() -> Work:
 WORKLOADS: dict[str, Callable[[], Work]] = {
     make.__name__: make
     for make in (
-        *(import_package, diagonals, pairs, girths, taut_tape),
+        *(import_package, patches, diagonals, pairs, girths, taut_tape),
         *(write_atlas, read_atlas, two_functions, chart),
     )
 }
@@ -187,11 +198,10 @@ class Side(NamedTuple):
         return float(json.loads(line))
 
 
-def start(python: str) -> Side:
+def start(python: str, *options: str) -> Side:
     """Start an interpreter that waits for workloads."""
-    process = subprocess.Popen(
-        [python, __file__, "--serve"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-    )
+    command = [python, __file__, "--serve", *options]
+    process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
     assert process.stdin is not None
     assert process.stdout is not None
     return Side(process.stdin, process.stdout)
@@ -221,7 +231,8 @@ def main() -> None:
     parser.add_argument("after", nargs="?", help="the interpreter with the state after")
     parser.add_argument("workloads", nargs="*", help=f"some of {', '.join(WORKLOADS)}; else all")
     parser.add_argument("--repeats", type=int, default=7, help="runs of each under each")
-    options = parser.parse_args()
+    parser.add_argument("--default-threads", action="store_true", help="for the second interpreter")
+    options = parser.parse_intermixed_args()
     if options.serve:
         serve()
         return
@@ -229,7 +240,8 @@ def main() -> None:
         parser.error("give two interpreters")
     if unknown := set(options.workloads) - WORKLOADS.keys():
         parser.error(f"there is no workload {', '.join(sorted(unknown))}")
-    sides = [start(options.before), start(options.after)]
+    threads = ["--default-threads"] if options.default_threads else []
+    sides = [start(options.before), start(options.after, *threads)]
     print("workload            before     after    ratio    ratio of medians; processor seconds")
     for name in options.workloads or WORKLOADS:
         compare(sides, name, options.repeats)

@@ -110,7 +110,6 @@ def test_a_folder_that_cannot_be_is_told_before_any_work(
     [
         ("igl", "libigl", ()),
         ("potpourri3d", "potpourri3d", ()),
-        ("threadpoolctl", "threadpoolctl", ()),
         ("matplotlib", "matplotlib", ("-o", "out")),
     ],
 )

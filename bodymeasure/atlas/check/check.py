@@ -21,11 +21,13 @@ from bodymeasure.atlas.seams import EDGES, edge_table
 from bodymeasure.atlas.size import require_size
 from bodymeasure.atlas.topology.joins import kink_angles, parts, seams_of, turned_patches
 from bodymeasure.bezier import project
+from bodymeasure.threads import one_blas_thread
 
 # Degrees. Fitted bodies have seams within 2 nearly everywhere; paths bend visibly from here on.
 KINK = 15.0
 
 
+@one_blas_thread()
 def check_atlas(atlas: Atlas) -> tuple[Finding, ...]:
     """Return the faults of an atlas's geometry and of its landmarks' places, errors first.
 

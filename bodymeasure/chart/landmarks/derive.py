@@ -8,6 +8,7 @@ from bodymeasure.chart.landmarks.names import KNOWN_NAMES
 from bodymeasure.chart.landmarks.rules.base import LandmarkRule
 from bodymeasure.chart.sides import both_sides
 from bodymeasure.errors import BodymeasureError, InputError
+from bodymeasure.threads import one_blas_thread
 from bodymeasure.wording import hint
 
 
@@ -31,6 +32,7 @@ class Derived:
     rules: Mapping[str, LandmarkRule] = field(default_factory=dict, repr=False)
 
 
+@one_blas_thread()
 def derive_landmarks(
     atlas: Atlas, rules: Iterable[LandmarkRule], *, strict: bool = True
 ) -> Derived:

@@ -17,6 +17,7 @@ from bodymeasure.geodesic.spaces.decimals import (
 from bodymeasure.geodesic.spaces.kernels import Kernel
 from bodymeasure.geodesic.spaces.piecewise import PiecewisePolynomials, sample_points
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+from bodymeasure.threads import one_blas_thread
 
 # Past this condition number, what is left of the 60 digits of `decimals` no longer covers double
 # precision with ten digits to spare.
@@ -122,6 +123,7 @@ def _piecewise(edges: Array, samples: Array, cardinal: Decimals) -> PiecewisePol
     return PiecewisePolynomials(edges, coefficients)
 
 
+@one_blas_thread()
 def rbf_coefficients(
     kernel: Kernel,
     centers: tuple[float, ...],

@@ -7,8 +7,10 @@ from bodymeasure.geodesic import ClosedPath, contracted_loop
 from bodymeasure.geodesic.status import OnFailure
 from bodymeasure.measure.body.girths import section_loop
 from bodymeasure.section import Plane
+from bodymeasure.threads import one_blas_thread
 
 
+@one_blas_thread()
 def closed_geodesic(atlas: Atlas, at: Location, *, on_failure: OnFailure = "raise") -> ClosedPath:
     """Return the closed geodesic that the horizontal loop at a place contracts to.
 

@@ -24,6 +24,7 @@ from bodymeasure.section import (
     signed_area,
     turned,
 )
+from bodymeasure.threads import one_blas_thread
 from bodymeasure.wording import result_line
 
 # A way down that first rises by more than this part of the difference of heights leads over
@@ -81,6 +82,7 @@ class Drop:
         return drawn(self.arc, self.hull.spans)
 
 
+@one_blas_thread()
 def vertical_drop(
     atlas: Atlas, start: Location, level: Location, *, plane: Literal["median", "side"] = "median"
 ) -> Drop:

@@ -13,6 +13,7 @@ from bodymeasure.atlas.queries.locations import Location, position_of
 from bodymeasure.errors import InputError
 from bodymeasure.measure.body.girths import Girth, girth_of_loop, limb_axis, section_loop
 from bodymeasure.section import Plane, SectionLoop, convex_hull
+from bodymeasure.threads import one_blas_thread
 
 # The number of planes that are tried before Brent's method narrows down between the best one's
 # neighbors: bodies have at most one bulge or hollow in a sixteenth of any stretch over which a tape
@@ -56,6 +57,7 @@ class ExtremeGirth:
         return f"<ExtremeGirth {place}: {self.girth!r}>"
 
 
+@one_blas_thread()
 def extreme_girth(
     atlas: Atlas,
     start: Location,

@@ -12,6 +12,7 @@ from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.errors import InputError
 from bodymeasure.measure.body.height_saddles import saddles_between
 from bodymeasure.section import Plane, PlaneSection, SectionLoop, plane_section
+from bodymeasure.threads import one_blas_thread
 
 # The number of heights at which the common stretch of two parts is cut first: some two centimeters
 # apart.
@@ -42,6 +43,7 @@ class _Level(NamedTuple):
         return self.loops[0] is not self.loops[1]
 
 
+@one_blas_thread()
 def fork_point(atlas: Atlas, regions: tuple[str, str]) -> AtlasPoint:
     """Return the point where two parts of the body divide, going down: an armpit, the crotch.
 

@@ -20,6 +20,7 @@ from bodymeasure.section import (
     drawn,
     plane_section,
 )
+from bodymeasure.threads import one_blas_thread
 from bodymeasure.wording import result_line
 
 
@@ -87,6 +88,7 @@ class Girth:
         return drawn(self.tape, self.hull.spans)
 
 
+@one_blas_thread()
 def plane_girth(atlas: Atlas, plane: Plane, at: Location, *, limb: bool = False) -> Girth:
     """Return the girth in a plane, of the part of the body that is nearest to a place.
 
@@ -137,6 +139,7 @@ def girth_of_loop(loop: SectionLoop, tape: SectionLoop | BridgedLoop | None = No
     return Girth(tape.length, hull.length, hull.error_estimate, loop, tape, hull, loop.unit, remark)
 
 
+@one_blas_thread()
 def body_girth(
     atlas: Atlas, at: Location, *, cut: tuple[Location, Location] | None = None
 ) -> Girth:
@@ -191,6 +194,7 @@ def body_girth(
     return girth_of_loop(loop, cut_loop(loop, atlas.axes.left_vector, (left, right)))
 
 
+@one_blas_thread()
 def limb_girth(
     atlas: Atlas, start: Location, end: Location, *, at: Location | float = 0.5
 ) -> Girth:

@@ -8,6 +8,7 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, sides_of
 from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.bezier import bernstein
+from bodymeasure.threads import one_blas_thread
 
 # The number of Gauss points on each part of a curve; parts are halved until two results agree.
 POINTS = 16
@@ -42,6 +43,7 @@ class BoundaryLengths:
         return f"<BoundaryLengths {span}, error at most {self.error_estimate.max():.1g}>"
 
 
+@one_blas_thread()
 def boundary_lengths(atlas: Atlas) -> BoundaryLengths:
     """Return the arc lengths of the boundary curves of all patches.
 

@@ -8,12 +8,14 @@ from bodymeasure.errors import InputError
 from bodymeasure.geodesic import GeodesicSolution, Method, Search, solve_geodesic
 from bodymeasure.geodesic.status import OnFailure
 from bodymeasure.geodesic.surfaces.control_points import collapsed_patches
+from bodymeasure.threads import one_blas_thread
 
 # Ends (u, v) of a patch's two diagonals; shape (2, 2).
 DIAGONAL_STARTS = np.array([[0.0, 0.0], [1.0, 0.0]])
 DIAGONAL_ENDS = np.array([[1.0, 1.0], [0.0, 1.0]])
 
 
+@one_blas_thread()
 def diagonals(
     atlas: Atlas,
     *,

@@ -12,6 +12,7 @@ from bodymeasure.atlas import Atlas, Finding, check_atlas
 from bodymeasure.geodesic import GeodesicSolution, Method, RBFCollocation, Search
 from bodymeasure.measure.patches.boundary import BoundaryLengths, boundary_lengths
 from bodymeasure.measure.patches.diagonals import diagonals
+from bodymeasure.threads import one_blas_thread
 from bodymeasure.wording import counted
 
 if TYPE_CHECKING:
@@ -56,6 +57,7 @@ class Survey:
         return f"<Survey of {self.atlas!r}: {diagonals}, {found}>"
 
 
+@one_blas_thread()
 def measure_atlas(
     atlas: Atlas,
     *,
