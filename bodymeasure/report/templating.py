@@ -1,6 +1,7 @@
 """Pages from templates: each page is one file that loads nothing else."""
 
 import base64
+import struct
 from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from importlib.resources import files
@@ -81,9 +82,10 @@ def moment(created: str) -> str:
 
 
 def data_uri(content: bytes) -> str:
-    """Return a PNG or SVG picture as the value of an ``src`` attribute."""
-    kind = "image/png" if content.startswith(b"\x89PNG") else "image/svg+xml"
-    return f"data:{kind};base64,{base64.b64encode(content).decode()}"
+    """Return a PNG, WebP or SVG picture as the value of an ``src`` attribute."""
+    starts = {b"\x89PNG": "png", b"RIFF": "webp"}
+    kind = starts.get(content[:4], "svg+xml")
+    return f"data:image/{kind};base64,{base64.b64encode(content).decode()}"
 
 
 class Image(TypedDict):
@@ -95,10 +97,20 @@ class Image(TypedDict):
 
 
 def images(pictures: Mapping[Key, bytes]) -> dict[Key, Image]:
-    """Return PNG pictures by key, each with its address, width and height."""
+    """Return PNG or WebP pictures by key, each with its address, width and height."""
     found: dict[Key, Image] = {}
     for key, content in pictures.items():
-        # The header, which comes first in a PNG, holds width and height as big-endian words.
-        width, height = (int.from_bytes(content[at : at + 4], "big") for at in (16, 20))
+        width, height = _size(content)
         found[key] = {"uri": data_uri(content), "width": width, "height": height}
     return found
+
+
+def _size(content: bytes) -> tuple[int, int]:
+    """Return the width and height that the head of a picture states."""
+    if content.startswith(b"RIFF"):
+        # The frame of a lossy WebP holds them in 14 bits each, little-endian.
+        width, height = struct.unpack_from("<HH", content, 26)
+        return width & 0x3FFF, height & 0x3FFF
+    # The header, which comes first in a PNG, holds them as big-endian words.
+    width, height = struct.unpack_from(">II", content, 16)
+    return width, height

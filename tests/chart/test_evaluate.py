@@ -201,6 +201,8 @@ def test_formulas_take_what_was_measured() -> None:
     assert chart["slope"].value == pytest.approx(45.0)
     assert total.landmarks == ("front", "left")
     assert np.isnan(total.contact)
+    # Pictures show what it is made of.
+    assert total.tapes == (*girth.tapes, *way.tapes)
     # The order is that of the definitions, whatever was measured first.
     keys = [one.definition.key for one in chart.measured]
     assert keys == ["twice", "sum", "girth", "way", "slope"]

@@ -27,6 +27,12 @@ name = "Half the hip girth"
 formula = "hip / 2"
 
 [[measurement]]
+key = "dozen"
+kind = "formula"
+name = "A dozen"
+formula = "3 * 4"
+
+[[measurement]]
 key = "calf"
 kind = "girth"
 name = "Calf girth"
@@ -45,7 +51,7 @@ def definitions(tmp_path: Path) -> Path:
     ("key", "message"),
     [
         ("hop", "there is no measurement 'hop' in 'Two'; did you mean 'hip'?"),
-        ("half_hip", "half_hip: there is no tape to show: it is calculated from others"),
+        ("dozen", "dozen: there is no tape to show: what it is calculated from has none"),
         ("calf", "calf: there is no tape to show: "),
     ],
 )

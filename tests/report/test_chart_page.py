@@ -98,8 +98,19 @@ def test_a_chart_of_nothing_is_a_page_too() -> None:
 
 def test_the_sheet_for_the_hand_has_a_blank_for_each(page: Page) -> None:
     blanks = [a for a in page.all("td") if a.get("class") == "blank"]
-    assert len(blanks) == len(MEASURED)
+    # Two readings each, as ISO 20685-1 has them, and none of the chart's own values beside them.
+    assert len(blanks) == 2 * len(MEASURED)
     assert "@media print" in page.source
+    sheet = page.source.partition('<h2 id="hand"')[2].partition("</section>")[0]
+    assert all(field in sheet for field in ("Subject", "Date", "Measured by"))
+    assert "91.3" not in sheet
+    assert "23.6" not in sheet
+
+
+def test_the_pictures_have_a_legend(page: Page) -> None:
+    for words in ("blue: along the skin", "orange: drawn taut", "black: straight", "pale dashes"):
+        assert words in page.text
+    assert "blue: along the skin" not in page_of().text
 
 
 def test_each_measurement_tells_words_landmarks_and_regions(page: Page) -> None:

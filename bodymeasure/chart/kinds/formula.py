@@ -61,5 +61,11 @@ class FormulaMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="form
         except InputError as refusal:
             return Measured(self, Outcome.REFUSED, str(refusal), landmarks=landmarks)
         return Measured(
-            self, Outcome.MEASURED, value=value, error_estimate=error, landmarks=landmarks
+            self,
+            Outcome.MEASURED,
+            value=value,
+            error_estimate=error,
+            landmarks=landmarks,
+            # Pictures show what the value is made of.
+            tapes=tuple(tape for operand in operands.values() for tape in operand.tapes),
         )

@@ -121,7 +121,7 @@ def _chart(
         raise InputError(f"there is no measurement {key!r} in {wanted.name!r}; {hint}")
     chart = measured_chart(loaded, wanted, despite_errors=despite_errors)
     if key is not None and not (chart[key].tapes and math.isfinite(chart[key].value)):
-        reason = chart[key].reason or "it is calculated from others; show one of those"
+        reason = chart[key].reason or "what it is calculated from has none"
         raise InputError(f"{key}: there is no tape to show: {reason}")
     if not any(item.tapes for item in chart.measured):
         first = chart.measured[0]

@@ -15,7 +15,7 @@ class TapePictures(Protocol):
 
     @property
     def body(self) -> Mapping[tuple[str, str], bytes]:
-        """PNG of the body with a group's tapes, numbered, by group and side.
+        """WebP or PNG of the body with a group's tapes, numbered, by group and side.
 
         Sides are front, back, left and right. Pictures are to be shown at half their size in
         pixels.
@@ -23,7 +23,7 @@ class TapePictures(Protocol):
 
     @property
     def closeups(self) -> Mapping[str, bytes]:
-        """PNG of a tape from close by, by key of the measurement."""
+        """WebP or PNG of a tape from close by, by key of the measurement."""
 
     @property
     def numbers(self) -> Mapping[str, int]:

@@ -20,6 +20,10 @@ DPI = 72
 LINE_HEIGHT = 1.2
 CAPITAL = 0.73
 RIM = 0.25
+# Pictures of a page are WebP files of this quality, at which letters and tapes look the same. More
+# effort takes twice the time for files that are a twentieth smaller.
+QUALITY = 80
+EFFORT = 2
 # PNG files are compressed by runs of equal bytes: on shaded pictures that is as small as zlib's
 # fourth of nine levels, in two thirds of its time.
 RUNS = 3
@@ -165,4 +169,21 @@ def png(image: NDArray[np.uint8]) -> bytes:
         raise MissingExtraError("a picture", "matplotlib", "report") from None
     file = io.BytesIO()
     Image.fromarray(image).save(file, format="PNG", compress_level=4, compress_type=RUNS)
+    return file.getvalue()
+
+
+def webp(image: NDArray[np.uint8]) -> bytes:
+    """A picture, shape (height, width, 3), as a WebP file, a tenth as large as a PNG file.
+
+    Raises
+    ------
+    MissingExtraError
+        If Pillow, which comes with matplotlib, is not installed.
+    """
+    try:
+        from PIL import Image
+    except ImportError:
+        raise MissingExtraError("a picture", "matplotlib", "report") from None
+    file = io.BytesIO()
+    Image.fromarray(image).save(file, format="WEBP", quality=QUALITY, method=EFFORT)
     return file.getvalue()

@@ -12,7 +12,7 @@ from bodymeasure.scene.drawing import RENDERERS
 from bodymeasure.scene.drawing.opengl_check import choose_renderer
 from bodymeasure.scene.drawing.picture import Picture
 from bodymeasure.scene.drawing.visibility import Sight, sight
-from bodymeasure.scene.figures.canvas import png
+from bodymeasure.scene.figures.canvas import png, webp
 from bodymeasure.scene.model import TapeLine, TapeScene
 from bodymeasure.scene.tapes.build import tapes_scene
 from bodymeasure.scene.tapes.camera import best, best_sides, measurements_seen, sights
@@ -42,12 +42,12 @@ class TapePictures:
     Parameters
     ----------
     body : mapping of (str, str) to bytes
-        PNG files by group of measurements and side: ``front``, ``back``, and the wearer's ``left``
+        WebP files by group of measurements and side: ``front``, ``back``, and the wearer's ``left``
         and ``right``. The groups with a tape follow in the order of the chart; sides on which none
         of a group's measurements is numbered are left out. All are equally high and to one scale.
         They are to be shown at half their size in pixels, where the widest are 560 wide.
     closeups : mapping of str to bytes
-        PNG files, all of one size, by the key of a measurement with a tape; to be shown at half
+        WebP files, all of one size, by the key of a measurement with a tape; to be shown at half
         their size in pixels.
     numbers : mapping of str to int
         The number by which a picture names a measurement. Measurements with a value are numbered
@@ -94,10 +94,10 @@ def tape_pictures(
     body, near = {}, {}
     with RENDERERS[choice.renderer]() as draw:
         for name, picture in _body_pictures(scene, chart.atlas.axes):
-            body[name] = png(draw(picture))
+            body[name] = webp(draw(picture))
             advance(", ".join(name))
         for key, picture in _closeups(scene, chart.atlas.axes):
-            near[key] = png(draw(picture))
+            near[key] = webp(draw(picture))
             advance(key)
     groups = list(_groups(scene))
     body = dict(sorted(body.items(), key=lambda item: groups.index(item[0][0])))
