@@ -12,6 +12,8 @@ __all__ = [
     "WU_C4",
     "WU_C6",
     "WU_C10",
+    "Approximation",
+    "ApproximationKind",
     "Atlas",
     "AtlasPath",
     "AtlasPoint",
@@ -56,6 +58,7 @@ __all__ = [
     "TautTape",
     "Tessellation",
     "Unit",
+    "approximation_error",
     "body_girth",
     "boundary_lengths",
     "check_atlas",
@@ -114,6 +117,8 @@ _HOMES = (
 
 if TYPE_CHECKING:
     from bodymeasure.atlas import (
+        Approximation,
+        ApproximationKind,
         Atlas,
         AtlasPoint,
         Axes,
@@ -123,6 +128,7 @@ if TYPE_CHECKING:
         Severity,
         Tessellation,
         Unit,
+        approximation_error,
         check_atlas,
         closest_point,
         tessellate,

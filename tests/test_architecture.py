@@ -13,7 +13,8 @@ from helpers.modules import FOLDERS, MODULES, ROOT, loaded_by
 LAYERS = (
     ("_typing", "errors", "threads", "wording"),
     ("files",),
-    ("bezier", "subdivision"),
+    ("bezier",),
+    ("subdivision",),
     ("atlas",),
     ("formats",),
     ("samples", "sample_patches"),
@@ -30,8 +31,8 @@ LAYERS = (
 # The same within a package: a name is a folder or a module. What is not named stands on top, and
 # groups do not import from there.
 ORDERS = {
-    "atlas": "axes, components, normals, point, seams, size, units · tessellation · atlas ·"
-    " topology · queries · check · summary",
+    "atlas": "approximation, axes, components, normals, point, seams, size, units · tessellation ·"
+    " atlas · topology · queries · check · approximation_words, summary",
     "bench": "problems · entrants · size · records · timing · summary · figure",
     "chart": "accuracy, formula, landmarks/choice, landmarks/names, picks, tapes · entry,"
     " landmarks/paths · body, sides · kinds, landmarks/rules · landmarks · definitions ·"

@@ -1,11 +1,14 @@
 """Atlases of Bezier patches: what they hold, how patches meet, their tessellation."""
 
+from bodymeasure.atlas.approximation import Approximation, ApproximationKind
+from bodymeasure.atlas.approximation_words import approximation_sentences
 from bodymeasure.atlas.atlas import LARGEST_DEGREE, LEAST_DEGREE, Atlas
 from bodymeasure.atlas.axes import Axes
 from bodymeasure.atlas.check.check import check_atlas
 from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
 from bodymeasure.atlas.check.weld import weld
 from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.queries.approximation_error import approximation_error
 from bodymeasure.atlas.queries.closest import closest_point
 from bodymeasure.atlas.queries.locations import Location
 from bodymeasure.atlas.seams import EDGES, Edge, EdgeTable, edge_table, sides_of
@@ -17,6 +20,8 @@ __all__ = [
     "EDGES",
     "LARGEST_DEGREE",
     "LEAST_DEGREE",
+    "Approximation",
+    "ApproximationKind",
     "Atlas",
     "AtlasPoint",
     "AtlasSummary",
@@ -29,6 +34,8 @@ __all__ = [
     "Severity",
     "Tessellation",
     "Unit",
+    "approximation_error",
+    "approximation_sentences",
     "check_atlas",
     "closest_point",
     "convert_length",

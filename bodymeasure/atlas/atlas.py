@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from bodymeasure._typing import Array, Ints
+from bodymeasure.atlas.approximation import Approximation
 from bodymeasure.atlas.axes import Axes
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, edge_table, sides_of, weights_differ
@@ -58,6 +59,8 @@ class Atlas:
     weights : array_like, shape (patches, degree + 1, degree + 1), optional
         Positive weights of each patch's control points, with which patches are rational. Along an
         edge that two patches share, the weights of one are a multiple of the other's.
+    approximation : Approximation, optional
+        What the patches approximate, and how well, if they are not the surface itself.
 
     Raises
     ------
@@ -76,6 +79,7 @@ class Atlas:
     name: str = ""
     provenance: Mapping[str, str] = field(default_factory=dict)
     weights: Array | None = None
+    approximation: Approximation | None = None
 
     def __repr__(self) -> str:
         patches = counted(len(self), "patch", "patches")
@@ -101,6 +105,11 @@ class Atlas:
         set_field(self, "landmarks", dict(self.landmarks))
         set_field(self, "provenance", dict(self.provenance))
         _check_names(self)
+        if self.approximation is not None and len(self.approximation.distance) != count:
+            raise InputError(
+                f"the approximation has {len(self.approximation.distance)} numbers for {count} "
+                "patches; expected one each"
+            )
 
     @classmethod
     def from_control_points(cls, control_points: ArrayLike, unit: Unit | str) -> Self:

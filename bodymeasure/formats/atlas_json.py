@@ -9,7 +9,16 @@ import msgspec
 import numpy as np
 
 from bodymeasure._typing import Array, Ints
-from bodymeasure.atlas import LARGEST_DEGREE, LEAST_DEGREE, Atlas, AtlasPoint, Axes, Unit
+from bodymeasure.atlas import (
+    LARGEST_DEGREE,
+    LEAST_DEGREE,
+    Approximation,
+    ApproximationKind,
+    Atlas,
+    AtlasPoint,
+    Axes,
+    Unit,
+)
 from bodymeasure.errors import InputError
 from bodymeasure.formats.json_faults import place_of_fault
 
@@ -25,6 +34,15 @@ class _PatchRecord(msgspec.Struct, forbid_unknown_fields=True):
     points: list[list[_Number]]
     region: str = ""
     weights: list[list[float]] | None = None
+    distance: float = 0.0
+    stretch: float = 0.0
+
+
+class _ApproximationRecord(msgspec.Struct, forbid_unknown_fields=True):
+    kind: ApproximationKind
+    mesh_distance: float
+    mesh_rms: float
+    mesh_lengths: float
 
 
 class _LandmarkRecord(msgspec.Struct, forbid_unknown_fields=True):
@@ -49,6 +67,7 @@ class _AtlasRecord(msgspec.Struct, forbid_unknown_fields=True):
     provenance: dict[str, str] = {}
     landmarks: dict[str, _LandmarkRecord] = {}
     degree: int = LEAST_DEGREE
+    approximation: _ApproximationRecord | None = None
 
 
 class _Header(msgspec.Struct):
@@ -91,6 +110,12 @@ def write(atlas: Atlas) -> bytes:
     if atlas.weights is not None:
         for patch, weights in zip(patches, atlas.weights.tolist(), strict=True):
             patch["weights"] = weights
+    approximation = atlas.approximation
+    if approximation is not None:
+        for key in ("distance", "stretch"):
+            for patch, value in zip(patches, getattr(approximation, key).tolist(), strict=True):
+                if value:
+                    patch[key] = value
     landmarks = [
         f"{_line(name)}: "
         + _line({"patch": atlas.patch_names[point.patch], "u": point.u, "v": point.v})
@@ -104,6 +129,7 @@ def write(atlas: Atlas) -> bytes:
         "name": _line(atlas.name),
         "unit": _line(atlas.unit.value),
         "axes": _line({"up": atlas.axes.up, "front": atlas.axes.front}),
+        **({} if approximation is None else {"approximation": _line(_summary(approximation))}),
         "provenance": json.dumps(dict(atlas.provenance), ensure_ascii=False, indent=1),
         "landmarks": _block("{}", landmarks),
         "patches": _block("[]", [_line(patch) for patch in patches]),
@@ -117,6 +143,11 @@ def write(atlas: Atlas) -> bytes:
             f"a name holds {error.object[error.start]!r}, which is no character; "
             "expected text that UTF-8 can write"
         ) from None
+
+
+def _summary(approximation: Approximation) -> dict[str, Any]:
+    names = _ApproximationRecord.__struct_fields__
+    return {name: getattr(approximation, name) for name in names}
 
 
 def _check_header(header: _Header, source: str) -> None:
@@ -154,6 +185,7 @@ def _atlas(record: _AtlasRecord) -> Atlas:
         name=record.name,
         provenance=record.provenance,
         weights=_weights(record),
+        approximation=_approximation(record),
     )
 
 
@@ -170,6 +202,26 @@ def _weights(record: _AtlasRecord) -> Array | None:
     ones = [[1.0] * (record.degree + 1)] * (record.degree + 1)
     given = [ones if patch.weights is None else patch.weights for patch in record.patches]
     return _squares(record, "weights", given)
+
+
+def _approximation(record: _AtlasRecord) -> Approximation | None:
+    summary = record.approximation
+    if summary is None:
+        for patch in record.patches:
+            if patch.distance or patch.stretch:
+                raise InputError(
+                    f"patch {patch.name!r} has the distance or the stretch of an approximation, "
+                    "but the atlas has no approximation"
+                )
+        return None
+    return Approximation(
+        summary.kind,
+        np.array([patch.distance for patch in record.patches]),
+        np.array([patch.stretch for patch in record.patches]),
+        summary.mesh_distance,
+        summary.mesh_rms,
+        summary.mesh_lengths,
+    )
 
 
 def _squares(record: _AtlasRecord, what: str, values: list[Any]) -> Array:

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from bodymeasure.atlas import Atlas
+from bodymeasure.atlas.approximation import extent
 from bodymeasure.errors import InputError
 
 # Groups that an error lists; it counts the others.
@@ -48,10 +49,14 @@ def select_groups(atlas: Atlas, groups: Sequence[str]) -> Atlas:
         if region in wanted or not wanted.isdisjoint(region.split())
     ]
     used, index = np.unique(atlas.index[chosen], return_inverse=True)
+    points, approximation = atlas.points[used], atlas.approximation
+    if approximation is not None:
+        size = extent(atlas.points) / (extent(points) or 1.0)
+        approximation = approximation.part(np.array(chosen), size)
     new_number = {old: new for new, old in enumerate(chosen)}
     return replace(
         atlas,
-        points=atlas.points[used],
+        points=points,
         index=index.reshape(len(chosen), *atlas.index.shape[1:]),
         weights=None if atlas.weights is None else atlas.weights[chosen],
         patch_names=tuple(atlas.patch_names[number] for number in chosen),
@@ -61,4 +66,5 @@ def select_groups(atlas: Atlas, groups: Sequence[str]) -> Atlas:
             for name, point in atlas.landmarks.items()
             if point.patch in new_number
         },
+        approximation=approximation,
     )

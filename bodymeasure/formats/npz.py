@@ -1,8 +1,8 @@
 """NumPy's ``.npz``, for large atlases and for many bodies with the same patches.
 
 The arrays are `points`, shape (n, 3) or (bodies, n, 3); `index`, shape (patches, 4, 4); `weights`
-of rational patches, of the same shape; and `header`, a text with everything else in JSON. Nothing
-is unpickled.
+of rational patches, of the same shape; `distance` and `stretch` of an approximation, shape
+(patches,); and `header`, a text with everything else in JSON. Nothing is unpickled.
 """
 
 import ast
@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
-from bodymeasure.atlas import Atlas, AtlasPoint, Axes, Unit
+from bodymeasure.atlas import Approximation, ApproximationKind, Atlas, AtlasPoint, Axes, Unit
 from bodymeasure.errors import InputError
 
 FORMAT = "bodymeasure atlas"
@@ -29,11 +29,20 @@ MOST_EXPANSION = 200
 # The size in bytes up to which a file may expand more.
 _SMALL = 1 << 20
 # The kinds of values that each array may hold, as NumPy codes them.
-_KINDS = {"points": "f", "index": "iu", "header": "U", "weights": "f"}
-_OPTIONAL = {"weights"}
+_KINDS = {
+    "points": "f",
+    "index": "iu",
+    "header": "U",
+    "weights": "f",
+    "distance": "f",
+    "stretch": "f",
+}
+# The arrays that some files lack: weights, and the deviation of an approximation.
+_DEVIATION = ("distance", "stretch")
+_OPTIONAL = {"weights", *_DEVIATION}
 
 
-class _Header(msgspec.Struct, forbid_unknown_fields=True):
+class _Header(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
     format: str
     version: int
     unit: str
@@ -44,6 +53,8 @@ class _Header(msgspec.Struct, forbid_unknown_fields=True):
     landmarks: dict[str, tuple[int, float, float]]
     names: list[str]
     provenance: dict[str, str]
+    # The kind of an approximation and its numbers on the mesh, in the order of `Approximation`.
+    approximation: tuple[ApproximationKind, float, float, float] | None = None
 
 
 def read(content: bytes, source: str) -> Atlas:
@@ -85,6 +96,7 @@ def read_bodies(content: bytes, source: str) -> tuple[Atlas, ...]:
             header.names[0],
             header.provenance,
             arrays.get("weights"),
+            _approximation(header, arrays),
         )
         rest = zip(bodies[1:], header.names[1:], strict=True)
         return (first, *(replace(first, points=each, name=name) for each, name in rest))
@@ -120,6 +132,11 @@ def write_bodies(atlases: Sequence[Atlas]) -> bytes:
                 f"atlas {number} ({atlas.name!r}) has another index or other weights than the "
                 "first; expected the same patches in all; write it to its own file"
             )
+        if not _same_approximation(atlas.approximation, first.approximation):
+            raise InputError(
+                f"atlas {number} ({atlas.name!r}) approximates its surface in another way than the "
+                "first; expected the same numbers in all; write it to its own file"
+            )
     header = _Header(
         FORMAT,
         VERSION,
@@ -131,6 +148,7 @@ def write_bodies(atlases: Sequence[Atlas]) -> bytes:
         {name: (p.patch, p.u, p.v) for name, p in first.landmarks.items()},
         [atlas.name for atlas in atlases],
         dict(first.provenance),
+        _summary(first.approximation),
     )
     try:
         text = msgspec.json.encode(header).decode()
@@ -146,6 +164,9 @@ def write_bodies(atlases: Sequence[Atlas]) -> bytes:
     }
     if first.weights is not None:
         arrays["weights"] = first.weights
+    if first.approximation is not None:
+        arrays["distance"] = first.approximation.distance
+        arrays["stretch"] = first.approximation.stretch
     np.savez_compressed(buffer, **arrays)
     return buffer.getvalue()
 
@@ -154,6 +175,29 @@ def _same(first: Array | None, second: Array | None) -> bool:
     if first is None or second is None:
         return first is second
     return np.array_equal(first, second)
+
+
+def _same_approximation(first: Approximation | None, second: Approximation | None) -> bool:
+    return first is second if first is None else first.is_same(second)
+
+
+def _summary(
+    approximation: Approximation | None,
+) -> tuple[ApproximationKind, float, float, float] | None:
+    if approximation is None:
+        return None
+    kind, distance = approximation.kind, approximation.mesh_distance
+    return kind, distance, approximation.mesh_rms, approximation.mesh_lengths
+
+
+def _approximation(header: _Header, arrays: dict[str, NDArray[Any]]) -> Approximation | None:
+    there = arrays.keys() & {*_DEVIATION}
+    if header.approximation is None and not there:
+        return None
+    if header.approximation is None or len(there) < 2:
+        raise InputError("holds a part of an approximation; expected all of it, or none")
+    kind, *numbers = header.approximation
+    return Approximation(kind, arrays["distance"], arrays["stretch"], *numbers)
 
 
 def _arrays(content: bytes, source: str) -> dict[str, NDArray[Any]]:
@@ -165,7 +209,7 @@ def _arrays(content: bytes, source: str) -> dict[str, NDArray[Any]]:
             if len(there) != len(archive.infolist()) or not there >= _KINDS.keys() - _OPTIONAL:
                 raise InputError(
                     f"{source}: holds {', '.join(sorted(sizes)) or 'nothing'}; expected the arrays "
-                    f"{', '.join(sorted(_KINDS))}"
+                    f"{', '.join((*sorted(_KINDS.keys() - {*_DEVIATION}), *_DEVIATION))}"
                 )
             if sum(sizes.values()) > MOST_EXPANSION * len(content) + _SMALL:
                 raise InputError(

@@ -23,12 +23,15 @@ class ReadOptions:
         The groups to take; all if empty.
     tolerance : float, optional
         How far apart edges may be that are joined, in the file's unit.
+    deviation : float, optional
+        How far the patches of a mesh may lie from its surface, in the file's unit.
     """
 
     unit: Unit | None = None
     axes: Axes | None = None
     groups: tuple[str, ...] = ()
     tolerance: float | None = None
+    deviation: float | None = None
 
     @classmethod
     def checked(
@@ -38,6 +41,7 @@ class ReadOptions:
         front: str | None,
         groups: str | Sequence[str],
         tolerance: float | None,
+        deviation: float | None,
     ) -> Self:
         """Return options as a user gives them.
 
@@ -45,15 +49,18 @@ class ReadOptions:
         ------
         InputError
             If a unit or direction is unknown, the directions are not perpendicular, or the
-            tolerance is negative.
+            tolerance or the deviation is negative.
         """
         if tolerance is not None and not 0.0 <= tolerance < math.inf:
             raise InputError(f"the tolerance is {tolerance}; expected a length of at least 0")
+        if deviation is not None and not deviation > 0.0:
+            raise InputError(f"the deviation is {deviation}; expected a length above 0")
         return cls(
             None if unit is None else Unit.parse(unit),
             _axes(up, front),
             (groups,) if isinstance(groups, str) else tuple(groups),
             tolerance,
+            deviation,
         )
 
     def known_unit(self, source: str, title: str) -> Unit:

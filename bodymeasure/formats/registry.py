@@ -9,7 +9,7 @@ from os import PathLike
 from pathlib import Path
 from typing import NamedTuple
 
-from bodymeasure.atlas import Atlas, Axes
+from bodymeasure.atlas import Atlas, Axes, Unit
 from bodymeasure.errors import InputError, ReadWarning
 from bodymeasure.files import read_bytes, write_bytes
 from bodymeasure.formats import atlas_json, bez, bpt, geomdl, npz, patches
@@ -40,8 +40,8 @@ class Format(NamedTuple):
     write : callable, optional
         Turns an atlas into the content of a file.
     keeps : frozenset of str
-        What a file holds besides the geometry: any of "unit" (with the axes), "names", "regions"
-        and "landmarks" (with the atlas's name and provenance).
+        What a file holds besides the geometry: any of "unit" (with the axes), "names", "regions",
+        "approximation" and "landmarks" (with the atlas's name and provenance).
     """
 
     title: str
@@ -51,7 +51,7 @@ class Format(NamedTuple):
     keeps: frozenset[str] = frozenset()
 
 
-ALL = frozenset({"unit", "names", "regions", "landmarks"})
+ALL = frozenset({"unit", "names", "regions", "landmarks", "approximation"})
 FORMATS = {
     "atlas": Format("a bodymeasure atlas", (".atlas",), atlas_json.read, atlas_json.write, ALL),
     "npz": Format("an .npz file", (".npz",), npz.read, npz.write, ALL),
@@ -85,6 +85,7 @@ def read_atlas(
     group: str | Sequence[str] = (),
     format: str | None = None,  # noqa: A002  (what the command line calls it)
     tolerance: float | None = None,
+    deviation: float | None = None,
 ) -> Atlas:
     """Read an atlas from a file; its extension decides the format.
 
@@ -104,12 +105,18 @@ def read_atlas(
     tolerance : float, optional
         For formats of loose patches: how far apart edges may be that are joined, in the file's
         unit. Without it, they may differ by rounding; `check_atlas` reports wider gaps.
+    deviation : float, optional
+        For meshes of polygons: how far the patches may lie from the mesh's Catmull-Clark surface,
+        in the file's unit; the mesh is refined until they do not. Without it, a part of 1e-4 of the
+        mean edge is the aim, as long as 500 patches reach it; ``inf`` leaves one patch for each
+        quad.
 
     Returns
     -------
     Atlas
         Patches of lower degree are elevated, and B-splines cut at their knots, both exactly. A mesh
-        of polygons gives one patch for each quad of its approximate Catmull-Clark surface.
+        of polygons gives patches of its approximate Catmull-Clark surface, one for each quad or, of
+        small meshes, more; how well they approximate it is the atlas's `approximation`.
 
     Raises
     ------
@@ -130,7 +137,7 @@ def read_atlas(
     (1, 'cm')
     """
     path = Path(path)
-    options = ReadOptions.checked(unit, up, front, group, tolerance)
+    options = ReadOptions.checked(unit, up, front, group, tolerance, deviation)
     # The content comes first: for a missing file or a folder, the extension does not matter.
     content = read_bytes(path)
     return decode(content, str(path), format_of(path, format), options)
@@ -146,6 +153,8 @@ def decode(content: bytes, source: str, form: Format, options: ReadOptions) -> A
     if not isinstance(read, Atlas):
         for note in read.notes:
             warnings.warn(f"{source}: {note}", ReadWarning, stacklevel=3)
+    if options.deviation is not None and not isinstance(read, Faces):
+        raise InputError(f"{source}: holds patches and no mesh; leave the deviation out")
     if isinstance(read, Atlas):
         options.require_none(source, read.unit, read.axes)
         atlas = read
@@ -161,11 +170,19 @@ def decode(content: bytes, source: str, form: Format, options: ReadOptions) -> A
                 "out, and merge vertices where it was made"
             )
         unit = options.known_unit(source, form.title)
-        atlas = obj_mesh.assemble(read, unit=unit, axes=axes)
+        atlas = _of_mesh(read, source, unit, options)
     if not options.groups:
         return atlas
     try:
         return select_groups(atlas, options.groups)
+    except InputError as error:
+        raise InputError(f"{source}: {error}") from None
+
+
+def _of_mesh(faces: Faces, source: str, unit: Unit, options: ReadOptions) -> Atlas:
+    axes = options.axes or Axes()
+    try:
+        return obj_mesh.assemble(faces, unit=unit, axes=axes, deviation=options.deviation)
     except InputError as error:
         raise InputError(f"{source}: {error}") from None
 

@@ -1,23 +1,34 @@
 """Catmull-Clark surfaces of quadrilateral meshes: subdivision, limit positions, patches, parts."""
 
 from bodymeasure.subdivision.catmull_clark import limit_positions, subdivide
+from bodymeasure.subdivision.deviation import Deviation, limit_deviation
+from bodymeasure.subdivision.flat import MeshDeviation, flat_places, mesh_deviation
+from bodymeasure.subdivision.irregular import irregular_quads, neighborhood
 from bodymeasure.subdivision.loop_schaefer import PatchNets, loop_schaefer
 from bodymeasure.subdivision.part import children, fill_pinches, part, quads_within
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh
-from bodymeasure.subdivision.polygons import quads_of
+from bodymeasure.subdivision.polygons import quads_of, refined
 from bodymeasure.subdivision.quad_mesh import QuadMesh, triangles
 
 __all__ = [
+    "Deviation",
+    "MeshDeviation",
     "PatchNets",
     "PolygonMesh",
     "QuadMesh",
     "children",
     "fill_pinches",
+    "flat_places",
+    "irregular_quads",
+    "limit_deviation",
     "limit_positions",
     "loop_schaefer",
+    "mesh_deviation",
+    "neighborhood",
     "part",
     "quads_of",
     "quads_within",
+    "refined",
     "subdivide",
     "triangles",
 ]

@@ -112,7 +112,7 @@ class PolygonMesh:
 
         Sharp edges part them.
         """
-        return _joined_corners(self, ~self.sharp)
+        return joined_corners(self, ~self.sharp)
 
     @cached_property
     def corner_vertices(self) -> Bools:
@@ -169,7 +169,7 @@ def _key(mesh: PolygonMesh, tail: Ints, head: Ints) -> Ints:
     return np.asarray(np.minimum(tail, head) * len(mesh.vertices) + np.maximum(tail, head))
 
 
-def _joined_corners(mesh: PolygonMesh, passed: Bools) -> Ints:
+def joined_corners(mesh: PolygonMesh, passed: Bools) -> Ints:
     """A number for each corner, the same for those joined over `passed` edges at their vertex."""
     first = np.flatnonzero((mesh.twin >= 0) & passed[mesh.edge])
     second = mesh.twin[first]
@@ -225,7 +225,7 @@ def _check_edges(mesh: PolygonMesh) -> None:
 
 
 def _check_fans(mesh: PolygonMesh) -> None:
-    fan = _joined_corners(mesh, np.ones(len(mesh.sides), dtype=np.bool_))
+    fan = joined_corners(mesh, np.ones(len(mesh.sides), dtype=np.bool_))
     pairs = np.unique(np.stack([mesh.corners, fan], axis=-1), axis=0)
     fans = np.bincount(pairs[:, 0])
     pinched = np.flatnonzero(fans > 1)

@@ -3,6 +3,7 @@ from pathlib import Path
 
 import pytest
 from helpers.command_line import Run
+from helpers.surfaces.solids import CUBE, obj_text
 
 from bodymeasure import load_sample, read_atlas
 
@@ -55,7 +56,9 @@ def test_a_group_of_a_mesh(run: Run, tmp_path: Path) -> None:
     arguments = ("convert", tmp_path / "mesh.obj", "-o", target, "--file-unit", "cm", "--group")
     ran = run(*arguments, "left")
     assert (ran.code, ran.err) == (0, "")
-    assert ran.out == f"{target}: 1 patch, 0 seams, 1 part, in cm\n"
+    first, *sentences = ran.out.splitlines()
+    assert first == f"{target}: 1 patch, 0 seams, 1 part, in cm"
+    assert sentences[0] == "The patches are the Catmull-Clark surface of a mesh."
     ran = run(*arguments, "middle")
     assert (ran.code, ran.out) == (2, "")
     assert "no patch is in a group 'middle'; there are: left, right" in ran.err
@@ -184,3 +187,25 @@ def test_lengths_have_a_unit_of_their_own(run: Run, teapot: Path) -> None:
 def test_the_unit_of_one_file_is_not_that_of_the_next(run: Run, teapot: Path) -> None:
     assert run("check", teapot, "--file-unit", "mm").code == 0
     assert run("check", teapot).code == 2
+
+
+def test_what_an_approximation_costs_is_said_and_kept(run: Run, tmp_path: Path) -> None:
+    mesh, target = tmp_path / "cube.obj", tmp_path / "cube.atlas"
+    mesh.write_text(obj_text(CUBE, size=10.0))
+    options = ("--file-unit", "cm", "-o", target)
+    ran = run("convert", mesh, *options, "--deviation", "inf", "--unit", "mm")
+    sentences = ran.out.splitlines()[1:]
+    assert sentences == [
+        "The patches approximate the Catmull-Clark surface of a mesh: they lie within 0.16 cm of "
+        "it (root mean square 0.16 cm), and lengths differ by at most 4.6 % there, 4.6 % on "
+        "average.",
+        "The mesh itself lies within 4.3 cm of the patches (root mean square 3 cm); lengths on it "
+        "are about 65 % longer.",
+    ]
+    described = " ".join(run("info", target).out.split())
+    assert "approximation The patches approximate" in described
+    assert "they lie within 1.6 mm of it" in described
+    ran = run("convert", mesh, *options, "--deviation", "0.01")
+    assert ran.out.startswith(f"{target}: 96 patches,")
+    ran = run("convert", mesh, "--file-unit", "cm", "-o", tmp_path / "cube.bpt")
+    assert "how well its patches approximate their surface; the file lacks these" in ran.err

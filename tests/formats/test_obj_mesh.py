@@ -3,7 +3,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from helpers.bodies import BODIES
-from helpers.files.format_atlases import UNIT, read
+from helpers.files.format_atlases import ONE_PATCH_A_QUAD, UNIT, read
 from helpers.surfaces.quad_grids import grid_mesh, hilly_net, spline_atlas
 
 from bodymeasure import Axes, InputError, Unit, check_atlas
@@ -84,7 +84,9 @@ def test_triangles_and_polygons_become_quads() -> None:
     rings = [np.column_stack([np.cos(angle), np.sin(angle), 0.0 * angle + z]) for z in (0.0, 1.0)]
     points = "".join(f"v {x} {y} {z}\n" for x, y, z in np.concatenate(rings).tolist())
     sides = "".join(f"f {k + 1} {(k + 1) % 5 + 1} {(k + 1) % 5 + 6} {k + 6}\n" for k in range(5))
-    atlas = read(f"{points}{sides}g cap\nf 5 4 3 2 1\ng\nf 6 7 8 9 10\n".encode(), "obj")
+    atlas = read(
+        f"{points}{sides}g cap\nf 5 4 3 2 1\ng\nf 6 7 8 9 10\n".encode(), "obj", ONE_PATCH_A_QUAD
+    )
     assert len(atlas) == 4 * 5 + 2 * 5
     assert atlas.patch_names[:2] == ("face 1 0", "face 1 1")
     assert atlas.regions.count("cap") == 5
@@ -132,7 +134,7 @@ def test_creases_stay_sharp() -> None:
 def test_faults_are_told_with_their_faces(old: str, new: str, message: str | None) -> None:
     content = PLAIN.replace(old, new, 1).encode()
     if message is None:
-        assert len(read(content, "obj")) == 3 + 4 * 19
+        assert len(read(content, "obj", ONE_PATCH_A_QUAD)) == 3 + 4 * 19
         return
     with pytest.raises(InputError, match=f"^file({message})"):
         read(content, "obj")

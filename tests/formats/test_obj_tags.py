@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from helpers.files.format_atlases import read
+from helpers.files.format_atlases import ONE_PATCH_A_QUAD, read
 from helpers.surfaces.quad_grids import grid_mesh, hilly_net
 
 from bodymeasure import Atlas, InputError
@@ -16,7 +16,7 @@ PLAIN = "".join(
 
 
 def tagged(*tags: str) -> Atlas:
-    return read((PLAIN + "".join(f"t {tag}\n" for tag in tags)).encode(), "obj")
+    return read((PLAIN + "".join(f"t {tag}\n" for tag in tags)).encode(), "obj", ONE_PATCH_A_QUAD)
 
 
 def holds(atlas: Atlas, vertex: int) -> bool:
@@ -43,7 +43,7 @@ def test_holes_carry_no_surface_but_hold_up_their_neighbors() -> None:
     # A triangle makes three quads.
     first = PLAIN.index("f ")
     content = PLAIN[:first] + "f 1 6 7\nf 1 7 2\n" + PLAIN[first:].split("\n", 1)[1]
-    assert len(read((content + "t hole 1/0/0 1\n").encode(), "obj")) == 3 + 4 * 15
+    assert len(read((content + "t hole 1/0/0 1\n").encode(), "obj", ONE_PATCH_A_QUAD)) == 3 + 4 * 15
 
 
 def test_the_rules_for_the_boundary() -> None:

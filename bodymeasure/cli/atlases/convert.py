@@ -5,7 +5,7 @@ from pathlib import Path
 import click
 from rich.text import Text
 
-from bodymeasure.atlas import Atlas, Unit, summarize
+from bodymeasure.atlas import Atlas, Unit, approximation_sentences, summarize
 from bodymeasure.cli.console import RESULTS, print_note
 from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas
 from bodymeasure.files import require_writable
@@ -43,6 +43,13 @@ from bodymeasure.wording import counted
     help="Join edges of loose patches that are no farther apart than this, in the file's unit.",
 )
 @click.option(
+    "--deviation",
+    type=click.FloatRange(min=0.0, min_open=True),
+    metavar="LENGTH",
+    help="Refine a mesh until its patches lie no farther from its Catmull-Clark surface than this, "
+    "in the file's unit; inf does not refine it.",
+)
+@click.option(
     "--from",
     "source_format",
     type=click.Choice(list(FORMATS)),
@@ -60,13 +67,14 @@ def convert(
     unit: str | None,
     groups: tuple[str, ...],
     tolerance: float | None,
+    deviation: float | None,
     source_format: str | None,
     target_format: str | None,
 ) -> None:
     """Read ATLAS and write it in another format.
 
-    B-splines become Bezier patches, loose patches are joined, and each quad of a mesh of polygons
-    becomes a patch of its Catmull-Clark surface; `bodymeasure docs formats` lists the
+    B-splines become Bezier patches, loose patches are joined, and the quads of a mesh of polygons
+    become patches of its Catmull-Clark surface; `bodymeasure docs formats` lists the
     formats.
 
     --file-unit is the unit of ATLAS's coordinates, --unit that of the coordinates in FILE.
@@ -77,8 +85,10 @@ def convert(
         atlas,
         group=groups,
         tolerance=tolerance,
+        deviation=deviation,
         format=source_format,
     )
+    sentences = approximation_sentences(loaded)
     if unit is not None:
         loaded = loaded.converted(unit)
     write_atlas(loaded, output, format=target_format)
@@ -90,6 +100,8 @@ def convert(
         ),
         soft_wrap=True,
     )
+    for sentence in sentences:
+        RESULTS.print(Text(sentence), soft_wrap=True)
     lost = _lost(loaded, target.keeps)
     if lost:
         print_note(f"{target.title} cannot hold {', '.join(lost)}; the file lacks these.")
@@ -102,6 +114,10 @@ def _lost(atlas: Atlas, keeps: frozenset[str]) -> list[str]:
         "unit": (f"its unit ({atlas.unit}) and axes", True),
         "names": ("the names of its patches", has_names),
         "regions": ("its regions", any(atlas.regions)),
+        "approximation": (
+            "how well its patches approximate their surface",
+            atlas.approximation is not None,
+        ),
         "landmarks": (counted(len(atlas.landmarks), "landmark"), bool(atlas.landmarks)),
     }
     return [words for what, (words, has) in there.items() if has and what not in keeps]

@@ -5,7 +5,14 @@ from collections import Counter
 import click
 from rich.text import Text
 
-from bodymeasure.atlas import Atlas, Finding, Severity, check_atlas, summarize
+from bodymeasure.atlas import (
+    Atlas,
+    Finding,
+    Severity,
+    approximation_sentences,
+    check_atlas,
+    summarize,
+)
 from bodymeasure.cli.console import print_table
 from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas
 from bodymeasure.cli.tables import facts_table
@@ -52,6 +59,8 @@ def _rows(atlas: Atlas, findings: tuple[Finding, ...]) -> list[tuple[str, str]]:
         ("landmarks", _listed(summary.landmarks)),
         ("quality", _quality(findings)),
     ]
+    labels = ("approximation", "")
+    rows += zip(labels, approximation_sentences(atlas), strict=False)
     return rows + [(key, value) for key, value in atlas.provenance.items()]
 
 

@@ -15,6 +15,7 @@ from bodymeasure._typing import Bools, Ints
 from bodymeasure.atlas import Atlas, Axes, Unit
 from bodymeasure.atlas.size import require_size
 from bodymeasure.errors import InputError
+from bodymeasure.formats.obj.approximate import approximate
 from bodymeasure.formats.obj.statements import (
     ObjFile,
     Statement,
@@ -24,7 +25,7 @@ from bodymeasure.formats.obj.statements import (
 )
 from bodymeasure.formats.obj.tags import hole_faces, read_tags
 from bodymeasure.formats.patches import unique_names
-from bodymeasure.subdivision import PolygonMesh, loop_schaefer, quads_of
+from bodymeasure.subdivision import PolygonMesh
 
 
 class Faces(NamedTuple):
@@ -91,22 +92,21 @@ def _corners(faces: list[Statement], count: int, source: str) -> Ints:
     return np.concatenate([vertex_numbers(face, face.words, count, source) for face in faces])
 
 
-def assemble(faces: Faces, *, unit: Unit, axes: Axes) -> Atlas:
+def assemble(faces: Faces, *, unit: Unit, axes: Axes, deviation: float | None = None) -> Atlas:
     """The atlas of a mesh: patches are called after their faces, counted from 1."""
-    quads, face = quads_of(faces.mesh)
-    nets, kept = loop_schaefer(quads), ~faces.holes[face]
-    face, net_index = face[kept], nets.index[kept]
-    used, index = np.unique(net_index, return_inverse=True)
+    patches = approximate(faces.mesh, faces.holes, deviation)
+    face = patches.face
     digits = 1 + int(math.log10(len(faces.names)))
     labels = (f"face {number:0{digits}d}" for number in range(1, len(faces.names) + 1))
     named = [f"{name} {label}".strip() for name, label in zip(faces.names, labels, strict=True)]
     return Atlas(
-        nets.points[used],
-        index.reshape(net_index.shape),
+        patches.nets.points,
+        patches.nets.index,
         unit,
         patch_names=unique_names(_each(named, face)),
         regions=tuple(_each(faces.groups, face)),
         axes=axes,
+        approximation=patches.approximation,
     )
 
 

@@ -10,6 +10,8 @@ from bodymeasure.formats.options import ReadOptions
 from bodymeasure.formats.registry import FORMATS, decode
 
 UNIT = Unit.CM
+# Meshes are read without refining them.
+ONE_PATCH_A_QUAD = ReadOptions(unit=UNIT, deviation=np.inf)
 # Formats of loose patches as text.
 TEXT = ("bpt", "bez", "obj", "geomdl")
 

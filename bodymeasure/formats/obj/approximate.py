@@ -1,0 +1,116 @@
+"""The patches of a mesh, as many as its surface needs, and how well they approximate it."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure.atlas import Approximation, ApproximationKind
+from bodymeasure.atlas.approximation import extent
+from bodymeasure.errors import InputError
+from bodymeasure.subdivision import (
+    Deviation,
+    PatchNets,
+    PolygonMesh,
+    flat_places,
+    limit_deviation,
+    loop_schaefer,
+    mesh_deviation,
+    refined,
+)
+
+# A mesh is refined until its patches deviate by at most this part of its mean edge, unless that
+# takes more patches than these; with more, lengths take longer, and what they lack is stated.
+DEVIATION = 1e-4
+FEW = 500
+# The number of patches up to which a mesh is refined for a deviation that a user asks for.
+MANY = 200_000
+# No step of subdivision divides the deviation by more; the usual factor is 6.
+BEST_FACTOR = 16.0
+
+
+class Approximated(NamedTuple):
+    """The patches of a mesh.
+
+    Parameters
+    ----------
+    nets : PatchNets
+    face : ndarray of int, shape (patches,)
+        The face that each comes from.
+    approximation : Approximation
+    """
+
+    nets: PatchNets
+    face: Ints
+    approximation: Approximation
+
+
+def approximate(mesh: PolygonMesh, holes: Bools, deviation: float | None) -> Approximated:
+    """Return the patches of a mesh but for those of its holes.
+
+    Parameters
+    ----------
+    mesh : PolygonMesh
+    holes : ndarray of bool, shape (faces,)
+    deviation : float, optional
+        The largest distance from the Catmull-Clark surface.
+
+    Raises
+    ------
+    InputError
+        If that takes too many patches.
+    """
+    wanted = deviation
+    if wanted is None:
+        wanted = DEVIATION * float(
+            np.linalg.norm(np.diff(mesh.vertices[mesh.ends], axis=1), axis=2).mean()
+        )
+    most = FEW if deviation is None else MANY
+    places, face = mesh.vertices, np.arange(len(mesh.sizes))
+    if not (mesh.sizes == 4).all():
+        mesh, places, face = _refined(mesh, places, face)
+    while True:
+        nets = loop_schaefer(mesh)
+        found, kept = limit_deviation(mesh, nets), ~holes[face]
+        largest = float(found.distance[kept].max())
+        if largest <= wanted or _out_of_reach(largest / wanted, most / len(face)):
+            break
+        mesh, places, face = _refined(mesh, places, face)
+    if deviation is not None and largest > deviation:
+        raise InputError(
+            f"{len(face)} patches still deviate by {largest:.2g} from the surface of the mesh, and "
+            f"{MANY} would not reach {deviation:g}; take a larger deviation"
+        )
+    used, index = np.unique(nets.index[kept], return_inverse=True)
+    chosen = PatchNets(nets.points[used], index.reshape(-1, 4, 4))
+    quads = mesh.corners.reshape(-1, 4)[kept]
+    return Approximated(chosen, face[kept], _approximation(found, kept, places, quads, chosen))
+
+
+def _out_of_reach(factor: float, more: float) -> bool:
+    """Whether so many times as many patches cannot divide the deviation by a factor."""
+    steps = int(np.log(more) / np.log(4.0)) if more >= 4.0 else 0
+    return steps == 0 or factor > BEST_FACTOR**steps
+
+
+def _refined(mesh: PolygonMesh, places: Array, face: Ints) -> tuple[PolygonMesh, Array, Ints]:
+    """Return the mesh after a step, with places on the original faces and the face of each quad."""
+    return refined(mesh), flat_places(mesh, places), face[mesh.face]
+
+
+def _approximation(
+    found: Deviation, kept: Bools, places: Array, quads: Ints, nets: PatchNets
+) -> Approximation:
+    size = extent(nets.points) or 1.0
+    on_mesh = mesh_deviation(places, quads, nets)
+    return Approximation(
+        ApproximationKind.SMOOTHED,
+        _short(found.distance[kept] / size),
+        _short(found.stretch[kept]),
+        *_short(np.array([on_mesh.distance / size, on_mesh.rms / size, on_mesh.lengths])).tolist(),
+    )
+
+
+def _short(values: Array) -> Array:
+    """Return numbers of three digits, which files hold as such."""
+    return np.array([float(f"{value:.2e}") for value in values.tolist()])

@@ -1,0 +1,137 @@
+"""What the patches of a mesh approximate, kept by the atlas and its files."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from helpers.files.format_atlases import ONE_PATCH_A_QUAD, UNIT, read, write
+from helpers.surfaces.solids import CUBE, blob, icosphere, obj_text
+
+from bodymeasure import (
+    Approximation,
+    ApproximationKind,
+    Atlas,
+    InputError,
+    approximation_error,
+    load_sample,
+)
+from bodymeasure.atlas import approximation_sentences
+from bodymeasure.atlas.approximation import extent
+from bodymeasure.formats.npz import read_bodies, write_bodies
+from bodymeasure.formats.options import ReadOptions
+
+TEXT = obj_text(CUBE)
+ATLAS = read(TEXT.encode(), "obj", ONE_PATCH_A_QUAD)
+
+
+def approximation(atlas: Atlas) -> Approximation:
+    assert atlas.approximation is not None
+    return atlas.approximation
+
+
+def largest(atlas: Atlas) -> float:
+    return float(extent(atlas.points) * approximation(atlas).distance.max())
+
+
+def test_a_small_mesh_is_refined_to_a_part_of_its_edge() -> None:
+    atlas = read(TEXT.encode(), "obj")
+    assert (len(ATLAS), len(atlas)) == (6, 6 * 4**3)
+    assert largest(atlas) < 1e-4 < 0.01 < largest(ATLAS)
+    # With 24 quads of more curvature, 500 patches are not enough.
+    assert len(read(obj_text(blob(1)).encode(), "obj")) == 24 * 4**2
+
+
+def test_a_mesh_is_refined_to_a_given_deviation() -> None:
+    fine = read(TEXT.encode(), "obj", ReadOptions(unit=UNIT, deviation=1e-5))
+    assert len(fine) == 6 * 4**4
+    assert largest(fine) < 1e-5
+    with pytest.raises(InputError, match=r"^file: 1536 patches still deviate by 4.8e-06 from"):
+        read(TEXT.encode(), "obj", ReadOptions(unit=UNIT, deviation=1e-9))
+    patches = write(ATLAS, "bpt")
+    with pytest.raises(InputError, match=r"^file: holds patches and no mesh; leave the deviation"):
+        read(patches, "bpt", ReadOptions(unit=UNIT, deviation=1.0))
+
+
+def test_no_step_brings_the_patches_of_a_larger_mesh_over_the_limit() -> None:
+    atlas = read(obj_text(icosphere(2)).encode(), "obj")
+    assert len(atlas) == 3 * 320
+    assert approximation(atlas).mesh_lengths == pytest.approx(0.0098, abs=1e-4)
+
+
+@pytest.mark.parametrize("form", ["atlas", "npz"])
+def test_files_of_our_own_keep_it(form: str) -> None:
+    for atlas in (ATLAS, read(TEXT.encode(), "obj")):
+        assert approximation(read(write(atlas, form), form)).is_same(atlas.approximation)
+    exact = replace(ATLAS, approximation=None)
+    assert read(write(exact, form), form).approximation is None
+    assert b"approximation" not in write(exact, form)
+
+
+def test_it_stays_true_under_motion_scale_and_unit() -> None:
+    sentences = approximation_sentences(ATLAS)
+    assert "within 0.016 cm of it" in sentences[0]
+    assert sentences[1].startswith("The mesh itself lies within 0.43 cm of the patches")
+    assert "within 0.16 mm of it" in approximation_sentences(ATLAS, "mm")[0]
+    assert "within 0.16 mm of it" in approximation_sentences(ATLAS.converted("mm"))[0]
+    turn = np.linalg.qr(np.random.default_rng(1).normal(size=(3, 3)))[0]
+    moved = replace(ATLAS, points=100.0 * ATLAS.points @ turn + 50.0)
+    assert "within 1.6 cm of it" in approximation_sentences(moved)[0]
+    assert approximation_sentences(load_sample("paraboloid")) == ()
+
+
+def test_a_part_keeps_its_own() -> None:
+    rows = TEXT.split("f ", 1)
+    text = f"{rows[0]}g first\nf {rows[1]}".replace("f 1 3 7 5", "g rest\nf 1 3 7 5").encode()
+    whole = read(text, "obj", ONE_PATCH_A_QUAD)
+    options = ReadOptions(unit=UNIT, groups=("first",), deviation=np.inf)
+    part = read(text, "obj", options)
+    assert 0 < len(part) < len(whole)
+    assert largest(part) == pytest.approx(largest(whole), rel=1e-12)
+
+
+def test_bodies_of_one_file_share_it() -> None:
+    taller = replace(ATLAS, points=1.1 * ATLAS.points, name="taller")
+    found = read_bodies(write_bodies([ATLAS, taller]), "file")
+    assert all(approximation(each).is_same(ATLAS.approximation) for each in found)
+    assert largest(found[1]) == pytest.approx(1.1 * largest(found[0]), rel=1e-12)
+    with pytest.raises(InputError, match="approximates its surface in another way than the first"):
+        write_bodies([ATLAS, replace(ATLAS, approximation=None)])
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('"distance": ', '"distance": -', "a distance that is negative or not finite"),
+        ('"smoothed mesh"', '"mesh"', "Invalid enum value 'mesh'"),
+        ('"mesh_rms"', '"rms"', "Object missing required field|unknown field `rms`"),
+        ('"approximation": {', '"provenance": {"a": "b"}, "no": {', "unknown field `no`"),
+    ],
+)
+def test_a_damaged_one_is_refused(old: str, new: str, message: str) -> None:
+    content = write(ATLAS, "atlas").decode().replace(old, new)
+    with pytest.raises(InputError, match=message):
+        read(content.encode(), "atlas")
+
+
+def test_numbers_without_their_kind_are_refused() -> None:
+    lines = write(ATLAS, "atlas").decode().splitlines()
+    content = "\n".join(line for line in lines if "approximation" not in line)
+    with pytest.raises(InputError, match="has the distance or the stretch of an approximation"):
+        read(content.encode(), "atlas")
+    two = approximation(ATLAS).part(np.array([0, 1]), 1.0)
+    with pytest.raises(InputError, match="has 2 numbers for 6 patches; expected one each"):
+        replace(ATLAS, approximation=two)
+    with pytest.raises(InputError, match="has 1 distances and 2 stretches"):
+        Approximation(ApproximationKind.SMOOTHED, np.ones(1), np.ones(2), 0.0, 0.0, 0.0)
+
+
+def test_a_length_differs_by_the_stretch_of_the_patches_below_it() -> None:
+    patches = approximation(ATLAS)
+    curve = np.array([[0.5, 0.5, 0.9], [0.5, 0.6, 0.9], [0.5, 0.6, 0.92]])
+    top = int(np.argmax(ATLAS.control_points[..., 2].mean(axis=(1, 2))))
+    expected = patches.stretch[top] * 0.12
+    assert approximation_error(ATLAS, curve) == pytest.approx(expected, rel=1e-12)
+    assert approximation_error(replace(ATLAS, approximation=None), curve) == 0.0
+    assert approximation_error(ATLAS, curve[:1]) == 0.0
+    with pytest.raises(InputError, match=r"positions have shape \(3,\); expected \(k, 3\)"):
+        approximation_error(ATLAS, curve[0])
