@@ -27,10 +27,11 @@ name = "Half the hip girth"
 formula = "hip / 2"
 
 [[measurement]]
-key = "dozen"
+key = "eighth"
 kind = "formula"
-name = "A dozen"
-formula = "3 * 4"
+name = "An eighth of a turn"
+formula = "atan(1)"
+angle = true
 
 [[measurement]]
 key = "calf"
@@ -51,7 +52,7 @@ def definitions(tmp_path: Path) -> Path:
     ("key", "message"),
     [
         ("hop", "there is no measurement 'hop' in 'Two'; did you mean 'hip'?"),
-        ("dozen", "dozen: there is no tape to show: what it is calculated from has none"),
+        ("eighth", "eighth: there is no tape to show: what it is calculated from has none"),
         ("calf", "calf: there is no tape to show: "),
     ],
 )
