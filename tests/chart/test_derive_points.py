@@ -13,6 +13,7 @@ from bodymeasure.chart import Derived, LandmarkRule, derive_landmarks
 from bodymeasure.chart.landmarks.rules import (
     Between,
     Boundary,
+    Farthest,
     GirthLevel,
     Hollow,
     Level,
@@ -221,7 +222,42 @@ def test_a_path_over_a_bulge_has_no_hollow(flipped: bool) -> None:
         for name, v in (("low", 0.1), ("high", 0.9))
     }
     rule = Hollow(name="waist", start="low", end="high")
-    assert "nowhere runs below its chord, so it has no hollow" in reason(given(atlas, **ends), rule)
+    atlas = given(atlas, **ends)
+    assert "nowhere runs below its chord, so it has no hollow" in reason(atlas, rule)
+    found = place(atlas, Hollow(name="waist", start="low", end="high", otherwise=0.5))
+    # Half of the way up a profile that is symmetric.
+    assert found[2] == pytest.approx(1.5, abs=1e-7)
+
+
+def test_a_dent_that_is_too_shallow_is_no_hollow() -> None:
+    pytest.importorskip("pygeodesic")
+    atlas = given(tube(WAISTED), low=LOW, high=HIGH)
+    deepest, halfway = (
+        place(atlas, Hollow(name="w", start="low", end="high", least=least, otherwise=0.5))
+        for least in (0.0, 0.5)
+    )
+    between = place(atlas, Between(name="m", start="low", end="high"))
+    assert np.linalg.norm(deepest - halfway) > 1e-3
+    np.testing.assert_array_equal(halfway, between)
+    rule = Hollow(name="w", start="low", end="high", least=0.5)
+    assert "it has no hollow" in reason(atlas, rule)
+    rule = Hollow(name="w", start="low", end="high", otherwise=1.5)
+    assert "otherwise is 1.5; expected 0 to 1" in reason(atlas, rule)
+
+
+def test_the_farthest_of_several_landmarks() -> None:
+    left, right = AtlasPoint(0, 0.0, 0.5), AtlasPoint(2, 0.0, 0.5)
+    atlas = given(tube([1.0] * 4), low=LOW, high=HIGH, left=left, right=right)
+    every = ("right", "left", "high", "low")
+    for direction, name in (("up", "high"), ("down", "low"), ("right", "right")):
+        found = place(atlas, Farthest(name="f", of=every, direction=direction))  # type: ignore[arg-type]
+        np.testing.assert_array_equal(found, atlas.position(atlas.landmarks[name]))
+    # Of two that are equally far, it is the left one.
+    found = place(atlas, Farthest(name="f", of=("right", "left"), direction="down"))
+    np.testing.assert_array_equal(found, atlas.position(left))
+    assert "of needs two landmarks or more" in reason(
+        atlas, Farthest(name="f", of=("low",), direction="down")
+    )
 
 
 def test_between_is_a_part_of_the_way(rng: np.random.Generator) -> None:

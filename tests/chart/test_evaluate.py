@@ -120,18 +120,41 @@ def test_a_taut_tape_that_there_is_not_leaves_what_was_asked_for() -> None:
 
 def test_a_tilted_girth_lies_in_the_plane_of_its_landmarks() -> None:
     found = chart_of(
-        post(), [TiltedGirthMeasure(key="a", name="a", front="front", back="high back")]
+        post(), [TiltedGirthMeasure(key="a", name="a", through=("front", "high back"))]
     )["a"]
     (contact, _) = found.tapes
     # Half as far up at the sides, which lie halfway from front to back.
     sides = contact.points[np.abs(contact.points[:, 1]) < 1e-9]
     np.testing.assert_allclose(sides[:, 2], 1.875, atol=1e-9)
     assert found.value > RADIUS * ring_length()
-    beside = chart_of(post(), [TiltedGirthMeasure(key="a", name="a", front="left", back="right")])[
+    beside = chart_of(post(), [TiltedGirthMeasure(key="a", name="a", through=("left", "right"))])[
         "a"
     ]
     assert beside.outcome is Outcome.REFUSED
     assert "lie one beside the other or at one place" in beside.reason
+
+
+def test_a_tilted_girth_may_be_level_from_front_to_back() -> None:
+    found = chart_of(
+        post(),
+        [
+            TiltedGirthMeasure(key="a", name="a", through=("left", "right"), plane="median"),
+            TiltedGirthMeasure(key="b", name="b", through=("front", "back"), plane="median"),
+        ],
+    )
+    assert found["a"].value == pytest.approx(RADIUS * ring_length())
+    assert "lie one before the other or at one place" in found["b"].reason
+
+
+def test_a_tilted_girth_passes_both_of_its_landmarks() -> None:
+    legs = joined([tube([1.0] * 4), tube([1.0] * 4, (-3.0, 0.0))], ["leg left", "leg right"])
+    here, there = AtlasPoint(0, 0.0, 0.5), AtlasPoint(4, 0.0, 0.6)
+    found = chart_of(
+        replace(legs, landmarks={"here": here, "there": there}),
+        [TiltedGirthMeasure(key="a", name="a", through=("here", "there"), plane="median")],
+    )["a"]
+    assert found.outcome is Outcome.REFUSED
+    assert "the loop at 'here' does not pass 'there'" in found.reason
 
 
 def test_an_extreme_girth_at_the_end_of_its_stretch_says_so() -> None:

@@ -69,7 +69,7 @@ def test_a_missing_landmark_is_named() -> None:
         GirthMeasure(key="a", name="a", at="front", cut=("navel", "right")),
         LimbGirthMeasure(key="a", name="a", start="front", end="high front", at="navel"),
         ExtremeGirthMeasure(key="a", name="a", start="navel", end="front", extreme="largest"),
-        TiltedGirthMeasure(key="a", name="a", front="front", back="navel"),
+        TiltedGirthMeasure(key="a", name="a", through=("front", "navel")),
         OverMeasure(key="a", name="a", start="high front", level="front", over=("navel", "left")),
         DropMeasure(key="a", name="a", start="front", level="navel"),
         HeightMeasure(key="a", name="a", at="front", above="navel"),

@@ -41,6 +41,12 @@ def path_between(
     return path
 
 
+def point_at(path: AtlasPath, fraction: float) -> AtlasPoint:
+    """Return the point of a path at a fraction of its length; of two mirror images, the left."""
+    patch, (u, v) = path.path(fraction)
+    return on_the_left(path, AtlasPoint(int(patch), float(u), float(v)))
+
+
 def on_the_left(path: AtlasPath, point: AtlasPoint) -> AtlasPoint:
     """Return the point of a path, or its mirror image if that is a point of the body on the left.
 

@@ -41,7 +41,8 @@ def refuse_merged(section: PlaneSection, loop: SectionLoop, *, limb: bool) -> No
     -----
     Just below the armpit a loop of the trunk may cross patches that belong to the arm, but only a
     little beside the arm's own loop. A tilted plane may cut the arm a second time, farther down:
-    that it has another loop proves nothing.
+    that it has another loop proves nothing. The loop of an armhole crosses the trunk's patches, but
+    only those of its own side.
     """
     reason = merged(section, loop, limb=limb)
     if reason is not None:
@@ -52,7 +53,7 @@ def merged(section: PlaneSection, loop: SectionLoop, *, limb: bool) -> str | Non
     """Say why `refuse_merged` refuses a loop, with the remedy; None if it does not."""
     for side in SIDES:
         arm, trunk = _length(loop, ARM, side), _length(loop, TRUNK)
-        if arm == 0.0 or trunk == 0.0 or (limb and arm > trunk):
+        if arm == 0.0 or trunk == 0.0 or (limb and trunk <= max(arm, _length(loop, TRUNK, side))):
             continue
         others = [other for other in section.loops if other is not loop]
         own = [other.length for other in others if _length(other, ARM, side) > 0.5 * other.length]

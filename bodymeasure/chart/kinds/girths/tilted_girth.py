@@ -1,48 +1,70 @@
-"""Girths in a plane that leans forwards or backwards."""
+"""Girths in a plane that leans."""
 
-from collections.abc import Mapping
-from typing import ClassVar
+from collections.abc import Iterator, Mapping
+from typing import ClassVar, Literal
 
 import numpy as np
 
 from bodymeasure.chart.accuracy import AccuracyClass, girth_class
 from bodymeasure.chart.body import Body
-from bodymeasure.chart.entry import Landmark
+from bodymeasure.chart.entry import Fault, Landmark
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, TapeWanted
 from bodymeasure.chart.kinds.taped import taped_girth
 from bodymeasure.errors import InputError
 from bodymeasure.section import Plane
 
+# The second landmark is on the loop of the first if it is no farther from it than this part of the
+# girth, which is far more than the spacing of the loop's samples.
+ON_LOOP = 0.02
+
 
 class TiltedGirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="tilted girth"):
-    """The girth in the plane through two landmarks that is level from left to right.
+    """The girth in the plane through two landmarks that is level in one direction.
 
-    It serves for what leans forwards or backwards, such as the neck.
+    It serves for what leans, such as the neck, and for an armhole.
 
     Parameters
     ----------
-    front, back : str
+    through : tuple of (str, str)
         The two landmarks.
+    plane : {"median", "side"}
+        Whether the plane is level from front to back or from left to right.
+    limb : bool
+        Whether the loop has to go round one leg or arm alone.
     tape : {"contact", "taut", "both"}
     """
 
-    example: ClassVar[str] = 'front = "front neck point"\nback = "back neck point"'
+    example: ClassVar[str] = 'through = ["front neck point", "back neck point"]'
 
-    front: Landmark
-    back: Landmark
+    through: tuple[Landmark, Landmark]
+    plane: Literal["median", "side"] = "side"
+    limb: bool = False
     tape: TapeWanted = "taut"
 
     @property
     def accuracy_class(self) -> AccuracyClass:
-        return girth_class(self.name)
+        return AccuracyClass.SMALL_GIRTH if self.limb else girth_class(self.name)
+
+    def faults(self) -> Iterator[Fault]:
+        return self.same_place("through", *self.through)
 
     def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
-        front, back = body.position(self.front), body.position(self.back)
-        normal = np.cross(body.atlas.axes.left_vector, front - back)
+        first, second = map(body.position, self.through)
+        axes = body.atlas.axes
+        level = axes.front_vector if self.plane == "median" else axes.left_vector
+        normal = np.cross(level, first - second)
         if not normal.any():
+            one, other = self.through
+            beside = "before" if self.plane == "median" else "beside"
             raise InputError(
-                f"{self.front!r} and {self.back!r} lie one beside the other or at one place, so "
-                "that many planes hold them; choose a front and a back landmark"
+                f"{one!r} and {other!r} lie one {beside} the other or at one place, so that many "
+                "planes hold them; choose two that differ in another direction"
             )
-        girth = body.girth(Plane(front, normal), self.front)
+        girth = body.girth(Plane(first, normal), self.through[0], limb=self.limb)
+        apart = np.linalg.norm(girth.loop.positions - second, axis=1).min()
+        if apart > ON_LOOP * girth.contact:
+            raise InputError(
+                f"the loop at {self.through[0]!r} does not pass {self.through[1]!r}: the plane "
+                "cuts two parts of the body; choose landmarks on one of them"
+            )
         return taped_girth(body, self, self.tape, girth)

@@ -4,6 +4,7 @@ from bodymeasure.chart.landmarks.rules.at_height import AtHeight as AtHeight
 from bodymeasure.chart.landmarks.rules.base import LandmarkRule
 from bodymeasure.chart.landmarks.rules.between import Between as Between
 from bodymeasure.chart.landmarks.rules.boundary import Boundary as Boundary
+from bodymeasure.chart.landmarks.rules.farthest import Farthest as Farthest
 from bodymeasure.chart.landmarks.rules.fork import Fork as Fork
 from bodymeasure.chart.landmarks.rules.girth_level import GirthLevel as GirthLevel
 from bodymeasure.chart.landmarks.rules.hollow import Hollow as Hollow

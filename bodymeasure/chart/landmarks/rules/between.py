@@ -5,7 +5,7 @@ from typing import ClassVar
 
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.chart.entry import Fault, Landmark
-from bodymeasure.chart.landmarks.paths import on_the_left, path_between
+from bodymeasure.chart.landmarks.paths import path_between, point_at
 from bodymeasure.chart.landmarks.rules.base import LandmarkRule, Landmarks
 
 
@@ -36,5 +36,4 @@ class Between(LandmarkRule, frozen=True, kw_only=True, tag="between"):
 
     def point(self, atlas: Atlas, landmarks: Landmarks) -> AtlasPoint:
         path = path_between(atlas, self.start, self.end, landmarks)
-        patch, (u, v) = path.path(self.fraction)
-        return on_the_left(path, AtlasPoint(int(patch), float(u), float(v)))
+        return point_at(path, self.fraction)

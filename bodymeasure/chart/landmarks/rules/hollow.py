@@ -1,5 +1,6 @@
 """Landmarks in the hollow between two others."""
 
+from collections.abc import Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -9,8 +10,8 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.queries.outside import outward_sign
 from bodymeasure.bezier import derivatives
-from bodymeasure.chart.entry import Landmark
-from bodymeasure.chart.landmarks.paths import on_the_left, path_between
+from bodymeasure.chart.entry import Fault, Landmark
+from bodymeasure.chart.landmarks.paths import on_the_left, path_between, point_at
 from bodymeasure.chart.landmarks.rules.base import LandmarkRule, Landmarks
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import AtlasPath
@@ -31,16 +32,31 @@ class Hollow(LandmarkRule, frozen=True, kw_only=True, tag="hollow"):
     ----------
     start, end : str
         The two landmarks.
+    least : float
+        The least depth of a hollow, as a part of the chord; a dent that is shallower is none.
+    otherwise : float, optional
+        The fraction of the geodesic's length at which the point lies on bodies without a hollow;
+        if not given, they have no such landmark.
     """
 
     example: ClassVar[str] = 'start = "bust point left"\nend = "front waist point"'
 
     start: Landmark
     end: Landmark
+    least: float = 0.0
+    otherwise: float | None = None
 
     @property
     def description(self) -> str:
-        return f"deepest below the chord from {self.start} to {self.end}"
+        deepest = f"deepest below the chord from {self.start} to {self.end}"
+        if self.otherwise is None:
+            return deepest
+        return f"{deepest}; without a hollow, {self.otherwise:.4g} of the way"
+
+    def faults(self) -> Iterator[Fault]:
+        for member, value in (("least", self.least), ("otherwise", self.otherwise)):
+            if value is not None and not 0.0 <= value <= 1.0:
+                yield Fault(self, member, f"{member} is {value}; expected 0 to 1")
 
     def point(self, atlas: Atlas, landmarks: Landmarks) -> AtlasPoint:
         path = path_between(atlas, self.start, self.end, landmarks)
@@ -54,14 +70,16 @@ class Hollow(LandmarkRule, frozen=True, kw_only=True, tag="hollow"):
         for number, fraction in _turns(path, ends[0], axis):
             point, offset, _, normal = _state(path, number, fraction, ends[0], axis)
             depth = float(np.linalg.norm(offset))
-            if depth > STRAIGHT * length and sign * float(offset @ normal) < 0.0:
+            if depth > max(self.least, STRAIGHT) * length and sign * float(offset @ normal) < 0.0:
                 found.append((depth, point))
-        if not found:
+        if found:
+            return on_the_left(path, max(found, key=lambda candidate: candidate[0])[1])
+        if self.otherwise is None:
             raise InputError(
                 f"the path from {self.start!r} to {self.end!r} nowhere runs below its chord, so "
                 "it has no hollow"
             )
-        return on_the_left(path, max(found, key=lambda candidate: candidate[0])[1])
+        return point_at(path, self.otherwise)
 
 
 def _turns(path: AtlasPath, start: Array, axis: Array) -> list[tuple[int, float]]:
