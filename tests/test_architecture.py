@@ -53,7 +53,8 @@ ORDERS = {
     "scene": "model · camera, colors · lighting · figures · drawing · diagonals · tapes",
     "section": "cells, plane, roots · crossings, pieces · arcs, loop · curve, part ·"
     " bridged, places, section · hull",
-    "taut": "skin, status · valleys · equilibrium · string · refine · solve",
+    "taut": "poles, starts, status · skin · ridges, takeoffs, valleys · equilibrium · string ·"
+    " refine · solve",
 }
 MOST_FILES = 15
 LEVEL = {layer: level for level, layers in enumerate(LAYERS) for layer in layers}

@@ -10,6 +10,9 @@ from bodymeasure.bezier.power_form import jets
 # part of the way to the middle of the patch.
 DEGENERATE = 1e-9
 ASIDE = 1e-4
+# The ratio of the lengths of both tangents, below which a point is beside a pole. There, second
+# derivatives over the square of the shorter tangent are rounding; those a little aside are taken.
+NEAR_POLE = 1e-5
 
 
 def normal_coefficients(control_points: Array) -> Array:
@@ -129,12 +132,23 @@ def normals_and_bends(coefficients: Array, x: Array) -> tuple[Array, Array, Arra
         along the normal; 0 where the tangents span no plane.
     """
     s = jets(coefficients, x)
+    position = s[:, 0, 0].copy()
     normal, sine = _unit_normal(s[:, 1, 0], s[:, 0, 1])
-    bad = np.flatnonzero(sine < DEGENERATE)
-    if len(bad):
-        aside = jets(coefficients[bad], x[bad] + ASIDE * (0.5 - x[bad]))
-        normal[bad] = _unit_normal(aside[:, 1, 0], aside[:, 0, 1])[0]
-    return s[:, 0, 0], normal, _bend(s, normal, sine >= DEGENERATE)
+    speed = np.linalg.norm(np.stack([s[:, 1, 0], s[:, 0, 1]]), axis=2)
+    regular = sine >= DEGENERATE
+    near_pole = speed.min(axis=0) < NEAR_POLE * speed.max(axis=0)
+    row = np.flatnonzero(~regular | near_pole)
+    if len(row):
+        s[row] = jets(coefficients[row], x[row] + ASIDE * (0.5 - x[row]))
+        aside, sine[row] = _unit_normal(s[row, 1, 0], s[row, 0, 1])
+        bad = ~regular[row]
+        normal[row[bad]] = aside[bad]
+        regular[row] = near_pole[row] & (sine[row] >= DEGENERATE)
+        # Beside a pole, second derivatives are long, and perpendicular to the normal there alone.
+        own = normal.copy()
+        own[row] = aside
+        return position, normal, _bend(s, own, regular)
+    return position, normal, _bend(s, normal, regular)
 
 
 def _tangents(control_points: Array, parameters: Array) -> tuple[Array, Array]:
@@ -154,9 +168,14 @@ def _unit_normal(su: Array, sv: Array) -> tuple[Array, Array]:
 def _bend(s: Array, normal: Array, regular: Bools) -> Array:
     """Second derivatives of the distance to the surface, 0 where there is no tangent plane."""
     tangents = np.stack([s[:, 1, 0], s[:, 0, 1]], axis=2)
+    # Of unit tangents the metric is well-conditioned, unless they are parallel.
+    speed = np.linalg.norm(tangents, axis=1)
+    speed[~regular] = 1.0
+    tangents = tangents / speed[:, None]
     metric = tangents.swapaxes(1, 2) @ tangents
     metric[~regular] = np.eye(2)
     dual = tangents @ np.linalg.inv(metric)
     second = np.einsum("kijc,kc->kij", s[:, [[2, 1], [1, 0]], [[0, 1], [1, 2]]], normal)
+    second /= speed[:, :, None] * speed[:, None, :]
     second[~regular] = 0.0
     return np.asarray(-dual @ second @ dual.swapaxes(1, 2))

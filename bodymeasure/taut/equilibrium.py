@@ -6,6 +6,7 @@ import numpy as np
 import scipy
 
 from bodymeasure._typing import Array, Bools
+from bodymeasure.taut.ridges import RidgeFeet
 from bodymeasure.taut.skin import Feet, Skin
 from bodymeasure.taut.valleys import feet_over_valleys
 
@@ -41,6 +42,17 @@ def walls_of(skin: Skin, positions: Array, feet: Feet, reach: Array) -> Walls:
     there[:, 1] = np.isfinite(gap[:, 1]) & ~parallel
     gap[~there] = 0.0
     return Walls(normal, gap, bend, there)
+
+
+def with_ridges(walls: Walls, ridges: RidgeFeet) -> Walls:
+    """Return the walls with the planes of both patches for pinned nodes, in place."""
+    row = ridges.row
+    for number, feet in enumerate((ridges.first, ridges.second)):
+        walls.normal[row, number], walls.bend[row, number] = feet.normal, feet.bend
+        walls.gap[row, number] = 0.0
+    sine = np.linalg.norm(np.cross(ridges.first.normal, ridges.second.normal), axis=1)
+    walls.there[row, 1] = sine > PARALLEL
+    return walls
 
 
 def equilibrium(

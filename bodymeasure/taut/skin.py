@@ -8,13 +8,15 @@ import scipy
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.check.degeneracy import collapsed_sides
 from bodymeasure.atlas.normals import normals_and_bends
 from bodymeasure.atlas.queries.closest import descend
 from bodymeasure.atlas.queries.outside import Outside, outward_signs
-from bodymeasure.atlas.seams import edge_table
-from bodymeasure.atlas.topology.joins import entered, on_sides, over_sides
-from bodymeasure.bezier import evaluate
+from bodymeasure.atlas.seams import AXIS, VALUE, edge_table
+from bodymeasure.atlas.topology.joins import entered, kink_angles, on_sides, over_sides, seams_of
+from bodymeasure.bezier import evaluate, project
 from bodymeasure.bezier.power_form import jets, power_coefficients
+from bodymeasure.taut.poles import Poles
 
 # The number of samples along a side of each patch. A search starts at the closest one; they lie
 # closer together than a body's surface bends.
@@ -24,9 +26,14 @@ SAMPLES = 12
 LAST_STEP = 1e-6
 # The most seams that a search for one foot may cross: all round a corner of five patches, and back.
 MAX_CROSSINGS = 6
+# Degrees by which the skin turns over a seam, beyond which both patches are searched for a foot.
+SHARP = 30.0
 # Positions closer to the skin than this part of the atlas's size have no direction from their foot
 # but rounding.
 TOUCHING = 1e-9
+# The cosine of the angle between the way from a foot and the normal there is short of 1 by less
+# than this where the skin is smooth.
+SMOOTH = 1e-7
 # Feet on two patches whose distances differ by less than this part of the atlas's size are one foot
 # on their seam.
 TIED = 1e-12
@@ -84,7 +91,28 @@ class Skin:
         flat = samples.reshape(-1, 3)
         self.tree = scipy.spatial.KDTree(flat)
         self.size = float(np.ptp(flat, axis=0).max())
+        self.touching = TOUCHING * self.size
         self.to_patch, self.to_side, self.flipped = over_sides(table)
+        collapsed = table.collapsed | collapsed_sides(project(atlas.control_points))
+        # A pole is neither a seam nor a boundary.
+        self.to_patch[collapsed] = -1
+        self.samples = flat.reshape(len(atlas), -1, 3)
+        seams = seams_of(table, collapsed)
+        angle = kink_angles(atlas.control_points, seams)
+        self.sharp = np.zeros(collapsed.shape, dtype=np.bool_)
+        for one in (0, 1):
+            self.sharp[seams.patch[:, one], seams.side[:, one]] = angle > SHARP
+        self.open = (self.to_patch < 0) & ~collapsed
+        self.poles = Poles(self.coefficients, collapsed, self.size)
+        self.pole_normals = self._pole_normals()
+
+    def _pole_normals(self) -> Array:
+        """Return the sums of the normals round each pole."""
+        poles = self.poles
+        row, patch, x = poles.beside()
+        result = np.zeros((len(poles.first), 3))
+        np.add.at(result, poles.first[row], self.frame(patch, x)[1])
+        return result
 
     def feet(self, positions: Array) -> Feet:
         """Return the closest points of the skin to positions (k, 3)."""
@@ -92,6 +120,8 @@ class Skin:
         patch, sample = np.divmod(np.asarray(nearest, dtype=np.int64), SAMPLES**2)
         x, squared = self.descend(patch, positions, self.grid[sample])
         self._cross(positions, patch, x, squared)
+        self._behind_ridges(positions, patch, x, squared)
+        self._round_poles(positions, patch, x, squared)
         return self._read(positions, patch, x)
 
     def descend(self, patch: Ints, positions: Array, start: Array) -> tuple[Array, Array]:
@@ -122,6 +152,39 @@ class Skin:
             patch[found], x[found], squared[found] = to_patch[better], there[better], closer[better]
             pending = np.unique(found)
 
+    def _behind_ridges(self, positions: Array, patch: Ints, x: Array, squared: Array) -> None:
+        """Search for feet beyond the sharp seams of their patches too, in place.
+
+        Inside a sharp ridge both slopes have a closest point, and a sample of the farther one may
+        be the closest of all samples.
+        """
+        row, side = np.nonzero(self.sharp[patch])
+        if not len(row):
+            return
+        to_patch = self.to_patch[patch[row], side]
+        offset = self.samples[to_patch] - positions[row, None]
+        start = self.grid[np.einsum("ksc,ksc->ks", offset, offset).argmin(axis=1)]
+        self._also(positions, (row, to_patch, start), (patch, x, squared))
+
+    def _round_poles(self, positions: Array, patch: Ints, x: Array, squared: Array) -> None:
+        """Search again for the feet that lie near poles, from other sides of these, in place."""
+        self._also(positions, self.poles.starts(positions, patch, x), (patch, x, squared))
+
+    def _also(
+        self, positions: Array, starts: tuple[Ints, Ints, Array], best: tuple[Ints, Array, Array]
+    ) -> None:
+        """Search for some rows' feet from other starts, and keep closer ones, in place."""
+        row, to_patch, start = starts
+        if not len(row):
+            return
+        patch, x, squared = best
+        there, closer = self.descend(to_patch, positions[row], start)
+        self._cross(positions[row], to_patch, there, closer)
+        order = np.argsort(-closer)
+        better = order[closer[order] < squared[row[order]] - (TIED * self.size) ** 2]
+        found = row[better]
+        patch[found], x[found], squared[found] = to_patch[better], there[better], closer[better]
+
     def entered(self, patch: Ints, x: Array, side: Ints) -> tuple[Ints, Array]:
         """Return the patches over sides of patches, and the parameters of the same points there."""
         to_patch, to_side = self.to_patch[patch, side], self.to_side[patch, side]
@@ -135,14 +198,40 @@ class Skin:
         row, side = on_sides(x)
         at_side, beyond = np.zeros((2, len(x)), dtype=np.bool_)
         at_side[row] = True
-        beyond[row[self.to_patch[patch[row], side] < 0]] = True
+        beyond[row[self.open[patch[row], side]]] = True
         # Over a ridge the way to the position is normal to the skin, but is neither patch's normal.
-        ridge = at_side & ~beyond & (gap > 0.0) & (distance > TOUCHING * self.size)
+        # Where the patches meet at an acute angle, it may even make an obtuse one with either.
+        ridge = at_side & ~beyond & (distance > self.touching)
+        row = np.flatnonzero(ridge)
+        out = np.einsum(
+            "kc,kc->k", offset[row], self._mean_normals(patch[row], x[row], normal[row])
+        )
+        ridge[row[out <= 0.0]] = False
+        gap[row[out <= 0.0]] = np.minimum(gap[row[out <= 0.0]], 0.0)
+        # Over a smooth seam or pole they are the same, and the skin bends there as beside it.
+        turned = ridge & (gap < distance * (1.0 - SMOOTH))
         gap[ridge] = distance[ridge]
         normal[ridge] = offset[ridge] / distance[ridge, None]
-        bend[ridge | beyond] = 0.0
+        bend[turned | beyond] = 0.0
         depth = np.where(gap < 0.0, np.where(beyond, -gap, distance), 0.0)
         return Feet(patch, x, foot, normal, gap, depth, bend)
+
+    def _mean_normals(self, patch: Ints, x: Array, normal: Array) -> Array:
+        """Return sums of the normals of the patches that meet at places on sides (k, 2)."""
+        result = normal.copy()
+        row, side = on_sides(x)
+        joined = self.to_patch[patch[row], side] >= 0
+        over, there = self.entered(patch[row[joined]], x[row[joined]], side[joined])
+        np.add.at(result, row[joined], self.frame(over, there)[1])
+        pole = self.poles.pole[patch[row], side]
+        result[row[pole >= 0]] = self.pole_normals[pole[pole >= 0]]
+        return result
+
+    def inward(self, patch: Ints, x: Array, side: Ints) -> Array:
+        """Return the derivatives (k, 3) by the parameters that lead off sides, into the patches."""
+        s = jets(self.coefficients[patch], x)
+        off_side = np.where((AXIS[side] == 0)[:, None], s[:, 1, 0], s[:, 0, 1])
+        return np.asarray(np.where(VALUE[side] == 0.0, 1.0, -1.0)[:, None] * off_side)
 
     def frame(self, patch: Ints, x: Array) -> tuple[Array, Array, Array]:
         """Return positions, unit normals out of the body, and second derivatives of the gap."""

@@ -5,9 +5,8 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.taut.refine import divided, parts_of_segments, segment_lengths
+from bodymeasure.taut.refine import divided, first_string, parts_of_segments, segment_lengths
 from bodymeasure.taut.skin import Skin
-from bodymeasure.taut.string import relax
 
 # An error estimate below this part of the length needs no finer string.
 TOLERANCE = 2e-6
@@ -53,12 +52,11 @@ def draw_taut(skin: Skin, nodes: Array) -> TautLeg:
     nodes : ndarray, shape (n, 3)
         Evenly spaced points of a path outside the body or on its skin, from which it slides.
     """
-    count = len(nodes) - 1
     if np.ptp(nodes, axis=0).max() <= NEGLIGIBLE * skin.size:
         ends = nodes[[0, -1]]
         return TautLeg(ends, skin.feet(ends).normal, 0.0, 0.0, True)
-    string = relax(skin, nodes, np.full(count, 1.0 / count))
-    now = segment_lengths(skin, string.nodes)
+    string = first_string(skin, nodes)
+    now = segment_lengths(skin, string)
     length, error = float(now.length.sum()), np.inf
     for level in range(1, LEVELS):
         finer = divided(skin, string, now, parts_of_segments(string, now, min(level, 2)))
@@ -66,7 +64,7 @@ def draw_taut(skin: Skin, nodes: Array) -> TautLeg:
             # Over sharp kinks a fine string may not come to rest where a coarser one did.
             break
         before, error_before = length, float(now.error.sum())
-        string, now = finer, segment_lengths(skin, finer.nodes)
+        string, now = finer, segment_lengths(skin, finer)
         length = float(now.length.sum())
         change = abs(length - before) + float(now.error.sum())
         error = SAFETY * change + error_before + string.error + CHANCE * length

@@ -5,7 +5,8 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array, Bools
-from bodymeasure.taut.equilibrium import equilibrium, walls_of
+from bodymeasure.taut.equilibrium import Walls, equilibrium, walls_of, with_ridges
+from bodymeasure.taut.ridges import Pins, ridge_feet
 from bodymeasure.taut.skin import Feet, Skin
 
 # The most rounds of feet and springs. It takes 4 to 8, or more if the string slides sideways.
@@ -43,6 +44,8 @@ class String(NamedTuple):
         Which inner nodes press on the skin.
     pressure : ndarray, shape (n - 1,)
         The force with which they press; 0 where they do not.
+    pins : Pins
+        The ridges that inner nodes are held on.
     error : float
         The amount by which the length may still change, in its unit.
     settled : bool
@@ -53,6 +56,7 @@ class String(NamedTuple):
     feet: Feet
     touching: Bools
     pressure: Array
+    pins: Pins
     error: float
     settled: bool
 
@@ -62,7 +66,9 @@ def polygon_length(nodes: Array) -> float:
     return float(np.linalg.norm(np.diff(nodes, axis=0), axis=1).sum())
 
 
-def relax(skin: Skin, nodes: Array, weights: Array, pressure: Array | None = None) -> String:
+def relax(
+    skin: Skin, nodes: Array, weights: Array, pins: Pins, pressure: Array | None = None
+) -> String:
     """Let a string slide to rest outside the skin.
 
     Parameters
@@ -70,6 +76,8 @@ def relax(skin: Skin, nodes: Array, weights: Array, pressure: Array | None = Non
     skin : Skin
     nodes : ndarray, shape (n + 1, 3)
     weights : ndarray, shape (n,)
+    pins : Pins
+        The ridges that inner nodes start on.
     pressure : ndarray, shape (n - 1,), optional
         A guess of the forces on the inner nodes that touch; 0 for the others. Without one, those
         that start on the skin are taken to touch.
@@ -84,31 +92,41 @@ def relax(skin: Skin, nodes: Array, weights: Array, pressure: Array | None = Non
     """
     nodes = nodes.copy()
     length = polygon_length(nodes)
-    feet = skin.feet(nodes[1:-1])
-    walls = walls_of(skin, nodes[1:-1], feet, np.full(len(nodes) - 2, FIRST_REACH * length))
+    reach = np.full(len(nodes) - 2, FIRST_REACH * length)
+    feet, walls, pins = _obstacles(skin, nodes, pins, reach)
     load, held = np.zeros((len(nodes) - 2, 2)), np.zeros((len(nodes) - 2, 2), dtype=np.bool_)
     if pressure is None:
         held[:, 0] = feet.gap <= ON_SKIN * length
     else:
         load[:, 0], held[:, 0] = pressure, pressure > 0.0
+    held[pins.there] = True
     error = np.inf
     for number in range(MAX_ROUNDS):
         step, load, held = equilibrium(nodes, weights, walls, load, held)
+        pins = pins.kept(np.asarray(held.all(axis=1)))
         if number >= PATIENCE:
             step *= 0.5
         moved = np.linalg.norm(step, axis=1)
         step *= min(1.0, LONGEST_STEP * length / max(float(moved.max()), LONGEST_STEP * length))
         nodes[1:-1] += step
-        feet = skin.feet(nodes[1:-1])
         reach = np.clip(REACH_STEPS * moved, LEAST_REACH * length, FIRST_REACH * length)
-        walls = walls_of(skin, nodes[1:-1], feet, reach)
+        feet, walls, pins = _obstacles(skin, nodes, pins, reach)
         length = polygon_length(nodes)
         error = _rest_error(step, weights, load, feet.gap) * float(weights.sum()) / length
         if error <= (REST if number < PATIENCE else LATE_REST) * length:
             break
     touching = np.asarray(held.any(axis=1))
     settled = error <= LATE_REST * length
-    return String(nodes, weights, feet, touching, load.sum(axis=1), error, settled)
+    return String(nodes, weights, feet, touching, load.sum(axis=1), pins, error, settled)
+
+
+def _obstacles(skin: Skin, nodes: Array, pins: Pins, reach: Array) -> tuple[Feet, Walls, Pins]:
+    """Return feet and walls of the inner nodes; pinned ones move to their ridge, in place."""
+    ridges = ridge_feet(skin, nodes[1:-1], pins)
+    nodes[1 + ridges.row] = ridges.first.position
+    feet = skin.feet(nodes[1:-1])
+    walls = with_ridges(walls_of(skin, nodes[1:-1], feet, reach), ridges)
+    return feet, walls, ridges.pins
 
 
 def _rest_error(step: Array, weights: Array, load: Array, gap: Array) -> float:

@@ -2,26 +2,25 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
 from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.queries.locations import Location, atlas_point, listed
+from bodymeasure.atlas.queries.locations import Location, listed
 from bodymeasure.atlas.queries.outside import Outside
 from bodymeasure.atlas.units import Unit
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic import AtlasPath, geodesic_between
+from bodymeasure.geodesic.across.search.ends import checked_points
 from bodymeasure.geodesic.status import OnFailure, check_on_failure
 from bodymeasure.taut.skin import Skin, skin_of
 from bodymeasure.taut.solve import TautLeg, draw_taut
+from bodymeasure.taut.starts import first_strings
 from bodymeasure.taut.status import TautStatus
 from bodymeasure.threads import one_blas_thread
 from bodymeasure.wording import result_line
 
-# The number of segments of the first string of a leg.
-SEGMENTS = 32
 # A string that is longer than the path along the skin by more than this part of it has not come to
 # rest.
 LONGER = 1e-6
@@ -151,10 +150,12 @@ def taut_tape(
         )
     via = listed(via, "via")
     names = ("the start", *(f"via point {i}" for i in range(len(via))), "the end")
-    given = zip((start, *via, end), names, strict=True)
-    points = tuple(atlas_point(atlas, location, name) for location, name in given)
+    # Points a hair off a seam are put on it, as for the path along the skin.
+    ends = checked_points(atlas, (start, *via, end), names)
+    points = ends.points
     if contact is None:
         contact = geodesic_between(atlas, points[0], points[-1], points[1:-1], on_failure="status")
+        contact = contact.with_ends_moved(*ends.moves)
     elif contact.atlas is not atlas:
         raise InputError("the contact path is one over another atlas; expected this one")
     elif contact.points != points:
@@ -163,20 +164,20 @@ def taut_tape(
             "the same points in the same order"
         )
     skin = skin_of(atlas, outside)
-    tape = _without_path(contact) if not contact.pieces else _drawn(skin, contact)
+    strings = first_strings(contact)
+    tape = (
+        _drawn(skin, contact, strings, 2.0 * sum(ends.moves)) if strings else _without_path(contact)
+    )
     if on_failure == "raise" and not tape.converged:
         raise ConvergenceError(tape.status.sentence)
     return tape
 
 
-def _drawn(skin: Skin, contact: AtlasPath) -> TautTape:
-    legs = []
-    for begin, finish in pairwise(contact.leg_ends):
-        t = begin + (finish - begin) * np.arange(SEGMENTS + 1) / SEGMENTS
-        nodes = contact.position(np.clip(t, 0.0, 1.0))
-        legs.append(draw_taut(skin, nodes))
+def _drawn(skin: Skin, contact: AtlasPath, strings: list[Array], moved: float) -> TautTape:
+    legs = [draw_taut(skin, nodes) for nodes in strings]
     chord = _chord(contact)
     length, error, status = _length_of_tape(contact, legs, chord)
+    error += moved
     # The points between legs are in both.
     points = np.concatenate([legs[0].nodes[:1], *(leg.nodes[1:] for leg in legs)])
     normals = np.concatenate([legs[0].normals[:1], *(leg.normals[1:] for leg in legs)])
@@ -188,8 +189,11 @@ def _length_of_tape(
 ) -> tuple[float, float, TautStatus]:
     length, error = sum(leg.length for leg in legs), sum(leg.error for leg in legs)
     along = contact.length if contact.converged else contact.raw_length
+    # Where there is no path along the skin, nothing bounds the length from above.
+    along = along if contact.pieces else np.inf
     known = contact.error_estimate if contact.converged else 0.0
-    if not all(leg.settled for leg in legs) or length > along + error + known + LONGER * along:
+    settled = all(leg.settled for leg in legs)
+    if not settled or length > (1.0 + LONGER) * along + error + known:
         return np.nan, np.inf, TautStatus.NOT_CONVERGED
     # What lies outside these bounds is within the errors.
     bounded = float(min(max(length, chord), along))

@@ -58,10 +58,6 @@ def _rises(skin: Skin, patch: Ints, seam: Array, side: Ints) -> Bools:
     """Return whether the patches over some sides rise from the tangent planes of those before."""
     _, normal, _ = skin.frame(patch, seam)
     to_patch, start = skin.entered(patch, seam, side)
-    to_side = skin.to_side[patch, side]
-    s = jets(skin.coefficients[to_patch], start)
-    # The derivative by the parameter that leads off the side.
-    off_side = np.where((AXIS[to_side] == 0)[:, None], s[:, 1, 0], s[:, 0, 1])
-    inward = np.where(VALUE[to_side] == 0.0, 1.0, -1.0)[:, None] * off_side
+    inward = skin.inward(to_patch, start, skin.to_side[patch, side])
     rise = np.einsum("kc,kc->k", inward, normal)
     return np.asarray(rise > FLAT * np.linalg.norm(inward, axis=1))

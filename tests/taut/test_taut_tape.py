@@ -7,7 +7,7 @@ from helpers.oracles.profiles import profile_hull
 from helpers.surfaces.extruded_surfaces import CUBIC, RIDGE, at, row_of
 
 import bodymeasure as bm
-from bodymeasure.taut import string
+from bodymeasure.taut import starts, string
 from bodymeasure.taut.skin import skin_of
 from bodymeasure.taut.solve import draw_taut
 
@@ -223,7 +223,9 @@ def test_a_string_that_does_not_come_to_rest_has_no_length(
     assert tape.error_estimate == np.inf
 
 
-def test_a_contact_path_without_a_length_is_said(body: bm.Atlas) -> None:
+def test_a_contact_path_without_a_length_is_said(
+    body: bm.Atlas, monkeypatch: pytest.MonkeyPatch
+) -> None:
     start, end = (body.landmarks[f"bust point {side}"] for side in SIDES)
     path = bm.geodesic_between(body, start, end)
     failed = replace(path, length=np.nan, status=bm.Status.NOT_CONVERGED)
@@ -231,6 +233,11 @@ def test_a_contact_path_without_a_length_is_said(body: bm.Atlas) -> None:
     assert tape.status is bm.TautStatus.WITHOUT_CONTACT
     assert tape.length == pytest.approx(bm.taut_tape(body, start, end).length, rel=1e-12)
     assert np.isnan(tape.gap)
+    # Without any path along the skin, the string starts from one over a mesh.
     lost = replace(failed, status=bm.Status.NO_ROUTE, pieces=())
+    from_mesh = bm.taut_tape(body, start, end, contact=lost)
+    assert from_mesh.status is bm.TautStatus.WITHOUT_CONTACT
+    assert abs(from_mesh.length - tape.length) <= from_mesh.error_estimate + tape.error_estimate
+    monkeypatch.setattr(starts, "mesh_segments", lambda *_: None)
     with pytest.raises(bm.ConvergenceError, match="No path along the skin was found"):
         bm.taut_tape(body, start, end, contact=lost)

@@ -26,7 +26,7 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas import convert_length
 from bodymeasure.taut.skin import Skin, skin_of
 from bodymeasure.taut.solve import TautLeg, draw_taut
-from bodymeasure.taut.tape import SEGMENTS
+from bodymeasure.taut.starts import SEGMENTS
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 from helpers.bodies import BODIES
