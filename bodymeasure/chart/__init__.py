@@ -8,12 +8,13 @@ from bodymeasure.chart.accuracy import AccuracyClass
 from bodymeasure.chart.chart import Chart
 from bodymeasure.chart.definitions import Definitions, definitions_schema
 from bodymeasure.chart.evaluate import measure_chart
-from bodymeasure.chart.kinds.base import Iso, Measured, MeasurementDefinition, Outcome
+from bodymeasure.chart.kinds.base import Iso, Measured, MeasurementDefinition, Outcome, Shift
 from bodymeasure.chart.landmarks.derive import Derived, derive_landmarks
 from bodymeasure.chart.landmarks.rules.base import LandmarkRule
-from bodymeasure.chart.needed import Lacking, lacking, names_in
+from bodymeasure.chart.needed import Lacking, Pick, lacking, names_in, worth_picking
 from bodymeasure.chart.reading.guide import default_set
 from bodymeasure.chart.reading.read import load_definitions
+from bodymeasure.chart.selection import restricted, selected_keys
 from bodymeasure.chart.sides import both_sides
 from bodymeasure.chart.tapes import Tape, TapeKind
 
@@ -28,6 +29,8 @@ __all__ = [
     "Measured",
     "MeasurementDefinition",
     "Outcome",
+    "Pick",
+    "Shift",
     "Tape",
     "TapeKind",
     "both_sides",
@@ -38,4 +41,7 @@ __all__ = [
     "load_definitions",
     "measure_chart",
     "names_in",
+    "restricted",
+    "selected_keys",
+    "worth_picking",
 ]

@@ -17,6 +17,8 @@ class Chart:
     ----------
     atlas : Atlas
     definitions : Definitions
+        Those that were needed: where only some measurements were asked for, what their formulas
+        and landmarks take is among them.
     landmarks : mapping of str to AtlasPoint
         The atlas's landmarks, and those that rules gave.
     missing_landmarks : mapping of str to str

@@ -36,6 +36,9 @@ class Definitions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
         with a new key follows at the end. Once read, the set stands for itself and this is empty.
     drop : tuple of str
         Keys of measurements and names of rules that are left out of what is extended.
+    presets : dict of str to tuple of str
+        Names for some of the measurements, each with their keys; a key without ``_{side}`` stands
+        for both sides.
     landmark : tuple of LandmarkRule
         Rules for landmarks that the atlas does not have, in any order.
     measurement : tuple of MeasurementDefinition
@@ -55,6 +58,7 @@ class Definitions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     words: str = ""
     extends: Literal["", "default"] = ""
     drop: tuple[str, ...] = ()
+    presets: dict[str, tuple[str, ...]] = {}
     landmark: tuple[LandmarkRule, ...] = ()
     measurement: tuple[MeasurementDefinition, ...] = ()
 

@@ -1,20 +1,22 @@
 """The measurement of a body by a set of definitions."""
 
 import time
-from collections.abc import Callable, Mapping
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Sequence
 
 from bodymeasure.atlas import Atlas, Severity
 from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.atlas.check.stance import stance_findings
-from bodymeasure.chart.body import Body, MissingLandmarkError
+from bodymeasure.chart.body import Body
 from bodymeasure.chart.chart import Chart
 from bodymeasure.chart.definitions import Definitions
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome
 from bodymeasure.chart.landmarks.derive import derive_landmarks
 from bodymeasure.chart.reading.read import load_definitions
+from bodymeasure.chart.selection import restricted, selected_keys
+from bodymeasure.chart.sensitivity import with_shifts
 from bodymeasure.chart.sides import both_sides
-from bodymeasure.errors import ConvergenceError, InputError
+from bodymeasure.chart.taken import Taken
+from bodymeasure.errors import InputError
 from bodymeasure.measure import package_versions
 from bodymeasure.threads import one_blas_thread
 
@@ -27,6 +29,8 @@ def measure_chart(
     atlas: Atlas,
     definitions: Definitions | None = None,
     *,
+    only: Sequence[str] = (),
+    sensitivity: bool = False,
     progress: Callable[[int, int], None] | None = None,
     despite_errors: bool = False,
 ) -> Chart:
@@ -37,6 +41,12 @@ def measure_chart(
     atlas : Atlas
     definitions : Definitions, optional
         The default set if not given; `load_definitions` reads others.
+    only : sequence of str
+        The measurements to take, all if none are given: keys, keys without ``_left`` or
+        ``_right``, which stand for both, and names of the set's presets, such as ``core``.
+    sensitivity : bool
+        Whether to say by how much each value changes if one of its landmarks lies 5 mm higher, or
+        5 mm to the side. Each takes as long as the measurement itself.
     progress : callable, optional
         Called with the number of measurements done so far, and the number of all.
     despite_errors : bool
@@ -51,8 +61,8 @@ def measure_chart(
     ------
     InputError
         If the landmarks contradict the axes, the sides or the size (`check_atlas` says how), unless
-        `despite_errors` is true; if rules for landmarks need one another in a circle; or if two
-        measurements have one key.
+        `despite_errors` is true; if `only` names what the set does not have; if rules for landmarks
+        need one another in a circle; or if two measurements have one key.
     MissingExtraError
         If paths are asked for and pygeodesic is not installed.
 
@@ -63,11 +73,7 @@ def measure_chart(
     Examples
     --------
     >>> import bodymeasure as bm
-    >>> from msgspec.structs import replace
-    >>> every = bm.load_definitions()
-    >>> girths = tuple(each for each in every.measurement if each.key == "waist_girth")
-    >>> few = replace(every, measurement=girths, landmark=())
-    >>> chart = bm.measure_chart(bm.load_sample("female_average"), few)
+    >>> chart = bm.measure_chart(bm.load_sample("female_average"), only=["waist_girth"])
     >>> waist = chart["waist_girth"]
     >>> print(f"{waist.value:.4f} {chart.atlas.unit}, {waist.outcome}")
     0.7110 m, measured
@@ -77,28 +83,53 @@ def measure_chart(
     if not despite_errors:
         _require_sound_landmarks(atlas)
     definitions = load_definitions() if definitions is None else definitions
-    derived = derive_landmarks(atlas, definitions.landmark, strict=False)
+    chosen, needed = restricted(definitions, names_listed(only))
+    derived = derive_landmarks(atlas, needed.landmark, strict=False)
     body = Body(atlas, derived.landmarks, derived.missing)
-    every: dict[str, MeasurementDefinition] = {}
-    for one in both_sides(definitions.measurement):
-        if one.key in every:
-            raise InputError(f"two measurements have the key {one.key!r}; rename or remove one")
-        every[one.key] = one
-    taken = _Taken(body, every)
+    taken = Taken(body, _by_key(needed.measurement))
+    keys = [one.key for one in both_sides(chosen.measurement)]
+    named = selected_keys(definitions, [name for name in only if name not in definitions.presets])
     measured = []
-    for number, key in enumerate(every, start=1):
-        measured.append(taken[key])
+    for number, key in enumerate(keys, start=1):
+        measured.append(with_shifts(taken, key) if sensitivity else taken[key])
         if progress is not None:
-            progress(number, len(every))
+            progress(number, len(keys))
     return Chart(
         atlas,
-        definitions,
+        needed,
         body.landmarks,
         body.missing,
-        tuple(measured),
+        tuple(item for item in measured if item.definition.key in named or not _left_out(item)),
         time.perf_counter() - begin,
         package_versions(PACKAGES),
     )
+
+
+def names_listed(only: Sequence[str]) -> Sequence[str]:
+    """Return names, once it is known that they are several.
+
+    Raises
+    ------
+    InputError
+        If they are a single name.
+    """
+    if isinstance(only, str):
+        raise InputError(f"only is {only!r}; expected a list of names, such as [{only!r}]")
+    return only
+
+
+def _by_key(definitions: Iterable[MeasurementDefinition]) -> dict[str, MeasurementDefinition]:
+    every: dict[str, MeasurementDefinition] = {}
+    for one in both_sides(definitions):
+        if one.key in every:
+            raise InputError(f"two measurements have the key {one.key!r}; rename or remove one")
+        every[one.key] = one
+    return every
+
+
+def _left_out(item: Measured) -> bool:
+    """Return whether the chart of a body without some landmarks does without a measurement."""
+    return item.definition.optional and item.outcome is Outcome.MISSING_LANDMARK
 
 
 def _require_sound_landmarks(atlas: Atlas) -> None:
@@ -113,37 +144,3 @@ def _require_sound_landmarks(atlas: Atlas) -> None:
             f"{atlas.name or 'the atlas'}: the landmarks contradict the axes, the sides or the "
             f"size:{listed}\nRepair it, or measure with despite_errors=True"
         )
-
-
-class _Taken(dict[str, Measured]):
-    """The measurements of a body by key; each is taken when it is first asked for.
-
-    A formula asks for its operands, which so are taken before it.
-    """
-
-    def __init__(self, body: Body, definitions: Mapping[str, MeasurementDefinition]) -> None:
-        super().__init__()
-        self.body, self.definitions = body, definitions
-        self._begun: set[str] = set()
-
-    def __missing__(self, key: str) -> Measured:
-        # Files are checked when they are read; definitions made in Python may be wrong.
-        if key not in self.definitions:
-            raise InputError(f"no measurement has the key {key!r}; name measurements by their keys")
-        if key in self._begun:
-            raise InputError(f"{key!r} is needed to compute itself; define it by landmarks")
-        self._begun.add(key)
-        definition = self.definitions[key]
-        try:
-            if fault := next(definition.faults(), None):
-                raise InputError(fault.words)
-            found = definition.measure(self.body, self)
-        except MissingLandmarkError as error:
-            found = Measured(definition, Outcome.MISSING_LANDMARK, str(error))
-        except InputError as error:
-            found = Measured(definition, Outcome.REFUSED, str(error))
-        except ConvergenceError as error:
-            found = Measured(definition, Outcome.NOT_CONVERGED, str(error))
-        unit = "deg" if definition.in_degrees else self.body.atlas.unit.value
-        self[key] = replace(found, unit=unit)
-        return self[key]

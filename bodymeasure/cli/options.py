@@ -103,6 +103,13 @@ definitions_option = click.option(
     metavar="FILE",
     help="File of definitions of the measurements; the default set if not given.",
 )
+only_option = click.option(
+    "--only",
+    metavar="KEYS",
+    callback=lambda _ctx, _parameter, value: names_in_list(value),
+    help="Only these measurements, separated by commas: keys, which may lack their _left or "
+    "_right, and presets such as core, tops and trousers.",
+)
 # Options whose help, and whose default, differ from command to command.
 folder_option = partial(
     click.option,
@@ -132,6 +139,11 @@ processes_option = click.option(
     show_default="all cores",
     help="Worker processes of the comparison.",
 )
+
+
+def names_in_list(text: str | None) -> tuple[str, ...]:
+    """Return the names in a list with commas."""
+    return tuple(name for name in map(str.strip, (text or "").split(",")) if name)
 
 
 def available_cores() -> int:

@@ -3,6 +3,7 @@ import io
 import json
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,8 @@ import jsonschema
 import pytest
 from helpers.charts.hand_made_chart import tape_pictures
 from helpers.command_line import Run, hide_here, recorded_bars
+
+import bodymeasure as bm
 
 FILES = [
     "chart.html",
@@ -108,7 +111,8 @@ def test_what_was_asked_for_and_is_missing_is_told(run: Run, definitions: Path) 
     ran = run("chart", "--set", definitions)
     assert ran.code == 1
     assert re.search(r"^Wrist height .* missing landmark$", ran.out, re.M)
-    assert re.search(r"^Wrist height: .*'no such point'", ran.out, re.M)
+    assert "pick “no such point” to gain 1 measurement: Wrist height\n" in ran.out
+    assert "    the atlas has no landmark 'no such point'; " in ran.out
 
 
 def test_an_atlas_without_landmarks_is_no_success(run: Run) -> None:
@@ -116,8 +120,68 @@ def test_an_atlas_without_landmarks_is_no_success(run: Run) -> None:
     assert ran.code == 1
     assert "measured" not in ran.out
     assert re.search(r"^Bust girth .* missing landmark$", ran.out, re.M)
-    reason = "the atlas has no landmark 'front waist point'; it has none at all"
-    assert f"Waist girth: {reason}" in ran.out
+    assert "pick “front waist point” to gain " in ran.out
+    # Each cause and each place is said once.
+    assert ran.out.count("the middle of the front at the waist") == 1
+    assert "it has none at all" not in ran.out
+
+
+def test_measurements_that_wait_for_one_point_are_told_together(run: Run, tmp_path: Path) -> None:
+    body = bm.load_sample("female_average")
+    lacking = {"bust point left", "crotch point"}
+    landmarks = {name: at for name, at in body.landmarks.items() if name not in lacking}
+    bm.write_atlas(replace(body, landmarks=landmarks), tmp_path / "body.atlas")
+    options = ("--only", "bust_span,bust_girth,crotch_length,knee_height,trunk_girth")
+    ran = run("chart", tmp_path / "body.atlas", *options)
+    assert ran.code == 1
+    told = ran.out.partition("\n\n")[2].splitlines()
+    assert told == [
+        "pick “bust point left” to gain 2 measurements: Bust girth; Bust span",
+        "    the most forward point of the breast, on the wearer's left",
+        "pick “crotch point” to gain 1 measurement: Total crotch length",
+        "    the lowest point of the trunk, between the legs",
+        "pick “bust point left” and “crotch point” to gain 1 measurement: Trunk girth",
+        "`bodymeasure landmarks add` adds landmarks.",
+    ]
+
+
+def test_only_some_measurements_are_taken(run: Run) -> None:
+    ran = run("chart", "--only", "knee_height, hip_height_left", "--format", "json")
+    measured = json.loads(ran.out)["measurements"]
+    assert [one["key"] for one in measured] == [
+        "hip_height_left",
+        "knee_height_left",
+        "knee_height_right",
+    ]
+    ran = run("chart", "--only", "knee_hight")
+    assert ran.code == 2
+    assert "has no measurement and no preset 'knee_hight'; did you mean 'knee_height'" in ran.err
+    # A body without a head has a preset without its stature, but not if that is asked for by name.
+    assert run("chart", "--only", "stature").code == 1
+
+
+def test_what_a_landmark_that_lies_elsewhere_changes(run: Run) -> None:
+    options = ("--only", "back_neck_height,bust_span,shoulder_slope", "--sensitivity")
+    measured = json.loads(run("chart", *options, "--format", "json").out)["measurements"]
+    shifts = {one["key"]: one["shifts"] for one in measured}
+    (height,) = shifts["back_neck_height"]
+    # The skin leans forward there, so that 5 mm along it are less than 5 mm of height.
+    assert 0.4 < height["up"] <= 0.5
+    assert abs(height["across"]) < 0.01
+    # A point that moves across a straight way changes it to second order.
+    assert {one["landmark"] for one in shifts["bust_span"]} == {
+        "bust point left",
+        "bust point right",
+    }
+    assert all(abs(one["across"]) == pytest.approx(0.5, abs=0.05) for one in shifts["bust_span"])
+    assert all(abs(one["up"]) < 0.1 for one in shifts["bust_span"])
+    assert {one["landmark"] for one in shifts["shoulder_slope_left"]} == {
+        "side neck point left",
+        "shoulder point left",
+    }
+    table = run("chart", *options).out
+    assert "5 mm off" in table
+    assert re.search(r"^Back neck height .* 4\.\d\smm ", table, re.M)
 
 
 def test_pictures_and_progress(

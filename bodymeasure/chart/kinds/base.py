@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
-from typing import ClassVar, Literal
+from typing import ClassVar, Literal, NamedTuple
 
 import msgspec
 import numpy as np
@@ -44,6 +44,8 @@ class MeasurementDefinition(Entry, frozen=True, kw_only=True, tag_field="kind"):
         Names in Seamly2D's list of measurements.
     freesewing : str, optional
         Key in FreeSewing's list of measurements.
+    optional : bool
+        Whether a body that lacks its landmarks has a chart without it, rather than with the reason.
     """
 
     label: ClassVar[str] = "key"
@@ -57,6 +59,7 @@ class MeasurementDefinition(Entry, frozen=True, kw_only=True, tag_field="kind"):
     iso: Iso | None = None
     seamly: tuple[str, ...] = ()
     freesewing: str | None = None
+    optional: bool = False
 
     @property
     def in_degrees(self) -> bool:
@@ -110,6 +113,22 @@ class Outcome(StrEnum):
     NOT_CONVERGED = "not converged"
 
 
+class Shift(NamedTuple):
+    """The change of a value if a landmark lies elsewhere on the skin.
+
+    Parameters
+    ----------
+    landmark : str
+    up, across : float
+        The change if it lies 5 mm higher, and 5 mm to the side; NaN if the measurement cannot be
+        taken from there. In the unit of the value.
+    """
+
+    landmark: str
+    up: float
+    across: float
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Measured:
     """The result of one measurement of a body.
@@ -137,6 +156,8 @@ class Measured:
         Length of the contact tape inside each body region.
     unit : str
         The atlas's unit, or ``deg`` for an angle; empty if it is not known.
+    shifts : tuple of Shift
+        What the value owes to the places of its landmarks, where that was asked for.
     """
 
     definition: MeasurementDefinition
@@ -151,6 +172,7 @@ class Measured:
     tapes: tuple[Tape, ...] = ()
     length_by_region: Mapping[str, float] = field(default_factory=dict)
     unit: str = ""
+    shifts: tuple[Shift, ...] = ()
 
     @property
     def gap(self) -> float:

@@ -11,6 +11,7 @@ SIDES = ("left", "right")
 # pattern. These lie on the median plane.
 MEDIAN_NAMES = (
     "top of head",
+    "forehead point",
     "front neck point",
     "back neck point",
     "front bust point",
@@ -68,6 +69,7 @@ KNOWN_NAMES = (*MEDIAN_NAMES, *(f"{name} {side}" for name in PAIRED_NAMES for si
 # Names that anatomy and other programs have for the same points.
 SYNONYMS = {
     "vertex": "top of head",
+    "glabella": "forehead point",
     "suprasternale": "front neck point",
     "jugular notch": "front neck point",
     "cervicale": "back neck point",

@@ -21,7 +21,7 @@ from bodymeasure.chart.reading.convert import (
     entry_of,
 )
 from bodymeasure.chart.reading.source_lines import SourceLines
-from bodymeasure.chart.sides import SIDE
+from bodymeasure.chart.sides import SIDE, both_sides
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes
 from bodymeasure.wording import hint
@@ -86,6 +86,7 @@ def definitions_from(content: bytes, source: str) -> Definitions:
     own = msgspec.structs.replace(own, landmark=rules, measurement=measurements)
     _check_repeated(own, lines, source)
     whole = _extended(own, lines, source)
+    _check_presets(own, whole, lines, source)
     fault = first_fault(whole)
     if fault is not None:
         place = _place(fault.entry, fault.member, own, lines)
@@ -209,13 +210,28 @@ def _extended(own: Definitions, lines: SourceLines, source: str) -> Definitions:
                 f"{source}, line {lines.member('drop')}: drop names {dropped!r}, which is not in "
                 f"what is extended; {known}"
             )
+    presets = {**(base.presets if base else {}), **own.presets}
     return msgspec.structs.replace(
         own,
         extends="",
         drop=(),
+        presets=presets,
         landmark=_merged(rules, own.landmark, own.drop),
         measurement=_merged(measurements, own.measurement, own.drop),
     )
+
+
+def _check_presets(own: Definitions, whole: Definitions, lines: SourceLines, source: str) -> None:
+    """Refuse a preset that names what the set does not measure."""
+    keys = [one.key for one in both_sides(whole.measurement)]
+    keys += [one.key.replace(f"_{SIDE}", "") for one in whole.measurement if SIDE in one.key]
+    for name, members in own.presets.items():
+        for member in members:
+            if member not in keys:
+                raise InputError(
+                    f"{source}, line {lines.member('presets')}: the preset {name!r} names "
+                    f"{member!r}, which is no measurement; {hint(member, keys)}"
+                )
 
 
 def _as_written(name: str) -> str:

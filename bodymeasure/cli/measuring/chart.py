@@ -1,6 +1,7 @@
 """`bodymeasure chart`."""
 
 import time
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -26,6 +27,7 @@ from bodymeasure.cli.options import (
     format_option,
     load_sound_atlas,
     no_pictures_option,
+    only_option,
     optional_atlas_argument,
     require,
     unit_option,
@@ -47,6 +49,8 @@ ABSENT = ("missing landmark", "missing operand")
 SIDES = 4
 # The number of names that are listed of what could not be measured; the page has all.
 NAMED = 6
+# The number of points to pick that are listed.
+PICKS = 3
 
 
 def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) -> None:
@@ -79,6 +83,13 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) ->
     callback=_print_set,
     help="Print the default set, which may be copied and changed, and exit.",
 )
+@only_option
+@click.option(
+    "--sensitivity",
+    is_flag=True,
+    help="Say by how much each value changes if a landmark lies 5 mm elsewhere; takes some five "
+    "times as long.",
+)
 @unit_option
 @no_pictures_option
 @despite_errors_option
@@ -87,6 +98,8 @@ def chart(
     definitions: Path | None,
     output: Path | None,
     form: str | None,
+    only: tuple[str, ...],
+    sensitivity: bool,
     unit: str,
     no_pictures: bool,
     despite_errors: bool,
@@ -100,7 +113,7 @@ def chart(
     both sides are measured, the files for pattern programs hold the wearer's right one.
 
     Measurements of the default set that lack a landmark are listed, but the exit code stays 0
-    unless nothing is left; in a set of yours, they lead to exit code 1.
+    unless nothing is left; in a set of yours, or if --only names them, they lead to exit code 1.
     """
     if output is not None and form is not None:
         raise click.UsageError("--format is for printing; with -o, all formats are written.")
@@ -112,20 +125,35 @@ def chart(
         *((CHART_PICTURES,) if pictures_wanted else ()),
     )
     # Slow imports, which `--help` does not need.
-    from bodymeasure.chart import load_definitions
+    from bodymeasure.chart import load_definitions, selected_keys
     from bodymeasure.report.body import chart_document, check_codes, write_chart
 
     loaded_definitions = load_definitions(definitions)
     check_codes(loaded_definitions)
+    selected_keys(loaded_definitions, only)
+    asked_for = definitions is not None or any(
+        name not in loaded_definitions.presets for name in only
+    )
     body = load_sound_atlas(atlas, despite_errors=despite_errors)
     if output is None:
-        document = chart_document(
-            measured_chart(body, loaded_definitions, despite_errors=despite_errors), unit
+        measured = measured_chart(
+            body,
+            loaded_definitions,
+            only=only,
+            sensitivity=sensitivity,
+            despite_errors=despite_errors,
         )
+        document = chart_document(measured, unit)
         _print(document, form or "table")
-        return _exit_code(document, definitions)
+        return _exit_code(document, asked_for=asked_for)
     with output_folder(output):
-        measured = measured_chart(body, loaded_definitions, despite_errors=despite_errors)
+        measured = measured_chart(
+            body,
+            loaded_definitions,
+            only=only,
+            sensitivity=sensitivity,
+            despite_errors=despite_errors,
+        )
         pictures = _pictures(measured) if pictures_wanted else None
         stem = Path(atlas).stem
         files = write_chart(measured, output, unit=unit, stem=stem, pictures=pictures or False)
@@ -134,14 +162,19 @@ def chart(
     print_files(files)
     if pictures is not None and pictures.note:
         print_note(pictures.note)
-    code = _exit_code(document, definitions)
+    code = _exit_code(document, asked_for=asked_for)
     if code:
         print_note("Some measurements could not be taken; see “Not measured” in chart.html.")
     return code
 
 
 def measured_chart(
-    atlas: "Atlas", definitions: "Definitions", *, despite_errors: bool = False
+    atlas: "Atlas",
+    definitions: "Definitions",
+    *,
+    only: Sequence[str] = (),
+    sensitivity: bool = False,
+    despite_errors: bool = False,
 ) -> "Chart":
     """Measure a body, with a progress bar.
 
@@ -150,15 +183,17 @@ def measured_chart(
     InputError
         If the set of definitions is empty.
     """
-    from bodymeasure.chart import both_sides, measure_chart
+    from bodymeasure.chart import both_sides, measure_chart, restricted
 
-    total = len(both_sides(definitions.measurement))
+    total = len(both_sides(restricted(definitions, only)[0].measurement))
     if not total:
         raise InputError(f"the set {definitions.name!r} defines no measurement; add one to it")
     with progress_bar("measuring", total) as progress:
         return measure_chart(
             atlas,
             definitions,
+            only=only,
+            sensitivity=sensitivity,
             progress=lambda done, _total: progress(done),
             despite_errors=despite_errors,
         )
@@ -174,13 +209,13 @@ def _pictures(chart: "Chart") -> "TapePictures":
         return tape_pictures(chart, advance=count_calls(progress))
 
 
-def _exit_code(document: "ChartDocument", definitions: Path | None) -> int:
+def _exit_code(document: "ChartDocument", *, asked_for: bool) -> int:
     """Return 1 if a measurement failed although its landmarks are there, or if none was taken.
 
-    A user's own set of definitions asks for all of its measurements.
+    A user's own set of definitions asks for all of its measurements, and so do keys.
     """
     outcomes = [record.outcome for record in document.measurements]
-    harmless = ("measured", *(ABSENT if definitions is None else ()))
+    harmless = ("measured", *(() if asked_for else ABSENT))
     wanting = "measured" not in outcomes or any(each not in harmless for each in outcomes)
     return EXIT_NOT_MEASURED if wanting else 0
 
@@ -196,18 +231,32 @@ def _print(document: "ChartDocument", form: str) -> None:
         click.echo(chart_to_csv(document), nl=False)
     else:
         print_table(_table(document))
-        reasons = [
-            f"{record.name}: {record.reason}" for record in document.measurements if record.reason
-        ]
+        reasons = _reasons(document)
         if reasons:
             RESULTS.print(Text("\n".join(["", *reasons])), soft_wrap=True)
 
 
+def _reasons(document: "ChartDocument") -> list[str]:
+    """Return why measurements have no value, and remarks, each cause once."""
+    from bodymeasure.report.body import absences, gains, remarked
+
+    lines = []
+    for each in gains(document):
+        lines.append(f"pick {each.landmarks} to gain {each.count}: {each.measurements}")
+        lines += (f"    {place}" for place in each.places)
+    if lines:
+        lines.append("`bodymeasure landmarks add` adds landmarks.")
+    lines += (f"{each.names}: {each.reason}" for each in absences(document))
+    return [*lines, *(f"{record.name}: {record.reason}" for record in remarked(document))]
+
+
 def _table(document: "ChartDocument") -> "Table":
-    from bodymeasure.report.body import tailor_inches, tape_text
+    from bodymeasure.report.body import largest_shift, tailor_inches, tape_text
 
     inches = document.unit == "inch"
     lengths = (document.unit, *(("fraction",) if inches else ()), "along skin", "taut", "error")
+    shifted = any(record.shifts for record in document.measurements)
+    lengths = (*lengths, *(("5 mm off",) if shifted else ()))
     table = new_table("measurement", *lengths, "status", words=("status",))
     group = ""
     for record in document.measurements:
@@ -230,6 +279,7 @@ def _table(document: "ChartDocument") -> "Table":
             shown(record.contact),
             shown(record.taut),
             "" if error is None or record.value is None else f"{error:.0e}",
+            *((largest_shift(record),) if shifted else ()),
             Text(record.outcome, "" if good else "yellow"),
         )
     return table
@@ -237,7 +287,7 @@ def _table(document: "ChartDocument") -> "Table":
 
 def _summary(document: "ChartDocument", seconds: float) -> "Table":
     """Return the facts that a reader wants to know first."""
-    from bodymeasure.report.body import FREESEWING_KEYS, missing_freesewing
+    from bodymeasure.report.body import FREESEWING_KEYS, gains, missing_freesewing
 
     table = facts_table(document.name)
     total, measured = len(document.measurements), document.outcomes.get("measured", 0)
@@ -248,9 +298,9 @@ def _summary(document: "ChartDocument", seconds: float) -> "Table":
     for outcome in document.outcomes:
         if outcome != "measured":
             table.add_row("", Text(f"{outcome}: {_named(document, outcome)}", "yellow"))
-    if document.missing_landmarks:
-        missing = [landmark.name for landmark in document.missing_landmarks]
-        table.add_row("landmarks", Text(f"missing: {_first(missing)}", "yellow"))
+    for number, pick in enumerate(gains(document)[:PICKS]):
+        words = f"{pick.landmarks}, which gains {pick.count}"
+        table.add_row("" if number else "to pick", Text(words, "yellow"))
     absent = missing_freesewing(document)
     given = len(FREESEWING_KEYS) - len(absent)
     table.add_row("FreeSewing", f"{given} of {len(FREESEWING_KEYS)} keys")

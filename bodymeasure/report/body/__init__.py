@@ -12,6 +12,7 @@ from bodymeasure.report.body.page import TapePictures, render_chart
 from bodymeasure.report.body.records import BodyRecord, ChartDocument, chart_to_csv
 from bodymeasure.report.body.smis import to_smis
 from bodymeasure.report.body.tape import tailor_inches, tape_text
+from bodymeasure.report.body.views import absences, gains, largest_shift, remarked
 
 __all__ = [
     "FREESEWING_KEYS",
@@ -19,10 +20,14 @@ __all__ = [
     "BodyRecord",
     "ChartDocument",
     "TapePictures",
+    "absences",
     "chart_document",
     "chart_to_csv",
     "check_codes",
+    "gains",
+    "largest_shift",
     "missing_freesewing",
+    "remarked",
     "render_chart",
     "tailor_inches",
     "tape_text",

@@ -5,12 +5,15 @@ from collections import Counter
 from datetime import UTC, datetime
 
 from bodymeasure.atlas import Unit, convert_length
-from bodymeasure.chart import Chart, Measured
+from bodymeasure.chart import Chart, Measured, worth_picking
+from bodymeasure.chart.landmarks.places import place_in_words
 from bodymeasure.report.body.records import (
     BodyRecord,
     ChartDocument,
     LandmarkPlace,
+    LandmarkShift,
     MissingLandmark,
+    PickedGain,
 )
 from bodymeasure.report.units import DEGREES, ValueUnit
 
@@ -57,11 +60,34 @@ def chart_document(
             MissingLandmark(name=name, reason=reason)
             for name, reason in chart.missing_landmarks.items()
         ],
+        to_pick=_to_pick(chart),
         measurements=[
             _record(item, numbers.get(item.definition.key), atlas.unit, unit)
             for item in chart.measured
         ],
     )
+
+
+def _to_pick(chart: Chart) -> list[PickedGain]:
+    gains = []
+    keys = [item.definition.key for item in chart.measured]
+    said = {item.definition.key: item.reason for item in chart.measured}
+    for pick in worth_picking(chart.definitions, chart.landmarks, keys):
+        # A name that nobody knows may be misspelled, of which the measurement says more.
+        other = said[pick.measurements[0].key]
+        reasons = [
+            chart.missing_landmarks.get(name, "" if place_in_words(name) else other)
+            for name in pick.landmarks
+        ]
+        gains.append(
+            PickedGain(
+                landmarks=list(pick.landmarks),
+                places=[place_in_words(name) for name in pick.landmarks],
+                reasons=reasons,
+                measurements=[measurement.name for measurement in pick.measurements],
+            )
+        )
+    return gains
 
 
 def _record(item: Measured, number: int | None, source: Unit, target: Unit) -> BodyRecord:
@@ -102,4 +128,10 @@ def _record(item: Measured, number: int | None, source: Unit, target: Unit) -> B
             for region, value in item.length_by_region.items()
             if (length := converted(value)) is not None
         },
+        shifts=[
+            LandmarkShift(
+                landmark=shift.landmark, up=converted(shift.up), across=converted(shift.across)
+            )
+            for shift in item.shifts
+        ],
     )

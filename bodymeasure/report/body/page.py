@@ -56,6 +56,8 @@ def render_chart(document: ChartDocument, pictures: TapePictures | None = None) 
         "tiles": views.tiles(document),
         "sentences": views.summary_sentences(document),
         "absences": views.absences(document),
+        "gains": views.gains(document),
+        "shifted": any(record.shifts for record in document.measurements),
         "remarked": views.remarked(document),
         "inches": document.unit == "inch",
         "unit_name": UNIT_NAMES[document.unit],

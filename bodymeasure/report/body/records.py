@@ -11,6 +11,20 @@ SCHEMA: Final = "bodymeasure chart"
 VERSION: Final = 1
 
 
+class LandmarkShift(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The change of a value if a landmark lies 5 mm elsewhere on the skin, in the value's unit."""
+
+    landmark: str
+    up: Annotated[
+        float | None,
+        Meta(description="If it is 5 mm higher; null if it cannot be measured from there."),
+    ]
+    across: Annotated[
+        float | None,
+        Meta(description="If it is 5 mm to the side; null if it cannot be measured from there."),
+    ]
+
+
 class BodyRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """One measurement of a body. Null stands where there is no such value."""
 
@@ -61,6 +75,10 @@ class BodyRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
         dict[str, float],
         Meta(description="Length of the tape along the skin inside each body region."),
     ]
+    shifts: Annotated[
+        list[LandmarkShift],
+        Meta(description="What the value owes to the places of its landmarks, if that was asked."),
+    ] = []
 
 
 class LandmarkPlace(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -81,6 +99,17 @@ class MissingLandmark(Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
 
     name: str
     reason: str
+
+
+class PickedGain(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Landmarks that are to be picked, and the measurements that this gains."""
+
+    landmarks: list[str]
+    places: Annotated[list[str], Meta(description="Where each lies, in words; may be empty.")]
+    reasons: Annotated[
+        list[str], Meta(description="Why its rule gave none, or a hint at its name; may be empty.")
+    ]
+    measurements: Annotated[list[str], Meta(description="Their names.")]
 
 
 class ChartDocument(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -104,6 +133,10 @@ class ChartDocument(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     outcomes: Annotated[dict[str, int], Meta(description="Number of measurements of each outcome.")]
     landmarks: list[LandmarkPlace]
     missing_landmarks: list[MissingLandmark]
+    to_pick: Annotated[
+        list[PickedGain],
+        Meta(description="The landmarks whose picking would gain measurements, the best first."),
+    ] = []
     measurements: list[BodyRecord]
 
 
@@ -125,7 +158,14 @@ def chart_to_csv(document: ChartDocument) -> bytes:
 
 def _flat(value: object) -> object:
     if isinstance(value, list):
-        return "; ".join(value)
+        return "; ".join(map(_shift_text, value))
     if isinstance(value, dict):
         return "; ".join(f"{key}={length!r}" for key, length in value.items())
     return value
+
+
+def _shift_text(member: str | LandmarkShift) -> str:
+    if isinstance(member, str):
+        return member
+    ways = (("up", member.up), ("across", member.across))
+    return f"{member.landmark}: " + ", ".join(f"{way}={change!r}" for way, change in ways)

@@ -3,17 +3,20 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from bodymeasure.report.body.records import BodyRecord, ChartDocument
+from bodymeasure.atlas import Unit, convert_length
+from bodymeasure.report.body.records import BodyRecord, ChartDocument, LandmarkShift
 from bodymeasure.report.body.tape import small_text, tailor_inches, tape_text
-from bodymeasure.report.numbers import NONE, as_bound
+from bodymeasure.report.numbers import MINUS, NONE, SPACE, as_bound
 from bodymeasure.report.templating import Image
-from bodymeasure.report.units import UNIT_NAMES
+from bodymeasure.report.units import DEGREES, UNIT_NAMES
 from bodymeasure.wording import counted
 
 MEASURED = "measured"
 # The sides of the body in the order in which they are shown.
 SIDES = ("front", "back", "left", "right")
 OTHER_GROUP = "Other measurements"
+# Changes below these have no sign, since they are shown as zero.
+LEAST_SHIFT = {"m": 5e-5, "cm": 5e-3, "mm": 5e-2, "inch": 5e-3, "deg": 0.05}
 # Outcomes that only state that something is absent; the others deserve a look.
 ABSENT = ("missing landmark", "missing operand")
 
@@ -32,6 +35,8 @@ class Row:
     tone: str
     mark: str
     regions: tuple[tuple[str, str], ...]
+    shift: str
+    shifts: tuple[str, ...]
 
     @property
     def anchor(self) -> str:
@@ -99,7 +104,35 @@ def _row(record: BodyRecord, number: str) -> Row:
             (region or "elsewhere", tape_text(length, unit))
             for region, length in record.length_by_region.items()
         ),
+        shift=largest_shift(record),
+        shifts=tuple(_shift_words(record, shift) for shift in record.shifts),
     )
+
+
+def largest_shift(record: BodyRecord) -> str:
+    """Return the largest change of a value with its landmarks, without a sign."""
+    sizes = [abs(x) for shift in record.shifts for x in (shift.up, shift.across) if x is not None]
+    return _change(record, max(sizes)) if sizes else NONE
+
+
+def _shift_words(record: BodyRecord, shift: LandmarkShift) -> str:
+    def said(change: float | None) -> str:
+        if change is None:
+            return "cannot be measured"
+        sign = "" if abs(change) < LEAST_SHIFT[record.unit] else "+" if change > 0.0 else MINUS
+        return f"{sign}{_change(record, abs(change))}"
+
+    return f"{shift.landmark}: {said(shift.up)} higher, {said(shift.across)} to the side"
+
+
+def _change(record: BodyRecord, size: float) -> str:
+    """Return the size of a change as a tape shows it."""
+    if record.unit == DEGREES:
+        return f"{size:.1f}°"
+    if record.unit == "inch":
+        return f"{size:.2f}{SPACE}in"
+    millimeters = convert_length(size, Unit.parse(record.unit), Unit.MM)
+    return f"{millimeters:.1f}{SPACE}mm"
 
 
 @dataclass(frozen=True)
@@ -117,12 +150,54 @@ def unmeasured(document: ChartDocument) -> list[BodyRecord]:
 
 
 def absences(document: ChartDocument) -> list[Absence]:
-    """Return why measurements have no value; those with the same reason are put together."""
+    """Return why measurements have no value; those with the same reason are put together.
+
+    Measurements that only lack landmarks are left to `gains`.
+    """
     names: dict[tuple[str, str], list[str]] = {}
+    waiting = {name for pick in document.to_pick for name in pick.measurements}
     for record in unmeasured(document):
+        if record.outcome in ABSENT and record.name in waiting:
+            continue
         names.setdefault((record.outcome, record.reason), []).append(record.name)
     # Names contain commas.
     return [Absence("; ".join(each), outcome, reason) for (outcome, reason), each in names.items()]
+
+
+@dataclass(frozen=True)
+class Gain:
+    """Landmarks to pick, in words, and the measurements that this gains."""
+
+    landmarks: str
+    count: str
+    places: tuple[str, ...]
+    measurements: str
+
+
+def gains(document: ChartDocument) -> list[Gain]:
+    """Return the landmarks whose picking would gain measurements, the best first.
+
+    Where a landmark lies is said once.
+    """
+    said: set[str] = set()
+    result = []
+    for pick in document.to_pick:
+        several = len(pick.landmarks) > 1
+        places = []
+        for name, place, reason in zip(pick.landmarks, pick.places, pick.reasons, strict=True):
+            words = "; ".join(filter(None, (place, reason)))
+            if words and name not in said:
+                places.append(f"{name}: {words}" if several else words)
+            said.add(name)
+        result.append(
+            Gain(
+                " and ".join(f"“{name}”" for name in pick.landmarks),
+                counted(len(pick.measurements), "measurement"),
+                tuple(places),
+                "; ".join(pick.measurements),
+            )
+        )
+    return result
 
 
 def remarked(document: ChartDocument) -> list[BodyRecord]:

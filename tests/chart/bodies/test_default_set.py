@@ -61,8 +61,8 @@ def test_names_of_pattern_programs_are_theirs_and_used_once() -> None:
     assert [name for name, count in Counter(freesewing).items() if count > 1] == []
     # The height where leg and foot meet; the bodies end above the ankle bones.
     assert "leg_ankle_circ" not in seamly
-    # The bodies have neither.
-    assert FREESEWING - set(freesewing) == {"head", "heel"}
+    # No landmark says where the heel is.
+    assert FREESEWING - set(freesewing) == {"heel"}
 
 
 def test_each_measurement_is_described() -> None:

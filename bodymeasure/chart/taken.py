@@ -1,0 +1,42 @@
+"""The measurements of one body, each taken when it is first asked for."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from bodymeasure.chart.body import Body, MissingLandmarkError
+from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome
+from bodymeasure.errors import ConvergenceError, InputError
+
+
+class Taken(dict[str, Measured]):
+    """The measurements of a body by key; each is taken when it is first asked for.
+
+    A formula asks for its operands, which so are taken before it.
+    """
+
+    def __init__(self, body: Body, definitions: Mapping[str, MeasurementDefinition]) -> None:
+        super().__init__()
+        self.body, self.definitions = body, definitions
+        self._begun: set[str] = set()
+
+    def __missing__(self, key: str) -> Measured:
+        # Files are checked when they are read; definitions made in Python may be wrong.
+        if key not in self.definitions:
+            raise InputError(f"no measurement has the key {key!r}; name measurements by their keys")
+        if key in self._begun:
+            raise InputError(f"{key!r} is needed to compute itself; define it by landmarks")
+        self._begun.add(key)
+        definition = self.definitions[key]
+        try:
+            if fault := next(definition.faults(), None):
+                raise InputError(fault.words)
+            found = definition.measure(self.body, self)
+        except MissingLandmarkError as error:
+            found = Measured(definition, Outcome.MISSING_LANDMARK, str(error))
+        except InputError as error:
+            found = Measured(definition, Outcome.REFUSED, str(error))
+        except ConvergenceError as error:
+            found = Measured(definition, Outcome.NOT_CONVERGED, str(error))
+        unit = "deg" if definition.in_degrees else self.body.atlas.unit.value
+        self[key] = replace(found, unit=unit)
+        return self[key]
