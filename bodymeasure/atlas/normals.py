@@ -13,6 +13,9 @@ ASIDE = 1e-4
 # The ratio of the lengths of both tangents, below which a point is beside a pole. There, second
 # derivatives over the square of the shorter tangent are rounding; those a little aside are taken.
 NEAR_POLE = 1e-5
+# The ratio below which the shorter tangent itself is rounding, and the part of the way to the
+# middle at which the normal is taken then.
+AT_POLE = 1e-7
 
 
 def normal_coefficients(control_points: Array) -> Array:
@@ -135,20 +138,22 @@ def normals_and_bends(coefficients: Array, x: Array) -> tuple[Array, Array, Arra
     position = s[:, 0, 0].copy()
     normal, sine = _unit_normal(s[:, 1, 0], s[:, 0, 1])
     speed = np.linalg.norm(np.stack([s[:, 1, 0], s[:, 0, 1]]), axis=2)
+    ratio = speed.min(axis=0) / np.maximum(speed.max(axis=0), np.finfo(np.float64).tiny)
+    bad = np.flatnonzero((sine < DEGENERATE) | (ratio < AT_POLE))
+    normal[bad] = _normal_aside(coefficients[bad], x[bad], AT_POLE)[1]
     regular = sine >= DEGENERATE
-    near_pole = speed.min(axis=0) < NEAR_POLE * speed.max(axis=0)
-    row = np.flatnonzero(~regular | near_pole)
-    if len(row):
-        s[row] = jets(coefficients[row], x[row] + ASIDE * (0.5 - x[row]))
-        aside, sine[row] = _unit_normal(s[row, 1, 0], s[row, 0, 1])
-        bad = ~regular[row]
-        normal[row[bad]] = aside[bad]
-        regular[row] = near_pole[row] & (sine[row] >= DEGENERATE)
-        # Beside a pole, second derivatives are long, and perpendicular to the normal there alone.
-        own = normal.copy()
-        own[row] = aside
-        return position, normal, _bend(s, own, regular)
-    return position, normal, _bend(s, normal, regular)
+    row = np.flatnonzero(~regular | (ratio < NEAR_POLE))
+    # Beside a pole, second derivatives are long, and perpendicular to the normal there alone.
+    own = normal.copy()
+    s[row], own[row], sine[row] = _normal_aside(coefficients[row], x[row], ASIDE)
+    regular[row] = (ratio[row] < NEAR_POLE) & (sine[row] >= DEGENERATE)
+    return position, normal, _bend(s, own, regular)
+
+
+def _normal_aside(coefficients: Array, x: Array, part: float) -> tuple[Array, Array, Array]:
+    """Return derivatives, unit normals and sines at points nearer to the middles of patches."""
+    s = jets(coefficients, x + part * (0.5 - x))
+    return s, *_unit_normal(s[:, 1, 0], s[:, 0, 1])
 
 
 def _tangents(control_points: Array, parameters: Array) -> tuple[Array, Array]:
