@@ -35,8 +35,8 @@ ORDERS = {
     " atlas · topology · queries · check · approximation_words, summary",
     "bench": "problems · entrants · size · records · timing · summary · figure",
     "chart": "accuracy, formula, landmarks/choice, landmarks/names, picks, tapes · entry,"
-    " landmarks/paths, landmarks/places · body, sides · kinds, landmarks/rules · landmarks, taken ·"
-    " definitions, sensitivity · needed, reading, selection, chart · evaluate",
+    " landmarks/paths, landmarks/places · body, sides · kinds, landmarks/rules · approximated,"
+    " landmarks · taken · definitions, sensitivity · needed, reading, selection, chart · evaluate",
     "cli": "console, tables · options · atlases, docs, landmarks, measuring, study · main",
     "compare": "names, records · readings · iso20685, plausible, read, shown · comparison, page",
     "formats": "groups, json_faults, options, patches, spline_patches, text · atlas_json, bez, bpt,"

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
+from bodymeasure.chart.approximated import approximated
 from bodymeasure.chart.body import Body, MissingLandmarkError
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome
 from bodymeasure.errors import ConvergenceError, InputError
@@ -38,5 +39,5 @@ class Taken(dict[str, Measured]):
         except ConvergenceError as error:
             found = Measured(definition, Outcome.NOT_CONVERGED, str(error))
         unit = "deg" if definition.in_degrees else self.body.atlas.unit.value
-        self[key] = replace(found, unit=unit)
+        self[key] = replace(approximated(found, self.body.atlas), unit=unit)
         return self[key]

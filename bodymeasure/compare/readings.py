@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from bodymeasure.atlas import Unit, convert_length
 from bodymeasure.compare.names import Known
 from bodymeasure.errors import InputError
-from bodymeasure.report.body.records import ChartDocument
+from bodymeasure.report.body.records import ChartDocument, whole_error
 from bodymeasure.report.units import DEGREES
 
 
@@ -75,7 +75,7 @@ def readings_of(document: ChartDocument) -> Readings:
                 measurement=record.key,
                 value=record.value,
                 unit=record.unit,
-                error=record.error_estimate,
+                error=whole_error(record),
                 reason=record.reason or record.outcome,
                 place=f"{document.name}: {record.key}",
             )

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 import msgspec
-from msgspec import Struct
+from msgspec import UNSET, Struct
 
 
 def to_json(document: Struct) -> bytes:
@@ -20,6 +20,8 @@ def to_json(document: Struct) -> bytes:
     members = []
     for field in document.__struct_fields__:
         value = getattr(document, field)
+        if value is UNSET:
+            continue
         content = _lines(value) if isinstance(value, list) else msgspec.json.encode(value)
         members.append(msgspec.json.encode(field) + b": " + content)
     return b"{\n" + b",\n".join(members) + b"\n}\n"
@@ -64,6 +66,14 @@ def csv_bytes(columns: Sequence[str], rows: Iterable[Iterable[object]]) -> bytes
     writer.writerow(columns)
     writer.writerows(rows)
     return text.getvalue().encode()
+
+
+def fields_set(kind: type[Struct], records: Iterable[Struct]) -> tuple[str, ...]:
+    """Return the fields of records but for those that none of them has."""
+    every = list(records)
+    optional = [f.name for f in msgspec.structs.fields(kind) if f.default is UNSET]
+    absent = {name for name in optional if all(getattr(each, name) is UNSET for each in every)}
+    return tuple(name for name in kind.__struct_fields__ if name not in absent)
 
 
 def records_csv(kind: type[Struct], records: Iterable[Struct]) -> bytes:

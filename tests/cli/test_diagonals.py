@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from helpers.command_line import Run
+from helpers.surfaces.solids import CUBE, obj_text
 
 from bodymeasure import (
     Atlas,
@@ -125,3 +126,17 @@ def test_lengths_do_not_depend_on_the_unit_of_the_file(
     for one, other in zip(meters, centimeters, strict=True):
         if one["length"] is not None:
             assert math.isclose(one["length"], other["length"], rel_tol=1e-12)
+
+
+def test_lengths_show_what_an_approximation_costs(run: Run, tmp_path: Path) -> None:
+    mesh, file = tmp_path / "cube.obj", tmp_path / "cube.atlas"
+    mesh.write_text(obj_text(CUBE))
+    run("convert", mesh, "--file-unit", "cm", "--deviation", "inf", "-o", file)
+    ran = run("diagonals", file)
+    head, first = ran.out.splitlines()[:2]
+    assert head.split()[-6:] == ["error", "approximation", "on", "the", "mesh", "status"]
+    assert first.split()[-3:] == ["4e-02", "+0.5", "converged"]
+    assert "\nThe mesh itself lies within 0.43 cm of the patches" in ran.out
+    document = json.loads(run("diagonals", file, "--format", "json").out)
+    assert document["approximation"][0].startswith("The patches approximate")
+    assert all(record["approximation_error"] > 0.0 for record in document["measurements"])

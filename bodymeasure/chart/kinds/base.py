@@ -149,6 +149,12 @@ class Measured:
     error_estimate : float
         Estimated error of `value`, in its unit; where both contact and taut are computed, the
         larger one of their errors.
+    approximation_error : float, optional
+        A bound on the difference of `value` from that on the surface that the patches of the atlas
+        approximate; None if they approximate nothing (`Atlas.approximation`).
+    mesh_difference : float, optional
+        By how much `value` is larger on the mesh from which the patches were made, about; None
+        without one.
     landmarks : tuple of str
         Names of the landmarks used.
     tapes : tuple of Tape
@@ -168,6 +174,8 @@ class Measured:
     contact: float = np.nan
     taut: float = np.nan
     error_estimate: float = np.nan
+    approximation_error: float | None = None
+    mesh_difference: float | None = None
     landmarks: tuple[str, ...] = ()
     tapes: tuple[Tape, ...] = ()
     length_by_region: Mapping[str, float] = field(default_factory=dict)
@@ -182,5 +190,7 @@ class Measured:
     def __repr__(self) -> str:
         value = f"{self.value:.6g} {self.unit}".rstrip()
         error = f"{self.error_estimate:.1g}"
+        if self.approximation_error is not None:
+            error += f", approximation {self.approximation_error:.1g}"
         found = f"{value} (error {error})" if np.isfinite(self.value) else "no value"
         return f"<Measured {self.definition.key}: {found}, {self.outcome}>"

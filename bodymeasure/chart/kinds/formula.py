@@ -1,12 +1,13 @@
 """Measurements that follow from others by a formula."""
 
+import math
 from collections.abc import Mapping
 from typing import ClassVar
 
 from bodymeasure.chart.accuracy import AccuracyClass, length_class
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import FormulaText
-from bodymeasure.chart.formula.parse import parse_formula
+from bodymeasure.chart.formula.parse import Formula, parse_formula
 from bodymeasure.chart.formula.value import Estimate, evaluate_formula
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome
 from bodymeasure.errors import InputError
@@ -56,6 +57,11 @@ class FormulaMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="form
             name: Estimate(operand.value, operand.error_estimate)
             for name, operand in operands.items()
         }
+        costs = {
+            name: Estimate(operand.value, operand.approximation_error)
+            for name, operand in operands.items()
+            if operand.approximation_error is not None
+        }
         try:
             value, error = evaluate_formula(formula, estimates)
         except InputError as refusal:
@@ -65,7 +71,21 @@ class FormulaMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="form
             Outcome.MEASURED,
             value=value,
             error_estimate=error,
+            approximation_error=evaluate_formula(formula, costs).error if costs else None,
+            mesh_difference=_on_mesh(formula, operands) - value if costs else None,
             landmarks=landmarks,
             # Pictures show what the value is made of.
             tapes=tuple(tape for operand in operands.values() for tape in operand.tapes),
         )
+
+
+def _on_mesh(formula: Formula, operands: Mapping[str, Measured]) -> float:
+    """Return the value on the mesh from which the patches were made, about; NaN if it has none."""
+    estimates = {
+        name: Estimate(operand.value + (operand.mesh_difference or 0.0), 0.0)
+        for name, operand in operands.items()
+    }
+    try:
+        return evaluate_formula(formula, estimates).value
+    except InputError:
+        return math.nan

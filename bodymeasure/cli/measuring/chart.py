@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 
     from bodymeasure.atlas import Atlas
     from bodymeasure.chart import Chart, Definitions
-    from bodymeasure.report.body import ChartDocument, TapePictures
+    from bodymeasure.report.body import BodyRecord, ChartDocument, TapePictures
 
 EXIT_NOT_MEASURED = 1
 # Outcomes of measurements that lack a landmark. No body has all landmarks of the default set.
@@ -231,6 +231,8 @@ def _print(document: "ChartDocument", form: str) -> None:
         click.echo(chart_to_csv(document), nl=False)
     else:
         print_table(_table(document))
+        for sentence in document.approximation or ():
+            RESULTS.print(Text(f"\n{sentence}"), soft_wrap=True)
         reasons = _reasons(document)
         if reasons:
             RESULTS.print(Text("\n".join(["", *reasons])), soft_wrap=True)
@@ -257,6 +259,8 @@ def _table(document: "ChartDocument") -> "Table":
     lengths = (document.unit, *(("fraction",) if inches else ()), "along skin", "taut", "error")
     shifted = any(record.shifts for record in document.measurements)
     lengths = (*lengths, *(("5 mm off",) if shifted else ()))
+    if document.approximation:
+        lengths = (*lengths, "approximation", "on the mesh")
     table = new_table("measurement", *lengths, "status", words=("status",))
     group = ""
     for record in document.measurements:
@@ -280,9 +284,16 @@ def _table(document: "ChartDocument") -> "Table":
             shown(record.taut),
             "" if error is None or record.value is None else f"{error:.0e}",
             *((largest_shift(record),) if shifted else ()),
+            *(_costs(record) if document.approximation else ()),
             Text(record.outcome, "" if good else "yellow"),
         )
     return table
+
+
+def _costs(record: "BodyRecord") -> tuple[str, str]:
+    """Return the error from the approximation and the difference on the mesh."""
+    error, difference = record.approximation_error, record.mesh_difference
+    return f"{error:.0e}" if error else "", f"{difference:+.1g}" if difference else ""
 
 
 def _summary(document: "ChartDocument", seconds: float) -> "Table":

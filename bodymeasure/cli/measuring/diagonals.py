@@ -19,7 +19,7 @@ from bodymeasure.cli.tables import new_table
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from bodymeasure.report.patches.records import Document
+    from bodymeasure.report.patches.records import Document, PatchRecord
 
 
 @click.command(short_help="Print both diagonals of every patch.", epilog=EXIT_CODES)
@@ -54,7 +54,8 @@ def diagonals(atlas: str, form: str, unit: str, despite_errors: bool) -> None:
 def _table(document: "Document") -> "Table":
     from bodymeasure.report.units import FINE_DECIMALS
 
-    table = new_table("diagonal", document.unit, "error", "status", words=("status",))
+    costs = ("approximation", "on the mesh") if document.approximation else ()
+    table = new_table("diagonal", document.unit, "error", *costs, "status", words=("status",))
     decimals = FINE_DECIMALS[document.unit]
     for record in document.measurements:
         length, error = record.length, record.error_estimate
@@ -63,13 +64,22 @@ def _table(document: "Document") -> "Table":
             Text(record.name),
             f"{length:.{decimals}f}" if length is not None else "",
             f"{error:.0e}" if measured and error is not None else "",
+            *(_costs(record) if costs else ()),
             Text(record.status.replace("_", " "), "" if measured else "yellow"),
         )
     return table
 
 
+def _costs(record: "PatchRecord") -> tuple[str, str]:
+    """Return the error from the approximation and the difference on the mesh."""
+    error, difference = record.approximation_error, record.mesh_difference
+    return f"{error:.0e}" if error else "", f"{difference:+.1g}" if difference else ""
+
+
 def _explain(document: "Document") -> None:
-    """Print a sentence on each status that occurs, except for the usual one."""
+    """Print what patches approximate, and a sentence on each status except for the usual one."""
+    for sentence in document.approximation or ():
+        RESULTS.print(Text(f"\n{sentence}"), soft_wrap=True)
     for status, sentence in document.statuses.items():
         if status != "converged":
             RESULTS.print(Text(f"\n{status.replace('_', ' ')}: {sentence}"), soft_wrap=True)

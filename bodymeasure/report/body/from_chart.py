@@ -4,7 +4,9 @@ import math
 from collections import Counter
 from datetime import UTC, datetime
 
-from bodymeasure.atlas import Unit, convert_length
+from msgspec import UNSET, UnsetType
+
+from bodymeasure.atlas import Atlas, Unit, approximation_sentences, convert_length
 from bodymeasure.chart import Chart, Measured, worth_picking
 from bodymeasure.chart.landmarks.places import place_in_words
 from bodymeasure.report.body.records import (
@@ -43,6 +45,7 @@ def chart_document(
         definitions_words=chart.definitions.words,
         atlas_digest=atlas.digest,
         provenance={str(key): str(value) for key, value in atlas.provenance.items()},
+        approximation=list(approximation_sentences(atlas, unit)) or UNSET,
         versions={str(key): str(value) for key, value in chart.versions.items()},
         seconds=float(chart.seconds),
         outcomes=dict(Counter(str(item.outcome) for item in chart.measured)),
@@ -62,8 +65,7 @@ def chart_document(
         ],
         to_pick=_to_pick(chart),
         measurements=[
-            _record(item, numbers.get(item.definition.key), atlas.unit, unit)
-            for item in chart.measured
+            _record(item, numbers.get(item.definition.key), atlas, unit) for item in chart.measured
         ],
     )
 
@@ -90,7 +92,8 @@ def _to_pick(chart: Chart) -> list[PickedGain]:
     return gains
 
 
-def _record(item: Measured, number: int | None, source: Unit, target: Unit) -> BodyRecord:
+def _record(item: Measured, number: int | None, atlas: Atlas, target: Unit) -> BodyRecord:
+    source, has_approximation = atlas.unit, atlas.approximation is not None
     definition = item.definition
     angle = definition.in_degrees
 
@@ -98,6 +101,11 @@ def _record(item: Measured, number: int | None, source: Unit, target: Unit) -> B
         if not math.isfinite(value):
             return None
         return float(value) if angle else float(convert_length(value, source, target))
+
+    def optional(value: float | None) -> float | UnsetType | None:
+        if not has_approximation:
+            return UNSET
+        return None if value is None else converted(value)
 
     unit: ValueUnit = DEGREES if angle else target.value
     iso, class_ = definition.iso, definition.accuracy_class
@@ -110,6 +118,8 @@ def _record(item: Measured, number: int | None, source: Unit, target: Unit) -> B
         value=converted(item.value),
         unit=unit,
         error_estimate=converted(item.error_estimate),
+        approximation_error=optional(item.approximation_error),
+        mesh_difference=optional(item.mesh_difference),
         contact=converted(item.contact),
         taut=converted(item.taut),
         gap=converted(item.gap),

@@ -2,9 +2,9 @@
 
 from typing import Annotated, Final, Literal
 
-from msgspec import Meta, Struct
+from msgspec import UNSET, Meta, Struct, UnsetType
 
-from bodymeasure.report.serial import csv_bytes
+from bodymeasure.report.serial import csv_bytes, fields_set
 from bodymeasure.report.units import LengthUnit, ValueUnit
 
 SCHEMA: Final = "bodymeasure chart"
@@ -48,6 +48,20 @@ class BodyRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
         float | None,
         Meta(description="Estimated bound on the error of the value on this surface."),
     ]
+    approximation_error: Annotated[
+        float | UnsetType | None,
+        Meta(
+            description="Bound on the difference of the value from that on the surface which the "
+            "patches approximate; absent if they approximate nothing."
+        ),
+    ] = UNSET
+    mesh_difference: Annotated[
+        float | UnsetType | None,
+        Meta(
+            description="About how much larger the value is on the mesh from which the patches "
+            "were made; absent without one."
+        ),
+    ] = UNSET
     contact: Annotated[float | None, Meta(description="Length of the tape along the skin.")]
     taut: Annotated[float | None, Meta(description="Length of the tape drawn taut.")]
     gap: Annotated[float | None, Meta(description="contact - taut")]
@@ -128,6 +142,13 @@ class ChartDocument(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     provenance: Annotated[
         dict[str, str], Meta(description="Source, author, license and the like of the atlas.")
     ]
+    approximation: Annotated[
+        list[str] | UnsetType,
+        Meta(
+            description="What the patches approximate and what that costs, in sentences; absent if "
+            "they approximate nothing."
+        ),
+    ] = UNSET
     versions: Annotated[dict[str, str], Meta(description="Versions of the packages used.")]
     seconds: Annotated[float, Meta(description="The time that measuring took.")]
     outcomes: Annotated[dict[str, int], Meta(description="Number of measurements of each outcome.")]
@@ -140,13 +161,21 @@ class ChartDocument(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     measurements: list[BodyRecord]
 
 
+def whole_error(record: BodyRecord) -> float | None:
+    """Return the error of a value from the computation and from the approximation together."""
+    if record.error_estimate is None:
+        return None
+    return record.error_estimate + (record.approximation_error or 0.0)
+
+
 def chart_to_csv(document: ChartDocument) -> bytes:
     """Return the measurements as CSV (RFC 4180, UTF-8) with a header; every float round-trips.
 
     The columns are the fields of `BodyRecord` in their order. Members of a list are joined by
     semicolons, and lengths by region are written as ``region=length``; null is an empty field.
+    What no record has, as what an approximation costs where there is none, has no column.
     """
-    columns = BodyRecord.__struct_fields__
+    columns = fields_set(BodyRecord, document.measurements)
     return csv_bytes(
         columns,
         (

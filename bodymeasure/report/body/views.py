@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from bodymeasure.atlas import Unit, convert_length
-from bodymeasure.report.body.records import BodyRecord, ChartDocument, LandmarkShift
+from bodymeasure.report.body.records import BodyRecord, ChartDocument, LandmarkShift, whole_error
 from bodymeasure.report.body.tape import small_text, tailor_inches, tape_text
 from bodymeasure.report.numbers import MINUS, NONE, SPACE, as_bound
 from bodymeasure.report.templating import Image
@@ -87,7 +87,7 @@ def groups(
 
 
 def _row(record: BodyRecord, number: str) -> Row:
-    unit, error = record.unit, record.error_estimate
+    unit, error = record.unit, whole_error(record)
     good = record.outcome == MEASURED
     absent = record.outcome in ABSENT
     return Row(
@@ -262,4 +262,4 @@ def summary_sentences(document: ChartDocument) -> list[str]:
             "the computation on this body's surface. It does not include the error of the scan or "
             "the model from which the body was made, nor that of the places of the landmarks."
         )
-    return sentences
+    return [*sentences, *(document.approximation or ())]

@@ -9,9 +9,10 @@ from statistics import median
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from msgspec import UNSET
 from numpy.typing import NDArray
 
-from bodymeasure.atlas import EDGES, Unit, convert_length
+from bodymeasure.atlas import EDGES, Approximation, Unit, approximation_sentences, convert_length
 from bodymeasure.report.patches.records import Document, Finding, Kind, PatchRecord, Spread, Summary
 
 if TYPE_CHECKING:
@@ -66,6 +67,7 @@ def survey_document(
         atlas_digest=atlas.digest,
         provenance={str(key): str(value) for key, value in atlas.provenance.items()},
         settings={str(key): str(value) for key, value in survey.settings.items()},
+        approximation=list(approximation_sentences(atlas, unit)) or UNSET,
         versions={str(key): str(value) for key, value in survey.versions.items()},
         seconds={str(key): float(value) for key, value in survey.seconds.items()},
         statuses=_meanings(np.asarray(survey.diagonals.status)),
@@ -95,6 +97,8 @@ def _diagonals(survey: "Survey", unit: Unit) -> list[PatchRecord]:
         compared = ("exact", "exact_uncertainty", "difference", "heat")
         lengths |= {name: getattr(check, name) for name in compared}
         plain["relative_difference"] = check.relative_difference
+    if atlas.approximation is not None:
+        lengths |= _costs(atlas.approximation, lengths["length"])
     plain |= {name: convert_length(each, atlas.unit, unit) for name, each in lengths.items()}
     columns: dict[str, list[list[Any]]] = {name: _finite(each) for name, each in plain.items()}
     columns["functions"] = solution.functions.tolist()
@@ -126,6 +130,12 @@ def _diagonals(survey: "Survey", unit: Unit) -> list[PatchRecord]:
 def _sides(survey: "Survey", unit: Unit) -> list[PatchRecord]:
     atlas, boundary = survey.atlas, survey.boundary
     length = _finite(convert_length(boundary.length, atlas.unit, unit))
+    costs: dict[str, Any] = {}
+    if atlas.approximation is not None:
+        costs = {
+            name: _finite(convert_length(each, atlas.unit, unit))
+            for name, each in _costs(atlas.approximation, boundary.length).items()
+        }
     error = _finite(convert_length(boundary.error_estimate, atlas.unit, unit))
     records = []
     for patch in range(len(atlas)):
@@ -147,9 +157,18 @@ def _sides(survey: "Survey", unit: Unit) -> list[PatchRecord]:
                     error_estimate=error[patch][number],
                     # The length of a side is an integral, with no equation to solve.
                     status="not_converged" if length[patch][number] is None else "converged",
+                    **{name: values[patch][number] for name, values in costs.items()},
                 )
             )
     return records
+
+
+def _costs(approximation: Approximation, lengths: "Array") -> dict[str, "Array"]:
+    """Return what the approximation costs lengths (patches, k): their errors and differences."""
+    return {
+        "approximation_error": approximation.stretch[:, None] * lengths,
+        "mesh_difference": approximation.mesh_lengths * lengths,
+    }
 
 
 def _finite(values: "Array") -> list[list[float | None]]:

@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from typing import Annotated, Final, Literal
 
-from msgspec import Meta, Struct
+from msgspec import UNSET, Meta, Struct, UnsetType
 
-from bodymeasure.report.serial import csv_bytes
+from bodymeasure.report.serial import csv_bytes, fields_set
 from bodymeasure.report.units import LengthUnit
 
 SCHEMA: Final = "bodymeasure measurements"
@@ -42,6 +42,20 @@ class PatchRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
     error_estimate: Annotated[
         float | None, Meta(description="Estimated bound on the error of the length.")
     ]
+    approximation_error: Annotated[
+        float | UnsetType | None,
+        Meta(
+            description="Bound on the difference of the length from that on the surface which the "
+            "patches approximate; absent if they approximate nothing."
+        ),
+    ] = UNSET
+    mesh_difference: Annotated[
+        float | UnsetType | None,
+        Meta(
+            description="About how much larger the length is on the mesh from which the patches "
+            "were made; absent without one."
+        ),
+    ] = UNSET
     status: Annotated[str, Meta(description="A key of `statuses`.")]
     contacts: Annotated[
         str | None,
@@ -138,6 +152,13 @@ class Document(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
         dict[str, str], Meta(description="Source, author, license and the like of the atlas.")
     ]
     settings: dict[str, str]
+    approximation: Annotated[
+        list[str] | UnsetType,
+        Meta(
+            description="What the patches approximate and what that costs, in sentences; absent if "
+            "they approximate nothing."
+        ),
+    ] = UNSET
     versions: Annotated[dict[str, str], Meta(description="Versions of the packages used.")]
     seconds: Annotated[dict[str, float], Meta(description="Time that each step took.")]
     statuses: Annotated[
@@ -153,25 +174,27 @@ class Document(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 # Fields that are a pair of parameters, which a CSV file holds in two columns.
 _PAIRS = ("start", "end")
-CSV_COLUMNS = tuple(
-    column
-    for field in PatchRecord.__struct_fields__
-    for column in ((f"{field}_u", f"{field}_v") if field in _PAIRS else (field,))
-)
 
 
 def to_csv(records: Sequence[PatchRecord]) -> bytes:
     """Return records as CSV (RFC 4180, UTF-8) with a header row; every float round-trips.
 
     The columns are the fields of `PatchRecord` in their order, with the parameters of the ends as
-    ``start_u``, ``start_v``, ``end_u`` and ``end_v``. Null is an empty field.
+    ``start_u``, ``start_v``, ``end_u`` and ``end_v``. Null is an empty field. What no record has,
+    as what an approximation costs where there is none, has no column.
     """
-    return csv_bytes(CSV_COLUMNS, map(_flat, records))
+    fields = fields_set(PatchRecord, records)
+    columns = [
+        column
+        for field in fields
+        for column in ((f"{field}_u", f"{field}_v") if field in _PAIRS else (field,))
+    ]
+    return csv_bytes(columns, (_flat(record, fields) for record in records))
 
 
-def _flat(record: PatchRecord) -> list[object]:
+def _flat(record: PatchRecord, fields: Sequence[str]) -> list[object]:
     row: list[object] = []
-    for field in record.__struct_fields__:
+    for field in fields:
         value = getattr(record, field)
         row.extend(value if field in _PAIRS else (value,))
     return row

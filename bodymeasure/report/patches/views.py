@@ -129,7 +129,8 @@ def summary_sentences(document: Document) -> list[str]:
         f"All lengths are in {UNIT_NAMES[document.unit]}.",
         _measured(document),
     ]
-    return [*sentences, *_checked(document), _precision(document)]
+    costs = document.approximation or ()
+    return [*sentences, *_checked(document), _precision(document), *costs]
 
 
 def _measured(document: Document) -> str:

@@ -171,6 +171,17 @@ class AtlasPath:
         return result_line(kind, unit, self.error_estimate, outcome=status, length=self.length)
 
     @property
+    def approximation_error(self) -> float:
+        """A bound on the difference from the length on the surface that the patches approximate.
+
+        It is 0 on an atlas that approximates nothing; see `bodymeasure.approximation_error`.
+        """
+        approximation = self.atlas.approximation
+        if approximation is None:
+            return 0.0
+        return float(sum(approximation.stretch[each.patch] * each.length for each in self.pieces))
+
+    @property
     def converged(self) -> bool:
         """Whether the length can be trusted."""
         return self.status.has_length
