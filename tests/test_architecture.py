@@ -38,7 +38,8 @@ ORDERS = {
     " landmarks/paths, landmarks/places · body, sides · kinds, landmarks/rules · approximated,"
     " landmarks · taken · definitions, sensitivity · needed, reading, selection, chart · evaluate",
     "cli": "console, tables · options · atlases, docs, landmarks, measuring, study · main",
-    "compare": "names, records · readings · iso20685, plausible, read, shown · comparison, page",
+    "compare": "names, records · readings · gaps, iso20685, plausible, read, shown · comparison,"
+    " page",
     "formats": "groups, json_faults, options, patches, spline_patches, text · atlas_json, bez, bpt,"
     " foreign, geomdl, npz, obj · mesh_vertices · registry",
     "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"
@@ -49,7 +50,8 @@ ORDERS = {
     " body/extreme_girth, body/girth_arcs",
     "mesh": "arrays, path, tubes · curved, exact, insert, points · glb, lines, measure",
     "paper": "method · data · surface · tables · reproduction · page",
-    "report": "files, serial, units · numbers · templating · landmarks · patches · body",
+    "report": "files, serial, units · numbers · templating · landmarks · patches · body ·"
+    " population",
     "scene": "model · camera, colors · lighting · figures · drawing · diagonals · tapes",
     "section": "cells, plane, roots · crossings, pieces · arcs, loop · curve, part ·"
     " bridged, places, section · hull",

@@ -76,14 +76,15 @@ def file_options(command: _Command) -> _Command:
     return command
 
 
-def _of_atlas(**settings: Any) -> Callable[[_Command], _Command]:
+def _of_atlas(name: str = "atlas", **settings: Any) -> Callable[[_Command], _Command]:
     """Return the argument ATLAS together with the options that `load_atlas` reads."""
-    argument = click.argument("atlas", **settings)
+    argument = click.argument(name, **settings)
     return lambda command: argument(file_options(command))
 
 
 atlas_argument = _of_atlas(metavar="ATLAS")
 optional_atlas_argument = _of_atlas(metavar="[ATLAS]", default=DEFAULT_SAMPLE, required=False)
+several_atlases_argument = _of_atlas("atlases", metavar="[ATLAS]...", nargs=-1)
 unit_option = click.option(
     "--unit",
     type=click.Choice([unit.value for unit in Unit]),
@@ -164,7 +165,7 @@ def load_atlas(name: str, *, if_none: bool = False, **options: Any) -> Atlas:
     InputError
         If it is neither, or not a valid atlas.
     """
-    path = _path_of_atlas(name)
+    path = path_of_atlas(name)
     context = click.get_current_context(silent=True)
     given = {} if context is None else dict(context.meta.get(_FILE_OPTIONS, {}))
     if if_none and given:
@@ -178,10 +179,17 @@ def load_atlas(name: str, *, if_none: bool = False, **options: Any) -> Atlas:
 
 def lacks_unit(name: str) -> bool:
     """Whether the format of an atlas's file has no unit."""
-    return "unit" not in format_of(_path_of_atlas(name)).keeps
+    return "unit" not in format_of(path_of_atlas(name)).keeps
 
 
-def _path_of_atlas(name: str) -> Path:
+def path_of_atlas(name: str) -> Path:
+    """Return the file of an atlas or a sample, which may not be there.
+
+    Raises
+    ------
+    InputError
+        If there is neither such a file nor such a sample; the message suggests a sample.
+    """
     path = Path(name)
     # A folder may have the name of the sample whose report it holds.
     if name in sample_names() and not _is_file(path):
@@ -247,8 +255,20 @@ def load_sound_atlas(name: str, *, despite_errors: bool, if_none: bool = False) 
         If errors were found and `despite_errors` is false: the errors, and what to do.
     """
     atlas = load_atlas(name, if_none=if_none)
+    require_sound(atlas, name, despite_errors=despite_errors)
+    return atlas
+
+
+def require_sound(atlas: Atlas, name: str, *, despite_errors: bool) -> None:
+    """Refuse an atlas whose check finds errors.
+
+    Raises
+    ------
+    InputError
+        If errors were found and `despite_errors` is false: the errors, and what to do.
+    """
     if despite_errors:
-        return atlas
+        return
     findings = check_atlas(atlas)
     errors = [f"{f.kind}: {f.message}" for f in findings if f.severity == Severity.ERROR]
     if errors:
@@ -262,4 +282,3 @@ def load_sound_atlas(name: str, *, despite_errors: bool, if_none: bool = False) 
         # Other warnings leave lengths as they are; this one multiplies all of them.
         if finding.kind == FindingKind.SIZE:
             print_note(f"{name}: {finding.message}.")
-    return atlas

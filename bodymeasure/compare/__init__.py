@@ -5,7 +5,7 @@ from bodymeasure.compare.iso20685 import MINIMUM_SUBJECTS
 from bodymeasure.compare.names import Known, known_from
 from bodymeasure.compare.page import render_comparison
 from bodymeasure.compare.read import read_readings
-from bodymeasure.compare.readings import Reading, Readings, readings_of
+from bodymeasure.compare.readings import Reading, Readings, readings_of, readings_of_subjects
 from bodymeasure.compare.records import VERDICTS, Comparison, comparison_to_csv
 
 __all__ = [
@@ -20,5 +20,6 @@ __all__ = [
     "known_from",
     "read_readings",
     "readings_of",
+    "readings_of_subjects",
     "render_comparison",
 ]

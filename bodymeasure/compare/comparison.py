@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from datetime import UTC, datetime
 
 from bodymeasure.atlas import Unit
+from bodymeasure.compare.gaps import Gaps, named
 from bodymeasure.compare.iso20685 import MINIMUM_SUBJECTS, agreement, class_verdicts
 from bodymeasure.compare.names import Known, Vocabulary
 from bodymeasure.compare.plausible import Doubt, doubt, doubt_notes
@@ -11,11 +12,6 @@ from bodymeasure.compare.readings import Reading, Readings, converted
 from bodymeasure.compare.records import Comparison, Difference
 from bodymeasure.errors import InputError
 from bodymeasure.report.units import DEGREES, ValueUnit
-
-# The number of names that a note lists; the others are counted.
-NAMED = 20
-
-_ByKey = dict[str, Reading]
 
 
 def compare(
@@ -55,6 +51,7 @@ def compare(
     pairs, notes = _pairs(first, second)
     differences: list[Difference] = []
     doubts: tuple[list[Doubt], list[Doubt]] = [], []
+    gaps = Gaps((first.name, second.name))
     for subject, one, other in pairs:
         a, b = by_subject[0][one], by_subject[1][other]
         for key, each in vocabulary.by_key.items():
@@ -67,7 +64,8 @@ def compare(
                 pair = _difference(subject, each, a[key], b[key], shown)
                 if pair is not None:
                     differences.append(pair)
-        notes += _missing(subject if len(pairs) > 1 else "", a, b, first, second)
+        gaps.add(subject, a, b)
+    notes += gaps.notes(len(pairs))
     # A wrong unit spoils every difference, so that it comes before what is merely absent.
     doubted = zip(doubts, (first, second), strict=True)
     notes[:0] = [note for found, source in doubted for note in doubt_notes(found, source.name)]
@@ -96,8 +94,8 @@ def compare(
     )
 
 
-def _by_subject(readings: Readings, vocabulary: Vocabulary) -> dict[str, _ByKey]:
-    result: dict[str, _ByKey] = {subject: {} for subject in readings.subjects}
+def _by_subject(readings: Readings, vocabulary: Vocabulary) -> dict[str, dict[str, Reading]]:
+    result: dict[str, dict[str, Reading]] = {subject: {} for subject in readings.subjects}
     for reading in readings.values:
         known = vocabulary.find(reading.measurement, reading.place)
         if (reading.unit == DEGREES) != known.angle:
@@ -131,7 +129,7 @@ def _pairs(first: Readings, second: Readings) -> tuple[list[tuple[str, str, str]
     for has, lacks in ((first, second), (second, first)):
         absent = [one or "(unnamed)" for one in has.subjects if one not in lacks.subjects]
         if absent:
-            notes.append(f"not in {lacks.name}: {_named(absent, 'subject')}")
+            notes.append(f"not in {lacks.name}: {named(absent, 'subject')}")
     return [(subject, subject, subject) for subject in common], notes
 
 
@@ -155,26 +153,3 @@ def _difference(
         combined_error=float(sum(errors)) if errors else None,
         accuracy_class=known.accuracy_class,
     )
-
-
-def _missing(subject: str, a: _ByKey, b: _ByKey, first: Readings, second: Readings) -> list[str]:
-    """Return notes on the measurements that only one of the two has a value of."""
-    prefix = f"{subject}: " if subject else ""
-    notes = []
-    for has, lacks, where in ((a, b, second.name), (b, a, first.name)):
-        valued = [key for key, reading in has.items() if reading.value is not None]
-        absent = [key for key in valued if key not in lacks]
-        if absent:
-            notes.append(f"{prefix}not in {where}: {_named(absent, 'measurement')}")
-        notes += [
-            f"{prefix}no value in {where}: {key} ({lacks[key].reason})"
-            for key in valued
-            if key in lacks and lacks[key].value is None
-        ]
-    return notes
-
-
-def _named(words: list[str], noun: str) -> str:
-    more = len(words) - NAMED
-    listed = ", ".join(words[:NAMED])
-    return listed if more <= 0 else f"{listed} and {more} more {noun}s"

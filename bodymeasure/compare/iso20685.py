@@ -51,7 +51,7 @@ def agreement(differences: Sequence[Difference], minimum_subjects: int) -> Agree
         largest=largest.difference,
         largest_subject=largest.subject,
         maximum_error=maximum,
-        verdict=_verdict(interval, maximum, len(values) >= minimum_subjects),
+        verdict=_verdict(interval, maximum, len(values), minimum_subjects),
     )
 
 
@@ -63,12 +63,20 @@ def maximum_error(accuracy_class: str | None, unit: str) -> float | None:
     return convert_length(millimeters, Unit.MM, Unit.parse(unit))
 
 
-def _verdict(interval: tuple[float, float] | None, maximum: float | None, enough: bool) -> Verdict:
+def _verdict(
+    interval: tuple[float, float] | None, maximum: float | None, count: int, minimum: int
+) -> Verdict:
     if maximum is None:
         return "no class"
-    if interval is None or not enough:
+    if interval is None or count < minimum:
         return "too few subjects"
-    return "within" if -maximum <= interval[0] and interval[1] <= maximum else "exceeds"
+    low, high = interval
+    if -maximum <= low and high <= maximum:
+        return "within"
+    # An interval that reaches beyond the limits because it is wide tells nothing. With as many
+    # subjects as the standard asks for, it takes even that for too large a difference.
+    beyond = low > maximum or high < -maximum
+    return "exceeds" if beyond or count >= MINIMUM_SUBJECTS else "too few subjects"
 
 
 def class_verdicts(agreements: Sequence[Agreement], unit: str) -> list[ClassVerdict]:

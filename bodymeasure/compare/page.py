@@ -26,6 +26,7 @@ def render_comparison(comparison: Comparison) -> bytes:
     context = {
         "comparison": comparison,
         "single": len(comparison.subjects) == 1,
+        "sentences": shown.summary(comparison),
         "created": moment(comparison.created),
         "unit_name": UNIT_NAMES[comparison.unit],
         "verdicts": {verdict: words for verdict, words in VERDICTS.items() if verdict in used},

@@ -12,10 +12,12 @@ import msgspec
 from bodymeasure.atlas import Unit
 from bodymeasure.chart import MeasurementDefinition
 from bodymeasure.chart.kinds import KINDS
-from bodymeasure.compare.readings import Reading, Readings, readings_of
+from bodymeasure.compare.readings import Reading, Readings, readings_of, readings_of_subjects
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes
 from bodymeasure.report.body.records import SCHEMA, ChartDocument
+from bodymeasure.report.population.records import SCHEMA as SEVERAL
+from bodymeasure.report.population.records import PopulationDocument
 from bodymeasure.report.units import DEGREES
 
 # The columns, each with the names that it may have, among them those of a chart's CSV.
@@ -51,12 +53,24 @@ def read_readings(path: Path) -> Readings:
     """
     content = read_bytes(path)
     if path.suffix.lower() == ".json":
-        return readings_of(_chart(content, path))
+        found = _charts(content, path)
+        if isinstance(found, ChartDocument):
+            return readings_of(found)
+        return readings_of_subjects(path.name, found.subjects, found.charts)
     return Readings(path.name, tuple(_rows(content, path)))
 
 
-def _chart(content: bytes, path: Path) -> ChartDocument:
+class _Head(msgspec.Struct):
+    """What kind of file it is; the other members are left out."""
+
+    schema: str = ""
+
+
+def _charts(content: bytes, path: Path) -> ChartDocument | PopulationDocument:
     try:
+        schema = msgspec.json.decode(content, type=_Head).schema
+        if schema == SEVERAL:
+            return msgspec.json.decode(content, type=PopulationDocument)
         return msgspec.json.decode(content, type=ChartDocument)
     except msgspec.DecodeError as error:
         raise InputError(

@@ -1,5 +1,6 @@
 """Measured values to compare, of one body or of several, from any source."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from bodymeasure.atlas import Unit, convert_length
@@ -67,25 +68,44 @@ class Readings:
 
 def readings_of(document: ChartDocument) -> Readings:
     """Return the values of a chart, under the name of the body."""
+    name = document.name or "a body"
+    return readings_of_subjects(name, [document.name], [document])
+
+
+def readings_of_subjects(
+    name: str, subjects: Sequence[str], documents: Sequence[ChartDocument]
+) -> Readings:
+    """Return the values of the charts of several subjects.
+
+    Parameters
+    ----------
+    name : str
+        Name of the source, for titles.
+    subjects : sequence of str
+    documents : sequence of ChartDocument
+        The chart of each subject, at least one.
+    """
     return Readings(
-        name=document.name or "a body",
+        name=name,
         values=tuple(
             Reading(
-                subject=document.name,
+                subject=subject,
                 measurement=record.key,
                 value=record.value,
                 unit=record.unit,
                 error=whole_error(record),
                 reason=record.reason or record.outcome,
-                place=f"{document.name}: {record.key}",
+                place=f"{subject}: {record.key}",
             )
+            for subject, document in zip(subjects, documents, strict=True)
             for record in document.measurements
         ),
         known=tuple(
             Known(record.key, record.name, record.accuracy_class, record.unit == DEGREES)
+            for document in documents
             for record in document.measurements
         ),
-        unit=document.unit,
+        unit=documents[0].unit,
     )
 
 

@@ -15,7 +15,8 @@ VERDICTS: Final[dict[str, str]] = {
     "allowable error.",
     "exceeds": "The 95 % confidence interval of the mean difference does not lie within the "
     "maximum allowable error.",
-    "too few subjects": "The standard asks for more subjects, so that there is no verdict.",
+    "too few subjects": "The subjects are too few to tell: the standard asks for more, or the "
+    "interval is so wide that it lies neither within the maximum allowable error nor beyond it.",
     "no class": "The standard has no class for the measurement.",
 }
 

@@ -1,9 +1,13 @@
 """Differences as people read them on the page and in the terminal."""
 
-from bodymeasure.compare.records import Agreement, Difference
+from collections import Counter
+from statistics import median
+
+from bodymeasure.compare.records import VERDICTS, Agreement, Comparison, Difference
 from bodymeasure.report.body.tape import small_text
 from bodymeasure.report.numbers import MINUS, NONE, SPACE
 from bodymeasure.report.units import DEGREES, TAPE_DECIMALS
+from bodymeasure.wording import counted
 
 # One decimal more than a tape shows, since differences are means of many readings.
 EXTRA_DECIMALS = 1
@@ -33,3 +37,38 @@ def interval(agreement: Agreement) -> str:
         return NONE
     low, high = (signed(end, agreement.unit) for end in (agreement.low, agreement.high))
     return f"{low}{SPACE}to {high}"
+
+
+def summary(comparison: Comparison) -> list[str]:
+    """Return what a comparison comes to, in sentences."""
+    agreements = comparison.agreements
+    count = counted(len(agreements), "measurement")
+    lengths = [each for each in agreements if each.unit != DEGREES]
+    sentences = []
+    if len(comparison.subjects) == 1:
+        sentences.append(f"{count} of one subject compared.")
+    else:
+        verdicts: Counter[str] = Counter(each.verdict for each in agreements)
+        said = ", ".join(
+            f"{verdicts[verdict]} {verdict}" for verdict in VERDICTS if verdicts[verdict]
+        )
+        sentences.append(f"{count} of {len(comparison.subjects)} subjects compared: {said}.")
+    if lengths:
+        largest = max(lengths, key=lambda each: abs(each.mean))
+        middle = median(abs(each.mean) for each in lengths)
+        mean = "" if len(comparison.subjects) == 1 else "mean "
+        sentences.append(
+            f"The largest {mean}difference of a length is {signed(largest.mean, largest.unit)} "
+            f"{largest.unit} ({largest.name}); half of them are at most "
+            f"{signed(middle, comparison.unit).lstrip('+')} {comparison.unit}."
+        )
+        beyond = [
+            each
+            for each in lengths
+            if each.maximum_error is not None and abs(each.mean) > each.maximum_error
+        ]
+        sentences.append(
+            f"{len(beyond)} of {len(lengths)} {mean}differences are larger than ISO 20685-1 allows "
+            "for the mean of many subjects."
+        )
+    return sentences

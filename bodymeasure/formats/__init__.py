@@ -1,6 +1,7 @@
 """Reading and writing atlases; the file's extension decides the format."""
 
 from bodymeasure.formats.registry import (
+    EXTENSIONS,
     FORMATS,
     format_of,
     read_atlas,
@@ -10,6 +11,7 @@ from bodymeasure.formats.registry import (
 )
 
 __all__ = [
+    "EXTENSIONS",
     "FORMATS",
     "format_of",
     "read_atlas",

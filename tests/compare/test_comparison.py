@@ -23,6 +23,7 @@ from bodymeasure.compare import (
     render_comparison,
 )
 from bodymeasure.compare.iso20685 import confidence_interval
+from bodymeasure.compare.shown import summary
 from bodymeasure.errors import InputError
 from bodymeasure.report.body import chart_document
 from bodymeasure.report.serial import json_schema, to_json
@@ -217,6 +218,48 @@ def test_too_few_subjects_have_no_verdict() -> None:
     assert of_subjects(few, minimum_subjects=10).agreements[0].verdict == "within"
     assert of_subjects(few[:1]).agreements[0].low is None
     assert of_subjects(few + 5.0).classes[0].verdict == "too few subjects"
+
+
+def test_few_subjects_tell_only_what_their_interval_does() -> None:
+    # The interval of two subjects is wide: it reaches beyond the limit on either side.
+    straddling = of_subjects(np.array([0.3, 0.6]), minimum_subjects=2)
+    assert straddling.agreements[0].verdict == "too few subjects"
+    assert straddling.classes[0].verdict == "too few subjects"
+    beyond = of_subjects(np.array([4.0, 4.01]), minimum_subjects=2)
+    assert beyond.agreements[0].verdict == "exceeds"
+    inside = of_subjects(np.array([0.3, 0.31]), minimum_subjects=2)
+    assert inside.agreements[0].verdict == "within"
+
+
+def test_what_several_subjects_lack_is_told_once() -> None:
+    names = [f"subject {number}" for number in range(12)]
+    both = [reading("bust_girth", 90.0, subject=name) for name in names]
+    more = [reading("neck_girth", 35.0, subject=name) for name in names]
+    some = [reading("waist_height", 100.0, subject=name) for name in names[:2]]
+    empty = [reading("back_length", None, subject=name) for name in names]
+    full = [reading("back_length", 40.0, subject=name) for name in names]
+    a, b = readings("A", *both, *more, *some, *full), readings("B", *both, *empty)
+    assert compare(a, b, known=KNOWN).notes == [
+        "not in B: neck_girth; all 12 subjects",
+        "not in B: waist_height; subject 0, subject 1",
+        "no value in B: back_length (); all 12 subjects",
+    ]
+
+
+def test_a_comparison_is_summed_up() -> None:
+    single = compare(
+        readings("A", reading("bust_girth", 91.0), reading("neck_girth", 35.0)),
+        readings("B", reading("bust_girth", 93.0), reading("neck_girth", 35.1)),
+        known=KNOWN,
+    )
+    assert summary(single) == [
+        "2 measurements of one subject compared.",
+        "The largest difference of a length is \u22122.00 cm (Bust girth); half of them are at "
+        "most 1.05 cm.",
+        "1 of 2 differences are larger than ISO 20685-1 allows for the mean of many subjects.",
+    ]
+    several = of_subjects(np.full(MINIMUM_SUBJECTS, 0.2))
+    assert summary(several)[0] == "1 measurement of 40 subjects compared: 1 within."
 
 
 def test_a_class_is_within_if_all_its_measurements_are() -> None:

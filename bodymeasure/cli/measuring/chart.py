@@ -1,7 +1,8 @@
 """`bodymeasure chart`."""
 
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,9 +17,11 @@ from bodymeasure.cli.console import (
     print_table,
     progress_bar,
 )
+from bodymeasure.cli.measuring.subjects import Subject, charts_of, subjects_of
 from bodymeasure.cli.options import (
     CHART_PAGE,
     CHART_PICTURES,
+    DEFAULT_SAMPLE,
     EXIT_CODES,
     ROUTES,
     definitions_option,
@@ -28,8 +31,8 @@ from bodymeasure.cli.options import (
     load_sound_atlas,
     no_pictures_option,
     only_option,
-    optional_atlas_argument,
     require,
+    several_atlases_argument,
     unit_option,
 )
 from bodymeasure.cli.tables import facts_table, new_table
@@ -42,6 +45,7 @@ if TYPE_CHECKING:
     from bodymeasure.atlas import Atlas
     from bodymeasure.chart import Chart, Definitions
     from bodymeasure.report.body import BodyRecord, ChartDocument, TapePictures
+    from bodymeasure.report.population import PopulationDocument
 
 EXIT_NOT_MEASURED = 1
 # Outcomes of measurements that lack a landmark. No body has all landmarks of the default set.
@@ -63,7 +67,7 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) ->
 
 
 @click.command(short_help="Chart the body measurements of a body.", epilog=EXIT_CODES)
-@optional_atlas_argument
+@several_atlases_argument
 @definitions_option
 @folder_option(
     help="Folder for chart.html, measurements.csv, measurements.json and its schema, and files for "
@@ -94,7 +98,7 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) ->
 @no_pictures_option
 @despite_errors_option
 def chart(
-    atlas: str,
+    atlases: tuple[str, ...],
     definitions: Path | None,
     output: Path | None,
     form: str | None,
@@ -108,6 +112,9 @@ def chart(
 
     They follow the smooth surface across its patches, and the tape is drawn taut where that is
     asked for. ATLAS is the average female sample if not given.
+
+    Several of them, a folder of atlases or an .npz file of many bodies give one table with a row
+    for each subject: population.html, wide.csv, summary.csv and measurements.csv.
 
     The measurements are defined by a file: the default set (--print-set), or one of yours. Where
     both sides are measured, the files for pattern programs hold the wearer's right one.
@@ -134,7 +141,15 @@ def chart(
     asked_for = definitions is not None or any(
         name not in loaded_definitions.presets for name in only
     )
-    body = load_sound_atlas(atlas, despite_errors=despite_errors)
+    several = len(atlases) > 1
+    load = partial(load_sound_atlas, despite_errors=despite_errors, if_none=several)
+    bodies = subjects_of(atlases or (DEFAULT_SAMPLE,), load, despite_errors=despite_errors)
+    if len(bodies) > 1:
+        charting = partial(
+            charts_of, bodies, loaded_definitions, unit=unit, only=only, sensitivity=sensitivity
+        )
+        return _population(bodies, charting, output, form)
+    body = bodies[0].atlas
     if output is None:
         measured = measured_chart(
             body,
@@ -155,7 +170,7 @@ def chart(
             despite_errors=despite_errors,
         )
         pictures = _pictures(measured) if pictures_wanted else None
-        stem = Path(atlas).stem
+        stem = bodies[0].name
         files = write_chart(measured, output, unit=unit, stem=stem, pictures=pictures or False)
     document = chart_document(measured, unit)
     print_table(_summary(document, time.perf_counter() - begin))
@@ -166,6 +181,64 @@ def chart(
     if code:
         print_note("Some measurements could not be taken; see “Not measured” in chart.html.")
     return code
+
+
+def _population(
+    bodies: Sequence[Subject],
+    charting: Callable[[], list["ChartDocument"]],
+    output: Path | None,
+    form: str | None,
+) -> int:
+    """Chart several bodies; return 1 if a subject lacks a value that others have."""
+    from bodymeasure.report.population import population_document, write_population_chart
+
+    names = [name for name, _ in bodies]
+    if output is None:
+        document = population_document(names, charting())
+        _print_population(document, form or "table")
+    else:
+        with output_folder(output):
+            document = population_document(names, charting())
+            files = write_population_chart(document, output)
+        print_table(_population_facts(document))
+        print_files(files)
+    return EXIT_NOT_MEASURED if any(each.missing for each in document.summaries) else 0
+
+
+def _print_population(document: "PopulationDocument", form: str) -> None:
+    from bodymeasure.report.body import tape_text
+    from bodymeasure.report.population import long_csv
+    from bodymeasure.report.serial import to_json
+
+    if form == "json":
+        click.echo(to_json(document), nl=False)
+        return
+    if form == "csv":
+        click.echo(long_csv(document), nl=False)
+        return
+    table = new_table(
+        "measurement", "subjects", f"mean, {document.unit}", "deviation", "least", "greatest"
+    )
+    for each in document.summaries:
+        degrees = "°" if each.unit != document.unit else ""
+        values = (each.mean, each.deviation, each.minimum, each.maximum)
+        shown = (tape_text(value, each.unit) + degrees for value in values)
+        table.add_row(Text(each.name), str(each.subjects), *shown)
+    print_table(table)
+
+
+def _population_facts(document: "PopulationDocument") -> "Table":
+    table = facts_table(f"{len(document.subjects)} subjects")
+    table.add_row("set", Text(document.definitions))
+    table.add_row("subjects", Text(_first(document.subjects)))
+    total = len(document.summaries)
+    whole = sum(each.missing == 0 for each in document.summaries)
+    color = "green" if whole == total else "yellow"
+    table.add_row("measured", Text(f"{whole:,} of {total:,} on every subject", color))
+    lacking = [f"{each.name} ({each.missing})" for each in document.summaries if each.missing]
+    if lacking:
+        table.add_row("", Text(f"without a value on some: {_first(lacking)}", "yellow"))
+    return table
 
 
 def measured_chart(

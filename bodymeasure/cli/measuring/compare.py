@@ -12,6 +12,7 @@ from rich.text import Text
 from bodymeasure.atlas import Unit
 from bodymeasure.cli.console import RESULTS, print_note, print_table
 from bodymeasure.cli.measuring.chart import measured_chart
+from bodymeasure.cli.measuring.subjects import Subject, charts_of, subjects_of
 from bodymeasure.cli.options import (
     CHART_PAGE,
     EXIT_CODES,
@@ -21,6 +22,7 @@ from bodymeasure.cli.options import (
     file_options,
     lacks_unit,
     load_sound_atlas,
+    path_of_atlas,
     require,
 )
 from bodymeasure.cli.tables import new_table
@@ -30,7 +32,6 @@ from bodymeasure.files import require_writable, write_bytes
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from bodymeasure.atlas import Atlas
     from bodymeasure.chart import Definitions
     from bodymeasure.compare import Comparison, Readings
 
@@ -87,6 +88,9 @@ def compare(
     value, unit (m, cm, mm, inch, deg) and, if there are several, subject. --file-unit, --up and
     --front are for an atlas whose format says none.
 
+    A folder of atlases, an .npz file of many bodies, and the files of `chart` for several bodies
+    are several subjects, which are paired by their names.
+
     With several subjects, the mean difference of each measurement is assessed by ISO 20685-1: its
     95 % confidence interval has to lie within the maximum allowable error.
     """
@@ -101,9 +105,12 @@ def compare(
     loaded = load_definitions(definitions)
     atlases = [name for name in (first, second) if not _is_file_of_values(name)]
     # With one that lacks a unit, --file-unit is meant for it; else it must not contradict.
-    if_none = any(lacks_unit(name) for name in atlases)
+    if_none = any(path_of_atlas(name).is_dir() or lacks_unit(name) for name in atlases)
     load = partial(load_sound_atlas, despite_errors=despite_errors, if_none=if_none)
-    readings = [_readings(name, loaded, load) for name in (first, second)]
+    readings = [
+        _readings(name, loaded, partial(subjects_of, load=load, despite_errors=despite_errors))
+        for name in (first, second)
+    ]
     if readings[0].name == readings[1].name:
         # Two charts of one body, for instance, are distinguished by their files.
         readings = [
@@ -155,18 +162,26 @@ def _is_file_of_values(name: str) -> bool:
     return Path(name).suffix.lower() in READ_SUFFIXES
 
 
-def _readings(name: str, definitions: "Definitions", load: Callable[[str], "Atlas"]) -> "Readings":
-    from bodymeasure.compare import read_readings, readings_of
+def _readings(
+    name: str, definitions: "Definitions", bodies: Callable[[list[str]], list[Subject]]
+) -> "Readings":
+    from bodymeasure.compare import read_readings, readings_of, readings_of_subjects
     from bodymeasure.report.body import chart_document
 
     if _is_file_of_values(name):
         return read_readings(Path(name))
-    # Errors that were to be refused were refused when the atlas was loaded.
-    chart = measured_chart(load(name), definitions, despite_errors=True)
-    return readings_of(chart_document(chart, Unit.CM))
+    subjects = bodies([name])
+    if len(subjects) == 1:
+        # Errors that were to be refused were refused when the atlas was loaded.
+        chart = measured_chart(subjects[0].atlas, definitions, despite_errors=True)
+        return readings_of(chart_document(chart, Unit.CM))
+    charts = charts_of(subjects, definitions, unit=Unit.CM)
+    return readings_of_subjects(Path(name).name, [each for each, _ in subjects], charts)
 
 
 def _print(comparison: "Comparison") -> None:
+    from bodymeasure.compare.shown import summary
+
     several = len(comparison.subjects) > 1
     title = f"A {comparison.a}, B {comparison.b}, in {comparison.unit}"
     RESULTS.print(Text(title), soft_wrap=True)
@@ -179,6 +194,7 @@ def _print(comparison: "Comparison") -> None:
                 f"{len(comparison.subjects)} subjects are not enough for a verdict of ISO 20685-1, "
                 f"which takes {comparison.minimum_subjects}."
             )
+    RESULTS.print(Text("\n" + "\n".join(summary(comparison))), soft_wrap=True)
     for note in comparison.notes:
         print_note(note)
 

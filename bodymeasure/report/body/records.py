@@ -178,14 +178,12 @@ def chart_to_csv(document: ChartDocument) -> bytes:
     columns = fields_set(BodyRecord, document.measurements)
     return csv_bytes(
         columns,
-        (
-            [_flat(getattr(record, column)) for column in columns]
-            for record in document.measurements
-        ),
+        ([flat(getattr(record, column)) for column in columns] for record in document.measurements),
     )
 
 
-def _flat(value: object) -> object:
+def flat(value: object) -> object:
+    """Return what a cell of a CSV file holds of a field."""
     if isinstance(value, list):
         return "; ".join(map(_shift_text, value))
     if isinstance(value, dict):
