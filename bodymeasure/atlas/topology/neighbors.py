@@ -15,17 +15,20 @@ DIGITS = 9
 
 
 class Crossing(NamedTuple):
-    """A step from one patch over a seam to another.
+    """A step from one patch over a seam to another, or over a line within a patch.
 
     Parameters
     ----------
     edge : int
-        Number of the seam, as in `EdgeTable`.
+        Number of the seam, as in `EdgeTable`; -1 for a line within a patch.
     from_side, to_side : int
         The sides that meet there, in the order of `EDGES`.
     to_patch : int
     flipped : bool
         Whether the second side runs against the first.
+    within : float or None
+        The fixed parameter of a line within the patch, where that of the two sides would be on a
+        seam.
     """
 
     edge: int
@@ -33,6 +36,7 @@ class Crossing(NamedTuple):
     to_side: int
     to_patch: int
     flipped: bool
+    within: float | None = None
 
 
 class Step(NamedTuple):

@@ -80,18 +80,7 @@ def route_length(refined: RefinedPath) -> tuple[Length, LoopKind | None]:
     and for a loop that is a minimum; else it is not known.
     """
     problem, total = refined.problem, refined.lengths.sum()
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        measured = measure_length(problem.surface, problem.space, refined.values)
-    short = refined.lengths < STRAIGHT * total
-    ends = problem.surface.positions(refined.values[:, :, [0, -1]].transpose(0, 2, 1))
-    chord = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1)
-    correction = np.where(short, 0.0, measured.correction)
-    error = np.where(short, refined.lengths - chord, measured.error)
-    error = error + _smoothing(refined)
-    residual = np.where(short, 0.0, measured.residual)
-    held = refined.held_nodes.any(axis=(1, 2))
-    error = error + np.where(held, np.abs(correction), 0.0)
-    correction = np.where(held, 0.0, correction)
+    correction, error, residual, least, short = _of_pieces(refined)
     crossings = _crossings(refined, short)
     kind: LoopKind | None = None
     if problem.route.closed:
@@ -103,11 +92,9 @@ def route_length(refined: RefinedPath) -> tuple[Length, LoopKind | None]:
     nets = problem.surface.control_points
     rounding = ROUNDING * (np.ptp(nets, axis=(1, 2)).max(axis=1).sum() + np.abs(nets).max())
     whole = error.sum() + JOINT_SAFETY * excess + rounding
-    minimal = (
-        (measured.minimal | short).all() and np.isfinite(excess)
-        if kind is None
-        else kind is LoopKind.MINIMUM
-    )
+    minimal = bool(least.all()) and bool(np.isfinite(excess))
+    if kind is not None:
+        minimal = kind is LoopKind.MINIMUM
     length = Length(
         raw=total,
         correction=np.asarray(correction.sum() if known else 0.0),
@@ -117,6 +104,63 @@ def route_length(refined: RefinedPath) -> tuple[Length, LoopKind | None]:
         trusted=np.asarray(known and is_leading_order(correction, residual, total).all()),
     )
     return length.scaled(problem.size), kind
+
+
+def piece_errors(refined: RefinedPath) -> Array:
+    """Return the error of each piece's length, with its ends fixed, as a part of the whole.
+
+    Shape (pieces,); infinite where the estimate is not to be trusted.
+    """
+    total = refined.lengths.sum()
+    pieces = _of_pieces(refined)
+    trusted = is_leading_order(pieces.correction, pieces.residual, total)
+    return np.asarray(np.where(trusted, pieces.error / total, np.inf))
+
+
+def joint_jumps(refined: RefinedPath) -> Array:
+    """Return by how much the unit tangents differ along the seam, where a path crosses one.
+
+    Shape (crossings,); zero where the crossing counts for nothing.
+    """
+    crossings = _crossings(refined, refined.lengths < STRAIGHT * refined.lengths.sum())
+    length = np.linalg.norm(crossings.seam, axis=1)
+    count = crossings.movable & ~crossings.short & (length > 0.0)
+    jumps = np.abs(crossings.difference) / np.where(count, length, 1.0)
+    return np.asarray(np.where(count, jumps, 0.0))
+
+
+class _Pieces(NamedTuple):
+    """What is known of each piece with its ends fixed; arrays of shape (pieces,).
+
+    Parameters
+    ----------
+    correction, error, residual : ndarray
+        As in `Length`, in parts of the problem's size.
+    minimal, short : ndarray of bool
+        The pieces that no piece close by undercuts, and those of hardly any length.
+    """
+
+    correction: Array
+    error: Array
+    residual: Array
+    minimal: Bools
+    short: Bools
+
+
+def _of_pieces(refined: RefinedPath) -> _Pieces:
+    problem, total = refined.problem, refined.lengths.sum()
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        measured = measure_length(problem.surface, problem.space, refined.values)
+    short = refined.lengths < STRAIGHT * total
+    ends = problem.surface.positions(refined.values[:, :, [0, -1]].transpose(0, 2, 1))
+    chord = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1)
+    correction = np.where(short, 0.0, measured.correction)
+    error = np.where(short, refined.lengths - chord, measured.error) + _smoothing(refined)
+    residual = np.where(short, 0.0, measured.residual)
+    held = refined.held_nodes.any(axis=(1, 2))
+    error = error + np.where(held, np.abs(correction), 0.0)
+    correction = np.where(held, 0.0, correction)
+    return _Pieces(correction, error, residual, measured.minimal | short, short)
 
 
 def _smoothing(refined: RefinedPath) -> Array:
@@ -182,9 +226,7 @@ def _of_path(refined: RefinedPath, crossings: _Crossings) -> tuple[float, float]
     The difference is that of the unit tangents' components along a seam. The excess is infinite
     where the path is no minimum.
     """
-    length = np.linalg.norm(crossings.seam, axis=1)
-    count = crossings.movable & ~crossings.short & (length > 0.0)
-    jump = np.abs(crossings.difference[count]) / length[count]
+    jump = joint_jumps(refined)
     right = np.zeros(refined.problem.count)
     right[refined.problem.joints] = np.where(crossings.movable, crossings.difference, 0.0)
     free = ~(refined.minimum.held | refined.problem.idle)

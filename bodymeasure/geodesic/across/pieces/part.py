@@ -60,7 +60,13 @@ class PathPart:
         parts = zip(route.patches, refined.values, lengths, strict=True)
         return cls(
             tuple(PathPiece(patch, space, values, piece) for patch, values, piece in parts),
-            tuple((n - route.closed, *points) for n, points in enumerate(route.crossed)),
+            tuple(
+                (n - route.closed, *points)
+                for n, (points, crossing) in enumerate(
+                    zip(route.crossed, route.crossings, strict=True)
+                )
+                if crossing.within is None
+            ),
             length,
         )
 

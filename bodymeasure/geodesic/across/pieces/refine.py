@@ -97,16 +97,16 @@ def refine(
     refined = measured(problem, minimum)
     corners = _corners(refined)
     if not corners.any():
-        return _sharpened(refined, problem.idle)
+        return sharpened(refined, problem.idle)
     place = np.where(corners, np.round(minimum.unknowns), minimum.unknowns)
     pinned = minimize_in_box(problem.expand, place, problem.idle | corners)
     through = measured(problem, replace(pinned, held=pinned.held | corners))
     if through.length < refined.length:
-        return _sharpened(through, problem.idle | corners)
-    return _sharpened(refined, problem.idle)
+        return sharpened(through, problem.idle | corners)
+    return sharpened(refined, problem.idle)
 
 
-def _sharpened(refined: RefinedPath, idle: Bools) -> RefinedPath:
+def sharpened(refined: RefinedPath, idle: Bools) -> RefinedPath:
     """Return a path whose tiny pieces count with their lengths.
 
     What smooths the length is made smaller, step by step, until it is small beside every piece.

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import Crossing, Step, on_side
 
 # Parameters this near to 0 or 1 are on the patch's edge, except for rounding.
@@ -69,10 +70,11 @@ class Route:
         for number, (crossing, along) in enumerate(zip(self.crossings, self.along, strict=True)):
             patch = self.patches[number - self.closed]
             after = 1.0 - along if crossing.flipped else along
-            before = AtlasPoint(patch, *on_side(crossing.from_side, along))
-            result.append(
-                (before, AtlasPoint(crossing.to_patch, *on_side(crossing.to_side, after)))
-            )
+            before, there = on_side(crossing.from_side, along), on_side(crossing.to_side, after)
+            if crossing.within is not None:
+                line = (crossing.within, along)
+                before = there = line if EDGES[crossing.from_side].fixed_axis == 0 else line[::-1]
+            result.append((AtlasPoint(patch, *before), AtlasPoint(crossing.to_patch, *there)))
         return tuple(result)
 
     @cached_property

@@ -10,6 +10,7 @@ from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.across.contact.solve import held_path
+from bodymeasure.geodesic.across.pieces.cutting import cut_until_known
 from bodymeasure.geodesic.across.pieces.error import LoopKind, route_length
 from bodymeasure.geodesic.across.pieces.part import PathPart
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
@@ -21,8 +22,9 @@ from bodymeasure.geodesic.status import Status
 DEGREES = (8, 12, 16, 24, 32, 48, 72)
 # The degree while a loop slides: its polynomials only have to show in which direction.
 SLIDING = 3
-# Degrees beyond this are only for paths that have no good length yet, such as through the crotch of
-# a body, where patches bend sharply.
+# A path that has no good length at this degree, such as below a breast or through the crotch of a
+# body, where patches bend sharply, is cut. Higher degrees are only for those that this does not
+# help either.
 ORDINARY = 32
 # The relative error that is wanted for a length, and the one that is good enough if the last degree
 # has not met it, as where patches bend sharply near a corner.
@@ -120,6 +122,11 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
         exact = not contact and length.error <= TOLERANCE * length.raw
         if good and degree > SLIDING and (exact or degree >= ORDINARY):
             break
+        if degree == ORDINARY and not (contact or route.closed):
+            cut, known = cut_until_known(atlas, best, TOLERANCE)
+            if cut.minimum.converged and known.is_known_to(GOOD_ENOUGH):
+                best, length, good = cut, replace(known, error=known.error + missed), True
+                break
     part = held or PathPart.of(best, length)
     if not good:
         status = Status.NOT_CONVERGED
