@@ -218,6 +218,24 @@ class Atlas:
         target = Unit.parse(unit)
         return replace(self, points=self.points * (self.unit.meters / target.meters), unit=target)
 
+    def turned(self, axes: Axes) -> Self:
+        """The same body with its coordinates turned into other axes.
+
+        Examples
+        --------
+        >>> import bodymeasure as bm
+        >>> body = bm.load_sample("female_average")
+        >>> lying = body.turned(bm.Axes(up="+y", front="+z"))
+        >>> top = body.landmarks["back neck point"]
+        >>> bool(abs(body.position(top)[2] - lying.position(top)[1]) < 1e-15)
+        True
+        """
+        old, new = (
+            np.stack([each.up_vector, each.front_vector, each.left_vector])
+            for each in (self.axes, axes)
+        )
+        return replace(self, points=self.points @ old.T @ new, axes=axes)
+
 
 def require_atlas(value: object) -> None:
     """Raise an InputError unless a value is an atlas; the name of a sample, say, is none."""

@@ -4,6 +4,7 @@ import os
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
@@ -154,11 +155,14 @@ def available_cores() -> int:
     return os.cpu_count() or 1
 
 
-def load_atlas(name: str, *, if_none: bool = False, **options: Any) -> Atlas:
+def load_atlas(
+    name: str, *, if_none: bool = False, corrected: bool = False, **options: Any
+) -> Atlas:
     """Return an atlas from a file, or a sample by its name if there is no such file.
 
     `options` are those of `read_atlas`; the unit and the axes are those that the user gave for the
-    file. With `if_none`, they are left out where the file has its own.
+    file. With `if_none`, they are left out where the file has its own; with `corrected`, such axes
+    take the place of the file's own.
 
     Raises
     ------
@@ -173,8 +177,12 @@ def load_atlas(name: str, *, if_none: bool = False, **options: Any) -> Atlas:
         # Formats with landmarks are those of bodymeasure, which have axes too.
         had = {"unit": "unit", "up": "landmarks", "front": "landmarks"}
         given = {key: value for key, value in given.items() if had[key] not in kept}
+    axes = {}
+    if corrected and "landmarks" in format_of(path, options.get("format")).keeps:
+        axes = {key: given.pop(key) for key in ("up", "front") if key in given}
     with _notes():
-        return read_atlas(path, **given, **options)
+        atlas = read_atlas(path, **given, **options)
+    return replace(atlas, axes=replace(atlas.axes, **axes)) if axes else atlas
 
 
 def lacks_unit(name: str) -> bool:

@@ -92,7 +92,7 @@ class ReadOptions:
         if self.axes not in (None, axes):
             raise InputError(
                 f"{source}: has up {axes.up} and front {axes.front}, but others were given; leave "
-                "them out"
+                "them out, or correct the file by `bodymeasure convert`"
             )
         if self.tolerance is not None:
             raise InputError(f"{source}: is joined already; leave the tolerance out")

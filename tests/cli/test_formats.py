@@ -1,11 +1,12 @@
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from helpers.command_line import Run
 from helpers.surfaces.solids import CUBE, obj_text
 
-from bodymeasure import load_sample, read_atlas
+from bodymeasure import Axes, load_sample, read_atlas, write_atlas
 
 DATA = Path(__file__).parents[1] / "data"
 MESH = """v 0 0 0
@@ -209,3 +210,41 @@ def test_what_an_approximation_costs_is_said_and_kept(run: Run, tmp_path: Path) 
     assert ran.out.startswith(f"{target}: 96 patches,")
     ran = run("convert", mesh, "--file-unit", "cm", "-o", tmp_path / "cube.bpt")
     assert "how well its patches approximate their surface; the file lacks these" in ran.err
+
+
+def test_wrong_axes_of_an_atlas_are_corrected(run: Run, tmp_path: Path) -> None:
+    body = load_sample("female_average")
+    lying = body.turned(Axes("+y", "+z"))
+    wrong = tmp_path / "wrong.atlas"
+    write_atlas(replace(lying, axes=Axes()), wrong)
+    assert run("check", wrong).code == 1
+    # What is measured must not be corrected unseen.
+    refused = run("info", wrong, "--up", "+y", "--front", "+z").err
+    assert "has up +z and front -y, but others were given" in refused
+    assert "`bodymeasure convert`" in refused
+    right = tmp_path / "right.atlas"
+    ran = run("convert", wrong, "--up", "+y", "--front", "+z", "-o", right)
+    assert (ran.code, ran.err) == (0, "")
+    corrected = read_atlas(right)
+    assert corrected.axes == Axes("+y", "+z")
+    assert (corrected.points == lying.points).all()
+    # One of the two alone would lie along the other one.
+    ran = run("convert", wrong, "--up", "+y", "-o", tmp_path / "half.atlas")
+    assert ran.code == 2
+    assert "lie along the same axis" in ran.err
+
+    ran = run("convert", wrong, "--up", "+y", "--front", "+z", "--upright", "-o", right)
+    assert ran.code == 0
+    turned = read_atlas(right)
+    assert turned.axes == Axes()
+    assert turned.points == pytest.approx(body.points, abs=1e-15)
+    assert run("check", right).code == 0
+
+
+@pytest.mark.parametrize("axes", [("+x", "-z"), ("-y", "+x"), ("+z", "+y")])
+def test_turning_a_body_turns_it_whole(axes: tuple[str, str]) -> None:
+    body = load_sample("female_average")
+    turned = body.turned(Axes(*axes))
+    for name in ("up_vector", "front_vector", "left_vector"):
+        before = body.points @ getattr(body.axes, name)
+        assert turned.points @ getattr(turned.axes, name) == pytest.approx(before, abs=1e-15)

@@ -5,7 +5,7 @@ from pathlib import Path
 import click
 from rich.text import Text
 
-from bodymeasure.atlas import Atlas, Unit, approximation_sentences, summarize
+from bodymeasure.atlas import Atlas, Axes, Unit, approximation_sentences, summarize
 from bodymeasure.cli.console import RESULTS, print_note
 from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas
 from bodymeasure.files import require_writable
@@ -27,6 +27,11 @@ from bodymeasure.wording import counted
     "--unit",
     type=click.Choice([unit.value for unit in Unit]),
     help="Unit of the coordinates that are written.  [default: that of ATLAS]",
+)
+@click.option(
+    "--upright",
+    is_flag=True,
+    help="Turn the coordinates so that the body stands along +z and looks along -y.",
 )
 @click.option(
     "--group",
@@ -65,6 +70,7 @@ def convert(
     atlas: str,
     output: Path,
     unit: str | None,
+    upright: bool,
     groups: tuple[str, ...],
     tolerance: float | None,
     deviation: float | None,
@@ -78,11 +84,15 @@ def convert(
     formats.
 
     --file-unit is the unit of ATLAS's coordinates, --unit that of the coordinates in FILE.
+
+    --up and --front say where up and the front are in ATLAS. They correct the axes that an atlas
+    has already; the coordinates stay, unless --upright turns them.
     """
     target = format_of(output, target_format)
     require_writable(output)
     loaded = load_atlas(
         atlas,
+        corrected=True,
         group=groups,
         tolerance=tolerance,
         deviation=deviation,
@@ -91,6 +101,8 @@ def convert(
     sentences = approximation_sentences(loaded)
     if unit is not None:
         loaded = loaded.converted(unit)
+    if upright:
+        loaded = loaded.turned(Axes())
     write_atlas(loaded, output, format=target_format)
     summary = summarize(loaded)
     RESULTS.print(

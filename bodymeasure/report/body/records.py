@@ -188,7 +188,7 @@ def flat(value: object) -> object:
         return "; ".join(map(_shift_text, value))
     if isinstance(value, dict):
         return "; ".join(f"{key}={length!r}" for key, length in value.items())
-    return value
+    return None if value is UNSET else value
 
 
 def _shift_text(member: str | LandmarkShift) -> str:

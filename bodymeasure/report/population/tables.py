@@ -2,7 +2,7 @@
 
 from bodymeasure.report.body.records import BodyRecord, flat
 from bodymeasure.report.population.records import MeasurementSummary, PopulationDocument
-from bodymeasure.report.serial import csv_bytes, records_csv
+from bodymeasure.report.serial import csv_bytes, fields_set, records_csv
 
 
 def long_csv(document: PopulationDocument) -> bytes:
@@ -10,7 +10,8 @@ def long_csv(document: PopulationDocument) -> bytes:
 
     `bodymeasure compare` reads it.
     """
-    columns = BodyRecord.__struct_fields__
+    records = [record for chart in document.charts for record in chart.measurements]
+    columns = fields_set(BodyRecord, records)
     return csv_bytes(
         ("subject", *columns),
         (
