@@ -25,6 +25,8 @@ class ReadOptions:
         How far apart edges may be that are joined, in the file's unit.
     deviation : float, optional
         How far the patches of a mesh may lie from its surface, in the file's unit.
+    interpolate : bool
+        Whether the surface of a mesh runs through its vertices.
     """
 
     unit: Unit | None = None
@@ -32,6 +34,7 @@ class ReadOptions:
     groups: tuple[str, ...] = ()
     tolerance: float | None = None
     deviation: float | None = None
+    interpolate: bool = False
 
     @classmethod
     def checked(
@@ -42,6 +45,7 @@ class ReadOptions:
         groups: str | Sequence[str],
         tolerance: float | None,
         deviation: float | None,
+        interpolate: bool,
     ) -> Self:
         """Return options as a user gives them.
 
@@ -61,6 +65,7 @@ class ReadOptions:
             (groups,) if isinstance(groups, str) else tuple(groups),
             tolerance,
             deviation,
+            interpolate,
         )
 
     def known_unit(self, source: str, title: str) -> Unit:
@@ -96,6 +101,18 @@ class ReadOptions:
             )
         if self.tolerance is not None:
             raise InputError(f"{source}: is joined already; leave the tolerance out")
+
+    def require_no_mesh(self, source: str) -> None:
+        """Refuse options for meshes, with a file that holds none.
+
+        Raises
+        ------
+        InputError
+            If one was given; the message names it.
+        """
+        for name, given in (("deviation", self.deviation), ("interpolation", self.interpolate)):
+            if given:
+                raise InputError(f"{source}: holds patches and no mesh; leave the {name} out")
 
     def require_unit(self, source: str, unit: Unit) -> None:
         """Refuse a unit other than the file's own.

@@ -18,6 +18,7 @@ from bodymeasure.formats.groups import select_groups
 from bodymeasure.formats.obj import mesh as obj_mesh
 from bodymeasure.formats.obj import read as obj
 from bodymeasure.formats.obj import surfaces as obj_surfaces
+from bodymeasure.formats.obj.approximate import approximate
 from bodymeasure.formats.obj.mesh import Faces
 from bodymeasure.formats.options import ReadOptions
 from bodymeasure.formats.patches import ReadPatches
@@ -86,6 +87,7 @@ def read_atlas(
     format: str | None = None,  # noqa: A002  (what the command line calls it)
     tolerance: float | None = None,
     deviation: float | None = None,
+    interpolate: bool = False,
 ) -> Atlas:
     """Read an atlas from a file; its extension decides the format.
 
@@ -110,6 +112,10 @@ def read_atlas(
         in the file's unit; the mesh is refined until they do not. Without it, a part of 1e-4 of the
         mean edge is the aim, as long as 500 patches reach it; ``inf`` leaves one patch for each
         quad.
+    interpolate : bool
+        For meshes of polygons: whether the surface runs through the vertices, rather than have them
+        as its control points. It suits meshes whose vertices lie on a body, as those of a scan do,
+        which the surface would shrink otherwise.
 
     Returns
     -------
@@ -137,7 +143,7 @@ def read_atlas(
     (1, 'cm')
     """
     path = Path(path)
-    options = ReadOptions.checked(unit, up, front, group, tolerance, deviation)
+    options = ReadOptions.checked(unit, up, front, group, tolerance, deviation, interpolate)
     # The content comes first: for a missing file or a folder, the extension does not matter.
     content = read_bytes(path)
     return decode(content, str(path), format_of(path, format), options)
@@ -153,8 +159,8 @@ def decode(content: bytes, source: str, form: Format, options: ReadOptions) -> A
     if not isinstance(read, Atlas):
         for note in read.notes:
             warnings.warn(f"{source}: {note}", ReadWarning, stacklevel=3)
-    if options.deviation is not None and not isinstance(read, Faces):
-        raise InputError(f"{source}: holds patches and no mesh; leave the deviation out")
+    if not isinstance(read, Faces):
+        options.require_no_mesh(source)
     if isinstance(read, Atlas):
         options.require_none(source, read.unit, read.axes)
         atlas = read
@@ -180,11 +186,13 @@ def decode(content: bytes, source: str, form: Format, options: ReadOptions) -> A
 
 
 def _of_mesh(faces: Faces, source: str, unit: Unit, options: ReadOptions) -> Atlas:
-    axes = options.axes or Axes()
     try:
-        return obj_mesh.assemble(faces, unit=unit, axes=axes, deviation=options.deviation)
+        patches = approximate(
+            faces.mesh, faces.holes, options.deviation, interpolate=options.interpolate
+        )
     except InputError as error:
         raise InputError(f"{source}: {error}") from None
+    return obj_mesh.assemble(faces, patches, unit=unit, axes=options.axes or Axes())
 
 
 def write_atlas(

@@ -2,7 +2,8 @@
 
 from bodymeasure.subdivision.catmull_clark import limit_positions, subdivide
 from bodymeasure.subdivision.deviation import Deviation, limit_deviation
-from bodymeasure.subdivision.flat import MeshDeviation, flat_places, mesh_deviation
+from bodymeasure.subdivision.flat import MeshDeviation, face_distances, flat_places, mesh_deviation
+from bodymeasure.subdivision.interpolate import interpolating
 from bodymeasure.subdivision.irregular import irregular_quads, neighborhood
 from bodymeasure.subdivision.loop_schaefer import PatchNets, loop_schaefer
 from bodymeasure.subdivision.part import children, fill_pinches, part, quads_within
@@ -17,8 +18,10 @@ __all__ = [
     "PolygonMesh",
     "QuadMesh",
     "children",
+    "face_distances",
     "fill_pinches",
     "flat_places",
+    "interpolating",
     "irregular_quads",
     "limit_deviation",
     "limit_positions",

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.bezier import derivatives
+from bodymeasure.subdivision.grid import grid_jets
 from bodymeasure.subdivision.irregular import irregular_quads, neighborhood
 from bodymeasure.subdivision.loop_schaefer import PatchNets, loop_schaefer
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh
@@ -20,7 +20,7 @@ MANY = 2000
 # Quads that are compared at once, so that memory stays within some 100 MB.
 BLOCK = 500
 # Places on each finer patch, in u and in v: the nodes of Gauss's rule.
-NODES = (0.5 - np.sqrt(1.0 / 12.0), 0.5 + np.sqrt(1.0 / 12.0))
+NODES = 0.5 + np.sqrt(1.0 / 12.0) * np.array([-1.0, 1.0])
 # A slope beyond this is none of a small deviation; lengths may be wrong by any part then.
 STEEP = 0.99
 # The least square of the sine between tangents, and the least number to divide by.
@@ -85,12 +85,12 @@ def limit_deviation(mesh: PolygonMesh, nets: PatchNets) -> Deviation:
         children = (4 * children[..., None] + np.arange(4)).reshape(len(within), -1)
         places = _children_places(places)
     finer = loop_schaefer(fine)
-    inside, parameters = _nodes(places)
+    parameters = _parameters(places)
     for first in range(0, len(numbers), BLOCK):
         some = slice(first, first + BLOCK)
         coarse = nets.points[nets.index[numbers[some]]]
         truth = finer.points[finer.index[children[some]]]
-        distance, stretch = _compare(coarse, truth, inside, parameters)
+        distance, stretch = _compare(coarse, truth, parameters)
         result.distance[numbers[some]] = rest * distance.max(axis=1)
         result.stretch[numbers[some]] = np.minimum(rest * stretch.max(axis=1), 1.0)
     return result
@@ -104,19 +104,17 @@ def _children_places(places: Array) -> Array:
     return np.stack(children, axis=2).reshape(-1, 4, 2)
 
 
-def _nodes(places: Array) -> tuple[Array, Array]:
-    """Nodes in each finer patch, (nodes, 2), and where they lie, (finer patches, nodes, 2)."""
+def _parameters(places: Array) -> Array:
+    """The parameters of the nodes of finer patches on the coarse one, shape (nodes, 2)."""
     s, t = (each.ravel()[:, None] for each in np.meshgrid(NODES, NODES, indexing="ij"))
     begin, along, up = places[:, None, 0], places[:, None, 1], places[:, None, 3]
-    return np.hstack([s, t]), begin + s * (along - begin) + t * (up - begin)
+    return np.asarray(begin + s * (along - begin) + t * (up - begin)).reshape(-1, 2)
 
 
-def _compare(coarse: Array, truth: Array, inside: Array, parameters: Array) -> tuple[Array, Array]:
+def _compare(coarse: Array, truth: Array, parameters: Array) -> tuple[Array, Array]:
     """Distances and stretches at the nodes on each patch, shape (patches, nodes)."""
-    shape = (*truth.shape[:2], *inside.shape)
-    jets = derivatives(truth, np.broadcast_to(inside, shape), order=2)
-    jets = jets.reshape(len(coarse), -1, 3, 3, 3)
-    start = np.broadcast_to(parameters.reshape(-1, 2), (*jets.shape[:2], 2))
+    jets = grid_jets(truth, NODES, 2).reshape(len(coarse), -1, 3, 3, 3)
+    start = np.broadcast_to(parameters, (*jets.shape[:2], 2))
     offsets, normals = closest_on_patches(coarse, jets[..., 0, 0, :], start)
     distance = np.linalg.norm(offsets, axis=-1)
     normal, curvature = _curvature(jets)

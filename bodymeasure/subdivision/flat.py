@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array, Ints
-from bodymeasure.bezier import evaluate
+from bodymeasure.subdivision.grid import grid_jets
 from bodymeasure.subdivision.loop_schaefer import PatchNets
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh
 from bodymeasure.subdivision.projection import closest_on_patches
@@ -60,13 +60,7 @@ def mesh_deviation(places: Array, quads: Ints, nets: PatchNets) -> MeshDeviation
         The numbers of those that belong to the corners of each patch.
     nets : PatchNets
     """
-    control_points = nets.points[nets.index]
-    distances = np.concatenate(
-        [
-            _distances(places[quads[first : first + BLOCK]], control_points[first : first + BLOCK])
-            for first in range(0, len(quads), BLOCK)
-        ]
-    )
+    distances = face_distances(places, quads, nets)
     # The corners of patches and the middles of their sides belong to several; the nearest counts.
     at_corners = np.full(len(places), np.inf)
     np.minimum.at(at_corners, quads, distances[:, :4])
@@ -74,7 +68,22 @@ def mesh_deviation(places: Array, quads: Ints, nets: PatchNets) -> MeshDeviation
     return MeshDeviation(
         float(every.max()),
         float(np.sqrt((every**2).mean())),
-        _lengths(places[quads], control_points),
+        _lengths(places[quads], nets.points[nets.index]),
+    )
+
+
+def face_distances(places: Array, quads: Ints, nets: PatchNets) -> Array:
+    """Return the distances of places on the faces from patches, shape (patches, 9).
+
+    They are the corners of each patch, the middles of its sides, and its middle; the parameters are
+    those of `mesh_deviation`.
+    """
+    control_points = nets.points[nets.index]
+    return np.concatenate(
+        [
+            _distances(places[quads[first : first + BLOCK]], control_points[first : first + BLOCK])
+            for first in range(0, len(quads), BLOCK)
+        ]
     )
 
 
@@ -91,11 +100,10 @@ def _distances(corners: Array, nets: Array) -> Array:
 def _lengths(corners: Array, nets: Array) -> float:
     """The relative difference of lengths: the root of the ratio of areas, less 1."""
     side = np.linspace(0.0, 1.0, STEPS + 1)
-    grid = np.stack(np.meshgrid(side, side, indexing="ij"), axis=-1)
     surface = 0.0
     for first in range(0, len(nets), BLOCK):
         some = nets[first : first + BLOCK]
-        points = evaluate(some, np.broadcast_to(grid, (len(some), *grid.shape)))
+        points = grid_jets(some, side, 0)[..., 0, 0, :]
         cells = [points[:, :-1, :-1], points[:, 1:, :-1], points[:, 1:, 1:], points[:, :-1, 1:]]
         surface += _area(np.stack(cells, axis=-2))
     return float(np.sqrt(_area(corners) / surface) - 1.0) if surface > 0.0 else 0.0

@@ -88,6 +88,14 @@ def loop_schaefer(mesh: PolygonMesh) -> PatchNets:
     return PatchNets(np.concatenate([corner_points, edge_points, inner]), index)
 
 
+def vertex_limits(mesh: PolygonMesh) -> Array:
+    """Return the limits of the vertices of a mesh of quads on its surface, shape (vertices, 3).
+
+    Vertices without a face have none, and are 0.
+    """
+    return _corner_points(mesh, _inner_points(mesh))
+
+
 def _inner_points(mesh: PolygonMesh) -> Array:
     """The inner control point beside each corner of each quad, shape (corners, 3)."""
     vertices, corners = mesh.vertices, mesh.corners

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any, Self
 
 import numpy as np
 import scipy
@@ -156,6 +157,25 @@ class PolygonMesh:
     def _edges(self) -> tuple[Ints, Ints]:
         keys, edge = np.unique(_key(self, self.corners, self.heads), return_inverse=True)
         return keys, edge
+
+    @classmethod
+    def unchecked(
+        cls, vertices: Array, corners: Ints, sizes: Ints, creases: Ints, **others: Any
+    ) -> Self:
+        """Return a mesh that is known to be sound, as one made from such a mesh is."""
+        result = object.__new__(cls)
+        plain = {"face_names": (), "tagged": (), "rounded": False}
+        result.__dict__.update(
+            plain, vertices=vertices, corners=corners, sizes=sizes, creases=creases, **others
+        )
+        return result
+
+    def with_vertices(self, vertices: Array) -> Self:
+        """Return the mesh with its vertices, shape (n, 3), in other places."""
+        result = object.__new__(type(self))
+        # What is known of how faces meet stays known.
+        result.__dict__.update(self.__dict__, vertices=vertices)
+        return result
 
     def called(self, faces: Sequence[int] | Ints) -> str:
         """Names of faces, for a message."""

@@ -34,26 +34,30 @@ def quads_of(mesh: PolygonMesh) -> tuple[PolygonMesh, Ints]:
 def refined(mesh: PolygonMesh) -> PolygonMesh:
     """Do one step of Catmull-Clark subdivision: each face of k corners becomes k quads in order."""
     count = len(mesh.vertices)
-    face_points = sum_at(mesh.face, mesh.vertices[mesh.corners], len(mesh.sizes))
-    face_points /= mesh.sizes[:, None]
-    midpoints = mesh.vertices[mesh.ends].mean(axis=1)
-    across = sum_at(mesh.edge, face_points[mesh.face], len(mesh.ends)) / 2.0
-    edge_points = np.where(mesh.sharp[:, None], midpoints, (midpoints + across) / 2.0)
-
     edge_number = count + mesh.edge
     face_number = count + len(mesh.ends) + mesh.face
     quads = [mesh.corners, edge_number, face_number, edge_number[mesh.preceding]]
     middle = count + np.arange(len(mesh.ends))
     halves = [np.stack([end, middle], axis=-1) for end in mesh.ends.T]
     creases = np.concatenate([half[mesh.sharp & (mesh.sides == 2)] for half in halves])
-    return PolygonMesh(
-        np.concatenate([_moved(mesh, face_points, midpoints), edge_points, face_points]),
+    return PolygonMesh.unchecked(
+        refined_vertices(mesh),
         np.stack(quads, axis=-1).ravel(),
         np.full(len(mesh.corners), 4),
         creases,
         tagged=mesh.tagged,
         rounded=mesh.rounded,
     )
+
+
+def refined_vertices(mesh: PolygonMesh) -> Array:
+    """Return the vertices of the mesh that `refined` makes: moved ones, edge and face points."""
+    face_points = sum_at(mesh.face, mesh.vertices[mesh.corners], len(mesh.sizes))
+    face_points /= mesh.sizes[:, None]
+    midpoints = mesh.vertices[mesh.ends].mean(axis=1)
+    across = sum_at(mesh.edge, face_points[mesh.face], len(mesh.ends)) / 2.0
+    edge_points = np.where(mesh.sharp[:, None], midpoints, (midpoints + across) / 2.0)
+    return np.concatenate([_moved(mesh, face_points, midpoints), edge_points, face_points])
 
 
 def _moved(mesh: PolygonMesh, face_points: Array, midpoints: Array) -> Array:

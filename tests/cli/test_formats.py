@@ -203,6 +203,13 @@ def test_what_an_approximation_costs_is_said_and_kept(run: Run, tmp_path: Path) 
         "The mesh itself lies within 4.3 cm of the patches (root mean square 3 cm); lengths on it "
         "are about 65 % longer.",
     ]
+    assert (
+        ran.err == "--interpolate lets the surface run through the vertices of the mesh instead.\n"
+    )
+    through = run("convert", mesh, *options, "--interpolate")
+    assert "approximate a Catmull-Clark surface through the vertices of a mesh" in through.out
+    assert through.err == ""
+    ran = run("convert", mesh, *options, "--deviation", "inf", "--unit", "mm")
     described = " ".join(run("info", target).out.split())
     assert "approximation The patches approximate" in described
     assert "they lie within 1.6 mm of it" in described

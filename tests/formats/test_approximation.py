@@ -5,20 +5,27 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from helpers.files.format_atlases import ONE_PATCH_A_QUAD, UNIT, read, write
-from helpers.surfaces.solids import CUBE, blob, icosphere, obj_text
+from helpers.surfaces.solids import CUBE, NO_CREASES, blob, icosphere, obj_text
 
 from bodymeasure import (
     Approximation,
     ApproximationKind,
     Atlas,
     InputError,
+    Plane,
+    Unit,
     approximation_error,
+    body_girth,
     load_sample,
+    plane_girth,
+    tessellate,
 )
 from bodymeasure.atlas import approximation_sentences
 from bodymeasure.atlas.approximation import extent
 from bodymeasure.formats.npz import read_bodies, write_bodies
 from bodymeasure.formats.options import ReadOptions
+from bodymeasure.formats.registry import FORMATS, decode
+from bodymeasure.subdivision import PolygonMesh
 
 TEXT = obj_text(CUBE)
 ATLAS = read(TEXT.encode(), "obj", ONE_PATCH_A_QUAD)
@@ -135,3 +142,50 @@ def test_a_length_differs_by_the_stretch_of_the_patches_below_it() -> None:
     assert approximation_error(ATLAS, curve[:1]) == 0.0
     with pytest.raises(InputError, match=r"positions have shape \(3,\); expected \(k, 3\)"):
         approximation_error(ATLAS, curve[0])
+
+
+def girth(atlas: Atlas) -> float:
+    plane = Plane(np.array([0.0, 0.0, 0.1]), np.array([0.3, 0.2, 1.0]))
+    return plane_girth(atlas, plane, np.array([1.0, 0.0, 0.0])).contact
+
+
+def test_a_sphere_of_triangles_has_its_girth_if_interpolated() -> None:
+    text, through = obj_text(icosphere(2)).encode(), ReadOptions(unit=UNIT, interpolate=True)
+    smoothed, interpolated = read(text, "obj"), read(text, "obj", through)
+    height = 0.1 / np.linalg.norm([0.3, 0.2, 1.0])
+    circle = 2.0 * np.pi * np.sqrt(1.0 - height**2)
+    # A plane section of the triangles is 0.65 % short.
+    assert girth(smoothed) / circle - 1.0 == pytest.approx(-0.019, abs=1e-3)
+    assert abs(girth(interpolated) / circle - 1.0) < 5e-4
+    found = approximation(interpolated)
+    assert found.kind is ApproximationKind.INTERPOLATED
+    assert found.mesh_lengths == pytest.approx(-0.0095, abs=1e-4)
+    assert "through the vertices of a mesh" in approximation_sentences(interpolated)[0]
+    assert "are about 0.95 % shorter" in approximation_sentences(interpolated)[1]
+
+
+def test_a_surface_that_would_overshoot_is_refused(rng: np.random.Generator) -> None:
+    through = ReadOptions(unit=UNIT, interpolate=True)
+    noisy = icosphere(3)
+    radii = 1.0 + 0.2 * rng.normal(size=(len(noisy.vertices), 1))
+    text = obj_text(noisy.with_vertices(radii * noisy.vertices))
+    with pytest.raises(
+        InputError, match=r"^file: a smooth surface .* overshoots: it lies .* from face \d+ \(line"
+    ):
+        read(text.encode(), "obj", through)
+    with pytest.raises(InputError, match="holds patches and no mesh; leave the interpolation out"):
+        read(write(ATLAS, "bpt"), "bpt", through)
+
+
+@pytest.mark.slow
+def test_a_body_of_triangles_has_its_girths_if_interpolated() -> None:
+    body = load_sample("female_average")
+    mesh = tessellate(body, 3)
+    corners, sizes = mesh.faces.ravel(), np.full(len(mesh.faces), 3)
+    text = obj_text(PolygonMesh(mesh.vertices, corners, sizes, NO_CREASES)).encode()
+    for interpolate, low, high in ((False, -7e-3, -6e-3), (True, 0.0, 4e-4)):
+        options = ReadOptions(unit=Unit.M, axes=body.axes, interpolate=interpolate)
+        atlas = decode(text, "file", FORMATS["obj"], options)
+        hip = body.position(body.landmarks["side hip point left"])
+        change = body_girth(atlas, hip).contact - body_girth(body, "side hip point left").contact
+        assert low < change < high

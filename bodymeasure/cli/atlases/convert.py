@@ -5,12 +5,22 @@ from pathlib import Path
 import click
 from rich.text import Text
 
-from bodymeasure.atlas import Atlas, Axes, Unit, approximation_sentences, summarize
+from bodymeasure.atlas import (
+    ApproximationKind,
+    Atlas,
+    Axes,
+    Unit,
+    approximation_sentences,
+    summarize,
+)
 from bodymeasure.cli.console import RESULTS, print_note
 from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas
 from bodymeasure.files import require_writable
 from bodymeasure.formats import FORMATS, format_of, write_atlas
 from bodymeasure.wording import counted
+
+# A mesh whose lengths its smooth surface shortens by more than this part may be meant otherwise.
+SHRUNK = 1e-3
 
 
 @click.command(short_help="Convert an atlas from one format to another.", epilog=EXIT_CODES)
@@ -55,6 +65,12 @@ from bodymeasure.wording import counted
     "in the file's unit; inf does not refine it.",
 )
 @click.option(
+    "--interpolate",
+    is_flag=True,
+    help="Let the surface of a mesh run through its vertices, rather than smooth them; it "
+    "suits meshes whose vertices lie on the body.",
+)
+@click.option(
     "--from",
     "source_format",
     type=click.Choice(list(FORMATS)),
@@ -74,6 +90,7 @@ def convert(
     groups: tuple[str, ...],
     tolerance: float | None,
     deviation: float | None,
+    interpolate: bool,
     source_format: str | None,
     target_format: str | None,
 ) -> None:
@@ -96,6 +113,7 @@ def convert(
         group=groups,
         tolerance=tolerance,
         deviation=deviation,
+        interpolate=interpolate,
         format=source_format,
     )
     sentences = approximation_sentences(loaded)
@@ -114,6 +132,9 @@ def convert(
     )
     for sentence in sentences:
         RESULTS.print(Text(sentence), soft_wrap=True)
+    found = loaded.approximation
+    if found and found.kind is ApproximationKind.SMOOTHED and found.mesh_lengths > SHRUNK:
+        print_note("--interpolate lets the surface run through the vertices of the mesh instead.")
     lost = _lost(loaded, target.keeps)
     if lost:
         print_note(f"{target.title} cannot hold {', '.join(lost)}; the file lacks these.")

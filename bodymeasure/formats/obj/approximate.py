@@ -9,10 +9,11 @@ from bodymeasure.atlas import Approximation, ApproximationKind
 from bodymeasure.atlas.approximation import extent
 from bodymeasure.errors import InputError
 from bodymeasure.subdivision import (
-    Deviation,
     PatchNets,
     PolygonMesh,
+    face_distances,
     flat_places,
+    interpolating,
     limit_deviation,
     loop_schaefer,
     mesh_deviation,
@@ -27,6 +28,10 @@ FEW = 500
 MANY = 200_000
 # No step of subdivision divides the deviation by more; the usual factor is 6.
 BEST_FACTOR = 16.0
+# A surface that leaves a face by more than this part of the face's mean edge overshoots; an arc
+# of 90 degrees leaves its chord by 0.2 of it, and the surface through the corners of a cube its
+# sides by 0.34.
+OVERSHOOT = 0.5
 
 
 class Approximated(NamedTuple):
@@ -45,7 +50,9 @@ class Approximated(NamedTuple):
     approximation: Approximation
 
 
-def approximate(mesh: PolygonMesh, holes: Bools, deviation: float | None) -> Approximated:
+def approximate(
+    mesh: PolygonMesh, holes: Bools, deviation: float | None = None, *, interpolate: bool = False
+) -> Approximated:
     """Return the patches of a mesh but for those of its holes.
 
     Parameters
@@ -54,11 +61,13 @@ def approximate(mesh: PolygonMesh, holes: Bools, deviation: float | None) -> App
     holes : ndarray of bool, shape (faces,)
     deviation : float, optional
         The largest distance from the Catmull-Clark surface.
+    interpolate : bool
+        Whether that runs through the vertices of the mesh.
 
     Raises
     ------
     InputError
-        If that takes too many patches.
+        If that takes too many patches, or no surface through the vertices is close to the faces.
     """
     wanted = deviation
     if wanted is None:
@@ -67,6 +76,8 @@ def approximate(mesh: PolygonMesh, holes: Bools, deviation: float | None) -> App
         )
     most = FEW if deviation is None else MANY
     places, face = mesh.vertices, np.arange(len(mesh.sizes))
+    if interpolate:
+        mesh = _through_vertices(mesh)
     if not (mesh.sizes == 4).all():
         mesh, places, face = _refined(mesh, places, face)
     while True:
@@ -84,7 +95,19 @@ def approximate(mesh: PolygonMesh, holes: Bools, deviation: float | None) -> App
     used, index = np.unique(nets.index[kept], return_inverse=True)
     chosen = PatchNets(nets.points[used], index.reshape(-1, 4, 4))
     quads = mesh.corners.reshape(-1, 4)[kept]
-    return Approximated(chosen, face[kept], _approximation(found, kept, places, quads, chosen))
+    size, on_mesh = extent(chosen.points) or 1.0, mesh_deviation(places, quads, chosen)
+    return Approximated(
+        chosen,
+        face[kept],
+        Approximation(
+            ApproximationKind.INTERPOLATED if interpolate else ApproximationKind.SMOOTHED,
+            _short(found.distance[kept] / size),
+            _short(found.stretch[kept]),
+            *_short(
+                np.array([on_mesh.distance / size, on_mesh.rms / size, on_mesh.lengths])
+            ).tolist(),
+        ),
+    )
 
 
 def _out_of_reach(factor: float, more: float) -> bool:
@@ -98,17 +121,24 @@ def _refined(mesh: PolygonMesh, places: Array, face: Ints) -> tuple[PolygonMesh,
     return refined(mesh), flat_places(mesh, places), face[mesh.face]
 
 
-def _approximation(
-    found: Deviation, kept: Bools, places: Array, quads: Ints, nets: PatchNets
-) -> Approximation:
-    size = extent(nets.points) or 1.0
-    on_mesh = mesh_deviation(places, quads, nets)
-    return Approximation(
-        ApproximationKind.SMOOTHED,
-        _short(found.distance[kept] / size),
-        _short(found.stretch[kept]),
-        *_short(np.array([on_mesh.distance / size, on_mesh.rms / size, on_mesh.lengths])).tolist(),
-    )
+def _through_vertices(mesh: PolygonMesh) -> PolygonMesh:
+    """Return the mesh whose surface runs through the vertices of another, close to its faces."""
+    result = interpolating(mesh)
+    places, face, quads = mesh.vertices, np.arange(len(mesh.sizes)), result
+    if not (mesh.sizes == 4).all():
+        places, face, quads = flat_places(mesh, places), mesh.face, refined(result)
+    away = face_distances(places, quads.corners.reshape(-1, 4), loop_schaefer(quads)).max(axis=1)
+    edges = np.linalg.norm(mesh.vertices[mesh.corners] - mesh.vertices[mesh.heads], axis=1)
+    edge = np.bincount(mesh.face, edges) / mesh.sizes
+    worst = int(np.argmax(away / edge[face]))
+    if away[worst] > OVERSHOOT * edge[face[worst]]:
+        raise InputError(
+            "a smooth surface through the vertices of the mesh overshoots: it lies "
+            f"{away[worst]:.2g} from {mesh.called([face[worst]])}, whose edges are "
+            f"{edge[face[worst]]:.2g} long; leave out interpolation, or smooth the mesh where it "
+            "was made"
+        )
+    return result
 
 
 def _short(values: Array) -> Array:

@@ -15,7 +15,7 @@ from bodymeasure._typing import Bools, Ints
 from bodymeasure.atlas import Atlas, Axes, Unit
 from bodymeasure.atlas.size import require_size
 from bodymeasure.errors import InputError
-from bodymeasure.formats.obj.approximate import approximate
+from bodymeasure.formats.obj.approximate import Approximated
 from bodymeasure.formats.obj.statements import (
     ObjFile,
     Statement,
@@ -92,9 +92,8 @@ def _corners(faces: list[Statement], count: int, source: str) -> Ints:
     return np.concatenate([vertex_numbers(face, face.words, count, source) for face in faces])
 
 
-def assemble(faces: Faces, *, unit: Unit, axes: Axes, deviation: float | None = None) -> Atlas:
-    """The atlas of a mesh: patches are called after their faces, counted from 1."""
-    patches = approximate(faces.mesh, faces.holes, deviation)
+def assemble(faces: Faces, patches: Approximated, *, unit: Unit, axes: Axes) -> Atlas:
+    """The atlas of a mesh's patches, which are called after their faces, counted from 1."""
     face = patches.face
     digits = 1 + int(math.log10(len(faces.names)))
     labels = (f"face {number:0{digits}d}" for number in range(1, len(faces.names) + 1))
