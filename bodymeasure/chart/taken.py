@@ -3,10 +3,15 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
+import numpy as np
+
 from bodymeasure.chart.approximated import approximated
 from bodymeasure.chart.body import Body, MissingLandmarkError
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome
+from bodymeasure.chart.kinds.formula import FormulaMeasure
 from bodymeasure.errors import ConvergenceError, InputError
+from bodymeasure.geodesic import Status
+from bodymeasure.trust import LARGEST_ERROR, is_known
 
 
 class Taken(dict[str, Measured]):
@@ -31,7 +36,7 @@ class Taken(dict[str, Measured]):
         try:
             if fault := next(definition.faults(), None):
                 raise InputError(fault.words)
-            found = definition.measure(self.body, self)
+            found = self._if_known(definition.measure(self.body, self))
         except MissingLandmarkError as error:
             found = Measured(definition, Outcome.MISSING_LANDMARK, str(error))
         except InputError as error:
@@ -41,3 +46,24 @@ class Taken(dict[str, Measured]):
         unit = "deg" if definition.in_degrees else self.body.atlas.unit.value
         self[key] = replace(approximated(found, self.body.atlas), unit=unit)
         return self[key]
+
+    def _if_known(self, found: Measured) -> Measured:
+        """Return a measurement, without its value if that is not known well enough.
+
+        An angle has no length, and a formula is as good as its operands, which have been checked.
+        """
+        definition, error = found.definition, found.error_estimate
+        computed = definition.in_degrees or isinstance(definition, FormulaMeasure)
+        size = float(np.ptp(self.body.atlas.points, axis=0).max())
+        if computed or found.outcome is not Outcome.MEASURED or is_known(found.value, error, size):
+            return found
+        unit = self.body.atlas.unit.value
+        return Measured(
+            definition,
+            Outcome.NOT_CONVERGED,
+            f"The length that was found, {found.value:.4g} {unit}, is known to {error:.1g} {unit} "
+            f"only, which is more than {LARGEST_ERROR:g} of it; look near it with `bodymeasure "
+            "check` for folds and cusps.",
+            Status.INACCURATE.name,
+            landmarks=found.landmarks,
+        )

@@ -15,7 +15,7 @@ from bodymeasure.geodesic.across.pieces.path import AtlasPath, SeamCrossing
 from bodymeasure.geodesic.across.search.ends import checked_points
 from bodymeasure.geodesic.lengths.path_geometry import path_geometry
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
-from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure
+from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure, checked_status
 from bodymeasure.geodesic.tracing.motion import Run
 from bodymeasure.geodesic.tracing.trace import NEAR_POLE, Patches, Trace, apart, runs_of, traced
 
@@ -193,7 +193,9 @@ def _path(patches: Patches, start: AtlasPoint, trace: Trace, error: float) -> Di
     known = not trace.lost and error <= LARGEST_ERROR * max(trace.length, 1e-300)
     status = Status.NOT_CONVERGED
     if known or (trace.at_boundary and not trace.lost):
+        size = float(np.ptp(patches.atlas.points, axis=0).max())
         status = Status.ENDS_AT_BOUNDARY if trace.at_boundary else Status.CONVERGED
+        status = checked_status(status, trace.length, error, size)
     return DirectedPath(
         atlas=patches.atlas,
         points=(start, trace.end),

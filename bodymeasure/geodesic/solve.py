@@ -21,6 +21,7 @@ from bodymeasure.geodesic.surfaces.custom import CustomSurface
 from bodymeasure.geodesic.surfaces.protocol import Surface
 from bodymeasure.geodesic.surfaces.rational import surfaces_of
 from bodymeasure.threads import one_blas_thread
+from bodymeasure.trust import is_known
 
 # The number that the smallest lengths are rounded to.
 SMALLEST = float(np.finfo(np.float64).smallest_subnormal)
@@ -228,6 +229,8 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
     batches = tuple(batch.renumbered(apart[batch.problems]) for batch in result.batches)
     for batch in batches:
         outcome.put(batch, scale)
+    known = is_known(outcome.length, outcome.error_estimate, scale)
+    outcome.status[have_length(outcome.status) & ~known] = Status.INACCURATE
     outcome.length[~have_length(outcome.status)] = np.nan
     return GeodesicSolution(
         start=starts.reshape(*shape, 2),

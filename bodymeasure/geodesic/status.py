@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from bodymeasure._typing import Bools
 from bodymeasure.errors import InputError
+from bodymeasure.trust import is_known
 
 OnFailure = Literal["raise", "status"]
 """What a function does if it finds no length that can be trusted: raise, or say so in a status."""
@@ -50,6 +51,11 @@ class Status(Enum):
         "close to one that this is uncertain), and a shorter path lies beside it; choose end "
         "points that are closer together."
     )
+    INACCURATE = (
+        "A path was found, but the estimated error of its length is more than 1e-4 of it, so that "
+        "the length, which `raw_length` holds, is not to be trusted; look near the path with "
+        "`bodymeasure check` for folds and cusps, or measure to a point in between."
+    )
     NOT_CONVERGED = (
         "No trial space met the tolerance; allow more functions, loosen the tolerance, or split "
         "the patch."
@@ -73,6 +79,11 @@ class Status(Enum):
     def sentence(self) -> str:
         """The status in words for the user."""
         return self.value
+
+
+def checked_status(status: Status, length: float, error: float, size: float) -> Status:
+    """Return a status, or ``INACCURATE`` in its place if it has a length that is not known."""
+    return status if not status.has_length or is_known(length, error, size) else Status.INACCURATE
 
 
 def have_length(statuses: NDArray[Any]) -> Bools:

@@ -2,8 +2,11 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Unit
+from bodymeasure.trust import is_known
 from bodymeasure.wording import result_line
 
 
@@ -31,6 +34,11 @@ class MeshPath:
 
     def __repr__(self) -> str:
         return result_line("MeshPath", self.unit, self.error_estimate, length=self.length)
+
+    @property
+    def converged(self) -> bool:
+        """Whether the mesh is fine enough that the length is that over its smooth surface, too."""
+        return bool(is_known(self.length, self.error_estimate, np.ptp(self.points, axis=0).max()))
 
     @property
     def sentence(self) -> str:

@@ -15,6 +15,11 @@ class TautStatus(Enum):
         "No path along the skin was found to draw taut: the points' parts meet in single points "
         "only; join the patches along whole edges."
     )
+    INACCURATE = (
+        "The tape came to rest, but the estimated error of its length is more than 1e-4 of it, so "
+        "that the length, which `raw_length` holds, is not to be trusted; look near the tape with "
+        "`bodymeasure check` for folds and sharp kinks, or hold it at a point between."
+    )
     NOT_CONVERGED = (
         "The tape did not come to rest; check the atlas near it with `bodymeasure check` for folds "
         "and sharp kinks, or hold it at a point between."

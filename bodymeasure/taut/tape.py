@@ -19,6 +19,7 @@ from bodymeasure.taut.solve import TautLeg, draw_taut
 from bodymeasure.taut.starts import first_strings
 from bodymeasure.taut.status import TautStatus
 from bodymeasure.threads import one_blas_thread
+from bodymeasure.trust import is_known
 from bodymeasure.wording import result_line
 
 # A string that is longer than the path along the skin by more than this part of it has not come to
@@ -35,8 +36,10 @@ class TautTape:
     length : float
         In `unit`. NaN unless the status has a length. Never below `chord` or above the contact
         path's length.
+    raw_length : float
+        The length that was found, whatever the status; NaN where none was.
     error_estimate : float
-        Estimated error of `length`, in `unit`; infinite where nothing is known.
+        Estimated error of `raw_length`, in `unit`; infinite where nothing is known.
     status : TautStatus
         The worst of its legs.
     unit : Unit
@@ -51,6 +54,7 @@ class TautTape:
     """
 
     length: float
+    raw_length: float
     error_estimate: float
     status: TautStatus
     unit: Unit
@@ -176,12 +180,16 @@ def taut_tape(
 def _drawn(skin: Skin, contact: AtlasPath, strings: list[Array], moved: float) -> TautTape:
     legs = [draw_taut(skin, nodes) for nodes in strings]
     chord = _chord(contact)
-    length, error, status = _length_of_tape(contact, legs, chord)
+    raw, error, status = _length_of_tape(contact, legs, chord)
     error += moved
+    if status.has_length and not is_known(raw, error, skin.size):
+        status = TautStatus.INACCURATE
+    length = raw if status.has_length else np.nan
     # The points between legs are in both.
     points = np.concatenate([legs[0].nodes[:1], *(leg.nodes[1:] for leg in legs)])
     normals = np.concatenate([legs[0].normals[:1], *(leg.normals[1:] for leg in legs)])
-    return TautTape(length, error, status, contact.atlas.unit, points, normals, contact, chord)
+    unit = contact.atlas.unit
+    return TautTape(length, raw, error, status, unit, points, normals, contact, chord)
 
 
 def _length_of_tape(
@@ -204,6 +212,7 @@ def _length_of_tape(
 def _without_path(contact: AtlasPath) -> TautTape:
     nothing = np.zeros((0, 3))
     return TautTape(
+        np.nan,
         np.nan,
         np.inf,
         TautStatus.NO_PATH,

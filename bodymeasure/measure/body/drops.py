@@ -25,6 +25,7 @@ from bodymeasure.section import (
     turned,
 )
 from bodymeasure.threads import one_blas_thread
+from bodymeasure.trust import is_known
 from bodymeasure.wording import result_line
 
 # A way down that first rises by more than this part of the difference of heights leads over
@@ -65,6 +66,11 @@ class Drop:
         return result_line(
             "Drop", self.unit, self.error_estimate, contact=self.contact, taut=self.taut
         )
+
+    @property
+    def converged(self) -> bool:
+        """Whether the lengths can be trusted: their error is a small enough part of them."""
+        return bool(is_known(self.contact, self.error_estimate, self.contact))
 
     @property
     def gap(self) -> float:

@@ -13,6 +13,7 @@ from bodymeasure.errors import InputError
 from bodymeasure.measure.body.girths import Girth
 from bodymeasure.measure.body.taut_places import TautPlaces
 from bodymeasure.section import DRAWN, Curve, DrawnTape, nearest_place
+from bodymeasure.trust import is_known
 from bodymeasure.wording import result_line
 
 # Parts of a girth whose middles are less than this part of the girth apart from front to back lie
@@ -56,6 +57,11 @@ class GirthArc:
         return result_line(
             "GirthArc", self.unit, self.error_estimate, contact=self.contact, taut=self.taut
         )
+
+    @property
+    def converged(self) -> bool:
+        """Whether the lengths can be trusted: their error is a small enough part of them."""
+        return bool(is_known(self.contact, self.error_estimate, self.contact))
 
 
 def girth_arc(

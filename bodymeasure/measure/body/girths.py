@@ -21,6 +21,7 @@ from bodymeasure.section import (
     plane_section,
 )
 from bodymeasure.threads import one_blas_thread
+from bodymeasure.trust import is_known
 from bodymeasure.wording import result_line
 
 
@@ -66,6 +67,11 @@ class Girth:
             contact=self.contact,
             taut=self.taut,
         )
+
+    @property
+    def converged(self) -> bool:
+        """Whether the lengths can be trusted: their error is a small enough part of them."""
+        return bool(is_known(self.contact, self.error_estimate, self.contact))
 
     @property
     def gap(self) -> float:

@@ -4,11 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas import Atlas, sides_of
 from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.bezier import bernstein
 from bodymeasure.threads import one_blas_thread
+from bodymeasure.trust import is_known
 
 # The number of Gauss points on each part of a curve; parts are halved until two results agree.
 POINTS = 16
@@ -37,6 +38,11 @@ class BoundaryLengths:
 
     length: Array
     error_estimate: Array
+
+    @property
+    def converged(self) -> Bools:
+        """Which lengths can be trusted, shape (patches, 4)."""
+        return is_known(self.length, self.error_estimate, self.length.max(initial=0.0))
 
     def __repr__(self) -> str:
         span = f"from {self.length.min():.6g} to {self.length.max():.6g}"
