@@ -4,13 +4,14 @@ import bisect
 import codecs
 import math
 import re
+from array import array
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
 
 # How many characters of an offending word an error quotes.
@@ -23,6 +24,9 @@ _MARKS = {
     codecs.BOM_UTF16_LE: "utf-16-le",
     codecs.BOM_UTF16_BE: "utf-16-be",
 }
+# So many words at least become numbers at once.
+_AT_ONCE = 65_536
+_ALL = slice(None)
 _REMARK = re.compile(rb"(?:^|(?<=\s))#.*", re.DOTALL)
 
 
@@ -115,47 +119,73 @@ def _joined(lines: list[bytes]) -> list[bytes]:
     return [*result, b" ".join(parts)]
 
 
-@dataclass
 class Words:
     """Words that are to be numbers, gathered line by line.
 
-    One flat list: a list for each line would keep the garbage collector busy.
+    They become numbers while they are gathered: a word takes ten times the memory of its number.
+
+    Attributes
+    ----------
+    lines, ends : array of int
+        The line that was added each time, and the number of words until its end.
+    bad : dict
+        The words that are no finite numbers, by their number.
     """
 
-    words: list[bytes] = field(default_factory=list)
-    lines: list[int] = field(default_factory=list)
-    ends: list[int] = field(default_factory=list)
+    def __init__(self) -> None:
+        self.lines, self.ends = array("q"), array("q")
+        self.bad: dict[int, bytes] = {}
+        self._values, self._waiting = array("d"), list[bytes]()
+
+    def __len__(self) -> int:
+        return len(self._values) + len(self._waiting)
 
     def add(self, line: int, words: Sequence[bytes]) -> None:
         """Add the words of a line."""
-        self.words += words
+        self._waiting += words
         self.lines.append(line)
-        self.ends.append(len(self.words))
+        self.ends.append(len(self))
+        if len(self._waiting) >= _AT_ONCE:
+            self._convert()
+
+    def _convert(self) -> None:
+        words, self._waiting = self._waiting, []
+        try:
+            values = array("d", map(float, words))
+            # Python reads 1_000 as a number; no file format does.
+            sound = bool(np.isfinite(values).all()) and b"_" not in b"".join(words)
+        except ValueError:
+            sound = False
+        if not sound:
+            first = len(self._values)
+            bad = {number: word for number, word in enumerate(words) if not _is_number(word)}
+            self.bad |= {first + number: word for number, word in bad.items()}
+            values = array("d", (0.0 if k in bad else float(word) for k, word in enumerate(words)))
+        self._values += values
 
     def line_of(self, word: int) -> int:
         """The line on which a word stands."""
         return self.lines[bisect.bisect_right(self.ends, word)]
 
-    def numbers(self, source: str) -> Array:
-        """Return all words as numbers.
+    def numbers(self, source: str, chosen: Ints | slice = _ALL) -> Array:
+        """Return all words, or the chosen ones, as numbers.
 
         Raises
         ------
         InputError
-            If one is no finite number; the message names the first such word and its line.
+            If one of these is no finite number; the message names the first such word and its line.
         """
-        try:
-            values = np.fromiter(map(float, self.words), np.float64, len(self.words))
-            # Python reads 1_000 as a number; no file format does.
-            if np.isfinite(values).all() and b"_" not in b"".join(self.words):
-                return values
-        except ValueError:
-            pass
-        bad = next(number for number, word in enumerate(self.words) if not _is_number(word))
-        raise InputError(
-            f"{source}, line {self.line_of(bad)}: {quoted(self.words[bad])} is not a finite "
-            "number; expected numbers such as 1.25 or -3e-2"
-        )
+        self._convert()
+        if self.bad:
+            number = np.arange(len(self))[chosen]
+            wrong = number[np.isin(number, list(self.bad))]
+            if len(wrong):
+                bad = int(wrong.min())
+                raise InputError(
+                    f"{source}, line {self.line_of(bad)}: {quoted(self.bad[bad])} is not a finite "
+                    "number; expected numbers such as 1.25 or -3e-2"
+                )
+        return np.array(self._values, dtype=np.float64)[chosen]
 
 
 def few_numbers(words: Sequence[bytes], place: str) -> tuple[float, ...]:

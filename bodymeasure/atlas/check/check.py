@@ -6,7 +6,7 @@ from bodymeasure._typing import Bools, Ints
 from bodymeasure.atlas.atlas import Atlas, require_atlas
 from bodymeasure.atlas.check.degeneracy import Degeneracy, degeneracy_findings, find_degeneracy
 from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
-from bodymeasure.atlas.check.folds import fold_findings
+from bodymeasure.atlas.check.folds import fold_findings, normal_cones
 from bodymeasure.atlas.check.gaps import (
     FreeEdges,
     NearSeams,
@@ -16,7 +16,6 @@ from bodymeasure.atlas.check.gaps import (
     welded_index,
 )
 from bodymeasure.atlas.check.stance import stance_findings
-from bodymeasure.atlas.normals import normal_coefficients
 from bodymeasure.atlas.seams import EDGES, edge_table
 from bodymeasure.atlas.size import require_size
 from bodymeasure.atlas.topology.joins import kink_angles, parts, seams_of, turned_patches
@@ -60,10 +59,10 @@ def check_atlas(atlas: Atlas) -> tuple[Finding, ...]:
     require_atlas(atlas)
     control_points = atlas.control_points
     require_size(project(control_points).reshape(-1, 3), atlas.unit)
-    normals = normal_coefficients(control_points)
-    degeneracy = find_degeneracy(project(control_points), normals)
+    cones = normal_cones(control_points)
+    degeneracy = find_degeneracy(project(control_points), cones.largest)
     findings = degeneracy_findings(atlas, degeneracy)
-    findings += fold_findings(atlas, normals, degeneracy)
+    findings += fold_findings(atlas, cones, degeneracy)
     findings += stance_findings(atlas)
 
     # A patch without area has no sides worth joining.

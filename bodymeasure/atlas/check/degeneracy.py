@@ -53,20 +53,19 @@ def collapsed_sides(control_points: Array) -> Bools:
     return np.asarray(extent <= SAME_PLACE * patch_sizes(control_points)[:, None])
 
 
-def find_degeneracy(control_points: Array, normals: Array) -> Degeneracy:
+def find_degeneracy(control_points: Array, largest: Array) -> Degeneracy:
     """Find what collapses in each patch.
 
     Parameters
     ----------
     control_points : ndarray, shape (patches, degree + 1, degree + 1, 3)
         Positions in space; those of rational patches come without their weights.
-    normals : ndarray, shape (patches, k, k, 3)
-        Coefficients of the normal field.
+    largest : ndarray, shape (patches,)
+        Lengths of the longest coefficients of the normal fields.
     """
     sizes = patch_sizes(control_points)
     # A patch that is a point is recognized by the size of a typical patch.
     points = sizes <= SAME_PLACE * np.median(sizes)
-    largest = np.linalg.norm(normals, axis=-1).max(axis=(1, 2))
     patches = points | (largest <= NO_AREA * sizes**2)
 
     edges = collapsed_sides(control_points) & ~patches[:, None]

@@ -1,12 +1,14 @@
 """Patches that fold over: their normal turns round abruptly inside."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.check.degeneracy import CORNERS, Degeneracy
 from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
-from bodymeasure.atlas.normals import normal_vectors
+from bodymeasure.atlas.normals import normal_coefficients, normal_vectors
 from bodymeasure.bezier import split
 
 # Halvings of a patch down to the finest cells. These are sampled with half a cell around them: a
@@ -25,18 +27,49 @@ _CONE = np.sqrt(0.5)
 NO_NORMAL = 1e-9
 # Points along a side at which a cell without proof is sampled.
 _SAMPLES = 5
-# Patches treated at once, which bounds the memory: a patch has at most 4**6 cells of 864 bytes.
-_BLOCK = 64
+# Patches treated at once, which bounds the memory: a patch has at most 4**6 cells of 864 bytes, or
+# coefficients of its normal of 1 to 17 kB.
+_BLOCK, _LARGE_BLOCK = 64, 4096
 
 
-def fold_findings(atlas: Atlas, normals: Array, degeneracy: Degeneracy) -> list[Finding]:
+class NormalCones(NamedTuple):
+    """What the coefficients of the normal fields prove without splitting a patch.
+
+    Parameters
+    ----------
+    largest : ndarray, shape (patches,)
+        Lengths of the longest coefficients.
+    whole : ndarray of bool, shape (patches,)
+        Whether all coefficients lie in a narrow cone, so that the patch has no fold.
+    """
+
+    largest: Array
+    whole: Bools
+
+
+def normal_cones(control_points: Array) -> NormalCones:
+    """Bound the normals of patches, shape (patches, m + 1, m + 1, 3 or 4)."""
+    count = len(control_points)
+    cones = NormalCones(np.empty(count), np.empty(count, bool))
+    for first in range(0, count, _LARGE_BLOCK):
+        block = slice(first, first + _LARGE_BLOCK)
+        normals = normal_coefficients(control_points[block])
+        cones.largest[block] = np.linalg.norm(normals, axis=-1).max(axis=(1, 2))
+        cones.whole[block] = _regular(_scaled(normals, cones.largest[block]))
+    return cones
+
+
+def _scaled(normals: Array, largest: Array) -> Array:
+    return normals / np.where(largest > 0.0, largest, 1.0)[:, None, None, None]
+
+
+def fold_findings(atlas: Atlas, cones: NormalCones, degeneracy: Degeneracy) -> list[Finding]:
     """Return the findings on folded patches, and on points without a normal inside a patch.
 
     Parameters
     ----------
     atlas : Atlas
-    normals : ndarray, shape (patches, k, k, 3)
-        Coefficients of the normal field.
+    cones : NormalCones
     degeneracy : Degeneracy
         What is known to collapse, and is not reported again.
 
@@ -46,16 +79,14 @@ def fold_findings(atlas: Atlas, normals: Array, degeneracy: Degeneracy) -> list[
     the patch has no fold; otherwise it is split into four, and each cell is tested again. The few
     cells without proof at the finest level are sampled.
     """
-    largest = np.linalg.norm(normals, axis=-1).max(axis=(1, 2), initial=0.0)
-    scaled = normals / np.where(largest > 0.0, largest, 1.0)[:, None, None, None]
-    sound = np.flatnonzero(~degeneracy.patches)
     # Most patches are proven whole; only the rest is worth blocks and cells.
-    unproven = sound[~_regular(scaled[sound])]
+    unproven = np.flatnonzero(~degeneracy.patches & ~cones.whole)
     findings = []
     for first in range(0, len(unproven), _BLOCK):
         block = unproven[first : first + _BLOCK]
-        numbers, corners = _unproven_cells(scaled[block])
-        findings += _sampled_findings(atlas, block[numbers], corners, largest, degeneracy)
+        normals = normal_coefficients(atlas.control_points[block])
+        numbers, corners = _unproven_cells(_scaled(normals, cones.largest[block]))
+        findings += _sampled_findings(atlas, block[numbers], corners, cones.largest, degeneracy)
     return findings
 
 

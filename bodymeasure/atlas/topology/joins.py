@@ -11,6 +11,8 @@ from bodymeasure.atlas.seams import AXIS, EDGES, VALUE, EdgeTable
 
 # Points along a seam at which the normals of both sides are compared, with its ends.
 _ALONG = np.linspace(0.0, 1.0, 9)
+# Seams treated at once, which bounds the memory: a seam takes some 10 kB.
+_BLOCK = 4096
 # Part of the longest normal along a side: shorter normals are rounding, as at a sphere's pole.
 NO_NORMAL = 1e-9
 # The way round a patch that has the patch on its left runs with u along v = 0 and with v along
@@ -100,6 +102,17 @@ def kink_angles(control_points: Array, seams: Seams) -> Array:
 
     Its shape is (seams,); it is zero where either side has no normal.
     """
+    angles = np.empty(len(seams.patch))
+    for first in range(0, len(angles), _BLOCK):
+        block = slice(first, first + _BLOCK)
+        part = Seams(
+            seams.patch[block], seams.side[block], seams.against[block], seams.consistent[block]
+        )
+        angles[block] = _kink_angles(control_points, part)
+    return angles
+
+
+def _kink_angles(control_points: Array, seams: Seams) -> Array:
     patch = seams.patch
     nets = control_points[patch]
     parameters = np.empty((*patch.shape, len(_ALONG), 2))

@@ -178,23 +178,16 @@ def _vertices(words: Words, source: str) -> tuple[Array, Array]:
             f"{source}, line {words.lines[wrong[0]]}: a vertex of {widths[wrong[0]]} numbers; "
             "expected v x y z, and perhaps a weight or a color"
         )
-    if widths.max(initial=0) > _MOST_USED:
-        words, ends, widths = _without_colors(words, ends, widths)
-    values = words.numbers(source)
-    begin = ends - widths
-    weights = np.ones(len(ends))
-    weighted = widths == 4
-    weights[weighted] = values[begin[weighted] + 3]
-    return values[begin[:, None] + np.arange(3)], weights
-
-
-def _without_colors(words: Words, ends: Ints, widths: Ints) -> tuple[Words, Ints, Ints]:
-    """Vertices without their colors, which need not be numbers."""
+    # Colors need not be numbers.
     used = np.where(widths > _MOST_USED, widths - 3, widths)
     last = np.cumsum(used)
-    kept = np.arange(last[-1]) + np.repeat(ends - widths - (last - used), used)
-    chosen = Words([words.words[k] for k in kept.tolist()], words.lines, last.tolist())
-    return chosen, last, used
+    kept = np.arange(used.sum()) + np.repeat(ends - widths - (last - used), used)
+    values = words.numbers(source, kept)
+    begin = last - used
+    weights = np.ones(len(ends))
+    weighted = used == 4
+    weights[weighted] = values[begin[weighted] + 3]
+    return values[begin[:, None] + np.arange(3)], weights
 
 
 def vertex_numbers(statement: Statement, words: Sequence[bytes], count: int, source: str) -> Ints:

@@ -13,6 +13,8 @@ from bodymeasure.trust import is_known
 
 # The number of Gauss points on each part of a curve; parts are halved until two results agree.
 POINTS = 16
+# Points treated at once, which bounds the memory: each takes some 100 bytes.
+MOST_POINTS = 2**18
 # Relative agreement that is required: the rounding of a sum of this kind.
 AGREEMENT = 1e-14
 # The most halvings. Only a cusp inside an edge needs more, which its error estimate shows.
@@ -106,8 +108,13 @@ def curve_lengths(control_points: Array) -> tuple[Array, Array]:
 def _composite(control_points: Array, parts: int) -> Array:
     nodes, weights = np.polynomial.legendre.leggauss(POINTS)
     t = ((np.arange(parts)[:, None] + (nodes + 1.0) / 2.0) / parts).ravel()
-    speed = np.linalg.norm(_slopes(control_points, t), axis=-1)
-    result: Array = speed @ np.tile(weights / (2.0 * parts), parts)
+    weights = np.tile(weights / (2.0 * parts), parts)
+    result = np.empty(len(control_points))
+    curves = max(1, MOST_POINTS // len(t))
+    for first in range(0, len(result), curves):
+        block = slice(first, first + curves)
+        speed = np.linalg.norm(_slopes(control_points[block], t), axis=-1)
+        result[block] = speed @ weights
     return result
 
 

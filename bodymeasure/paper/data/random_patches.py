@@ -8,8 +8,7 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, Unit
 from bodymeasure.atlas.check.degeneracy import find_degeneracy
 from bodymeasure.atlas.check.finding import FindingKind
-from bodymeasure.atlas.check.folds import fold_findings
-from bodymeasure.atlas.normals import normal_coefficients
+from bodymeasure.atlas.check.folds import fold_findings, normal_cones
 from bodymeasure.errors import InputError
 from bodymeasure.paper.data.self_intersection import intersects_itself
 
@@ -171,20 +170,20 @@ def fault(net: Array) -> str:
     A patch over a regular grid, and any patch whose projection onto its parameters is regular, is
     a graph, which has neither fault.
     """
-    normals = normal_coefficients(net[None])
     regular = np.diff(net[..., 0], axis=0) > 0.0, np.diff(net[..., 1], axis=1) > 0.0
     straight = np.ptp(net[..., 0], axis=1).max() == 0.0 and np.ptp(net[..., 1], axis=0).max() == 0.0
     if straight and regular[0].all() and regular[1].all():
         return ""
-    if _is_folded(net, normals):
+    if _is_folded(net):
         return "folded"
     return "intersecting" if intersects_itself(net) else ""
 
 
-def _is_folded(net: Array, normals: Array) -> bool:
+def _is_folded(net: Array) -> bool:
     atlas = Atlas(net.reshape(-1, 3), np.arange(16).reshape(1, 4, 4), Unit.M)
-    degeneracy = find_degeneracy(atlas.control_points, normals)
+    cones = normal_cones(atlas.control_points)
+    degeneracy = find_degeneracy(atlas.control_points, cones.largest)
     if degeneracy.patches.any() or degeneracy.edges.any():
         return True
-    findings = fold_findings(atlas, normals, degeneracy)
+    findings = fold_findings(atlas, cones, degeneracy)
     return any(finding.kind == FindingKind.FOLDED_PATCH for finding in findings)
