@@ -35,8 +35,9 @@ class Status(Enum):
 
     CONVERGED = "The path is a geodesic on the patch; its length holds to the stated error."
     ON_BOUNDARY = (
-        "The shortest path on the patch runs along its edge for a part; its length holds to the "
-        "stated error. On a whole body, a shorter way may lead over the neighboring patch."
+        "The shortest path that was found on the patch runs along its edge for a part; its length "
+        "holds to the stated error. On a whole body, a shorter way may lead over the neighboring "
+        "patch."
     )
     ENDS_AT_BOUNDARY = (
         "The geodesic reaches a boundary of the surface before it is as long as asked, and ends "

@@ -55,7 +55,7 @@ class MeasureAccessor:
         *,
         unit: Unit | str | None = None,
     ) -> pv.PolyData:
-        """Return the shortest path over the surface.
+        """Return the shortest path found over the surface.
 
         Parameters
         ----------
@@ -104,7 +104,7 @@ class MeasureAccessor:
         )
 
     def distance(self, start: MeshPlace, end: MeshPlace, via: Sequence[MeshPlace] = ()) -> float:
-        """Length of the shortest path; see `path`."""
+        """Length of the shortest path found; see `path`."""
         return float(self.path(start, end, via).field_data["length"][0])
 
     def girth(self, at: MeshPlace) -> pv.PolyData:

@@ -48,7 +48,7 @@ SECTIONS: tuple[tuple[str, str, tuple[str, ...], str], ...] = (
         "Which of the two is in error",
         ("truth_",),
         "The paper compares its method with Ritz's, which has errors, too. Here both are compared "
-        "with the converged shortest path.",
+        "with the shortest converged path of a thorough search.",
     ),
     (
         "table5",

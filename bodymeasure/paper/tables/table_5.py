@@ -106,9 +106,9 @@ def table_5(found: Table5, two: Comparison) -> Table:
         rows,
         "The paper does not say which diagonals its rows are, of which mannequin. For each, "
         "the diagonal is taken whose physical length is nearest to the printed one: by size "
-        "alone, whatever its error. Calculated: the converged shortest path; by two functions: "
-        "the shortest solution inside the normalized patch. Relative error: (17), which is "
-        "calculated less physical by physical; the paper prints the sign the other way round "
+        "alone, whatever its error. Calculated: the shortest converged path found; by two "
+        "functions: the shortest solution inside the normalized patch. Relative error: (17), which "
+        "is calculated less physical by physical; the paper prints the sign the other way round "
         "in its first three rows. Physical: libigl's exact distances on the surface that the "
         "atlas was fitted to, extrapolated over meshes of it.",
     )

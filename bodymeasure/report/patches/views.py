@@ -124,8 +124,8 @@ def summary_sentences(document: Document) -> list[str]:
     summary = document.summary
     sentences = [
         f"The body is covered by {counted(summary.patches, 'patch', 'patches')}. On each, the "
-        "shortest way over the skin was measured between both pairs of opposite corners (the "
-        "diagonals), and so were the four sides. "
+        "shortest way that was found over the skin was measured between both pairs of opposite "
+        "corners (the diagonals), and so were the four sides. "
         f"All lengths are in {UNIT_NAMES[document.unit]}.",
         _measured(document),
     ]
