@@ -44,7 +44,7 @@ ORDERS = {
     " foreign, geomdl, npz, obj · mesh_vertices · registry",
     "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"
     " across/pieces, solving · contact, graph, tracing · across/contact, methods, shortest ·"
-    " across/search",
+    " across/search · across/poles",
     "measure": "patches · body/cutting, body/drops, body/height_saddles, body/merging,"
     " body/straight, body/taut_places · body/forks, body/girths · body/closed_girth,"
     " body/extreme_girth, body/girth_arcs",

@@ -11,13 +11,14 @@ from bodymeasure.atlas.queries.locations import Location
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
+from bodymeasure.geodesic.across.poles.leg import leg_between
 from bodymeasure.geodesic.across.routes.graph import patch_graph
 from bodymeasure.geodesic.across.routes.reading import route_along
 from bodymeasure.geodesic.across.routes.straightened import along_way, pulled_way
 from bodymeasure.geodesic.across.routes.topology import topology
 from bodymeasure.geodesic.across.routes.via_pairs import via_pairs
 from bodymeasure.geodesic.across.search.ends import checked_points
-from bodymeasure.geodesic.across.search.leg import leg_along, shortest_leg
+from bodymeasure.geodesic.across.search.leg import leg_along
 from bodymeasure.geodesic.across.search.search import SHORTER
 from bodymeasure.threads import one_blas_thread
 
@@ -91,7 +92,7 @@ def geodesic_alternatives(
         raise InputError(f"count is {count!r}; expected how many paths, a whole number above 0")
     neighbors = topology(atlas).neighbors
     (first, last), moves = checked_points(atlas, (start, end), ("the start", "the end"))
-    shortest = shortest_leg(atlas, neighbors, first, last)
+    shortest = leg_between(atlas, neighbors, first, last)
     # Paths with a length are shorter than all close to them.
     found = [shortest] if shortest.converged else []
     if not found or (count > 1 and shortest.length > 0.0):

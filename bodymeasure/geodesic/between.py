@@ -7,9 +7,9 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.queries.locations import Location, listed
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
+from bodymeasure.geodesic.across.poles.leg import leg_between
 from bodymeasure.geodesic.across.routes.topology import topology
 from bodymeasure.geodesic.across.search.ends import Ends, checked_points
-from bodymeasure.geodesic.across.search.leg import shortest_leg
 from bodymeasure.geodesic.status import OnFailure, check_on_failure
 from bodymeasure.threads import one_blas_thread
 
@@ -56,6 +56,10 @@ def geodesic_between(
     the shortest smooth path along that route is found by Newton's method, its crossings among the
     unknowns. Where it presses against a corner or an edge, the routes on the other side are tried,
     and what is shorter is kept. That no other route is shorter still is not proven.
+
+    A path that passes close by a collapsed side, a pole, is cut at lines about it, with more cuts
+    the closer it passes; one that passes right beside it, or begins there, is calculated from the
+    geodesics to the pole and from it, and drawn through the pole.
 
     Examples
     --------
@@ -127,7 +131,7 @@ def _through(atlas: Atlas, ends: Ends, on_failure: OnFailure) -> AtlasPath:
     """Return the path through points, each leg of it a geodesic."""
     neighbors = topology(atlas).neighbors
     legs = [
-        shortest_leg(atlas, neighbors, *points).with_ends_moved(*moves)
+        leg_between(atlas, neighbors, *points).with_ends_moved(*moves)
         for points, moves in zip(pairwise(ends.points), pairwise(ends.moves), strict=True)
     ]
     path = AtlasPath.concatenate(legs)

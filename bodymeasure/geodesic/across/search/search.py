@@ -99,7 +99,7 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
         # At a low degree, a loop may be shorter over a neighbor only because it consists of two
         # polynomials there. So routes of loops are tried again at the next degree.
         tried = {best.problem.route.key} if route.closed else tried | {route.key}
-        best, missed, held = _repaired(atlas, neighbors, best, tried)
+        best, missed, held = repaired(atlas, neighbors, best, tried)
         if route.closed and best.length < COLLAPSED * size:
             raise InputError(NO_LOOP)
         contact = _on_boundary(neighbors, best)
@@ -139,7 +139,7 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
     return SearchResult(best, part, kind, status)
 
 
-def _repaired(
+def repaired(
     atlas: Atlas, neighbors: Neighbors, best: RefinedPath, tried: set[RouteKey]
 ) -> tuple[RefinedPath, float, PathPart | None]:
     """Try other routes as long as the path gets shorter.

@@ -1,0 +1,171 @@
+"""Legs of paths over an atlas that may pass close by a pole or begin beside one."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bodymeasure._typing import Array
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.topology.neighbors import Neighbors, on_side
+from bodymeasure.bezier import evaluate
+from bodymeasure.geodesic.across.pieces.path import AtlasPath
+from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
+from bodymeasure.geodesic.across.poles.composed import Ends, beside_pole, composed_path, radial
+from bodymeasure.geodesic.across.poles.course import Course, course_along, course_of
+from bodymeasure.geodesic.across.poles.fan import Poles, fan_at, poles_of
+from bodymeasure.geodesic.across.poles.graded import graded_path
+from bodymeasure.geodesic.across.poles.layout import past_pole
+from bodymeasure.geodesic.across.routes.reading import first_route, mesh_segments
+from bodymeasure.geodesic.across.routes.route import Route
+from bodymeasure.geodesic.across.search.leg import leg_along, shortest_leg
+from bodymeasure.geodesic.across.search.search import GOOD_ENOUGH, repaired
+from bodymeasure.geodesic.lengths.length import TRUSTED_CORRECTION
+
+# A path passes close by a pole if it is nearer to it than this part of its length, or of the width
+# of the patches there. Farther away, polynomials follow it well.
+NEAR = 0.25
+# It does so as well, however short it is, if it comes nearer than this part of the patches.
+AT = 1e-5
+# The degree at which a path is first refined, to see whether it is close to a pole.
+ROUGH = 8
+# A path that passes a pole within this part of its shorter leg is close to both legs.
+CLOSE = 0.05
+# A path past a pole is composed of its legs if that has at most this relative error.
+EXACT = 1e-10
+# A path about a pole of this part of the radius of curvature is that over a cone.
+TINY = 1e-5
+# Poles are sought close to the legs of a path past a pole, too, but no deeper.
+DEPTH = 2
+
+
+def leg_between(
+    atlas: Atlas, neighbors: Neighbors, start: AtlasPoint, end: AtlasPoint
+) -> AtlasPath:
+    """Return the shortest path between two points that was found.
+
+    A path that passes close by a pole is composed of the geodesics to the pole and from it, if it
+    is so close that no more is needed (`junction`); else it is cut about the pole (`cuts`).
+    """
+    return _between(atlas, neighbors, (start, end), DEPTH)
+
+
+def _between(atlas: Atlas, neighbors: Neighbors, ends: Ends, depth: int) -> AtlasPath:
+    if depth == 0 or not len(poles_of(atlas).patch) or neighbors.are_same(*ends):
+        return shortest_leg(atlas, neighbors, *ends)
+    beside = beside_pole(atlas, neighbors, ends)
+    if beside is not None:
+        return beside
+    route = first_route(atlas, neighbors, ends)
+    rough = None if route is None else _rough(atlas, route)
+    if rough is not None:
+        pieces = course_along(rough).pieces
+        points = np.vstack([evaluate(atlas.control_points[patch], x) for patch, x in pieces])
+    else:
+        segments = mesh_segments(atlas, *ends)
+        points = np.empty((0, 3)) if segments is None else segments.points
+    pole = _close_pole(atlas, neighbors, ends, points)
+    past = None if pole is None else _past(atlas, neighbors, ends, (pole, rough), depth)
+    if past is not None and past.path is not None:
+        return past.path
+    if route is None:
+        plain = shortest_leg(atlas, neighbors, *ends)
+    else:
+        plain = leg_along(atlas, neighbors, ends, route)
+    composed = None if past is None else past.composed
+    if composed is None or plain.converged:
+        return plain
+    return composed if composed.error_estimate <= GOOD_ENOUGH * composed.length else plain
+
+
+def _rough(atlas: Atlas, route: Route) -> RefinedPath | None:
+    """Return the shortest path along a route, roughly."""
+    straight = [(start.patch, np.array([start[1:], end[1:]])) for start, end in route.pieces]
+    size = Course(tuple(straight), route.crossings).length(atlas)
+    return refine(atlas, route, ROUGH, size) if size > 0.0 else None
+
+
+def _close_pole(atlas: Atlas, neighbors: Neighbors, ends: Ends, points: Array) -> AtlasPoint | None:
+    """Return a place of the pole to which a path is closest; None if it is close to none."""
+    poles, length = poles_of(atlas), np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
+    if not length > 0.0:
+        return None
+    away = np.linalg.norm(points[:, None] - poles.positions, axis=2).min(axis=0)
+    passed = {_pole_of(neighbors, poles, end) for end in ends}
+    for number in np.argsort(away / np.minimum(poles.widths, length), kind="stable").tolist():
+        if away[number] >= max(NEAR * min(poles.widths[number], length), AT * poles.widths[number]):
+            return None
+        place = AtlasPoint(int(poles.patch[number]), *on_side(int(poles.side[number]), 0.5))
+        if poles.point[number] not in passed:
+            return place
+    return None
+
+
+def _pole_of(neighbors: Neighbors, poles: Poles, place: AtlasPoint) -> int | None:
+    """Return the control point of the pole at a place; None if there is none."""
+    side = neighbors.pole_side(place)
+    on = (poles.patch == place.patch) & (poles.side == side)
+    return int(poles.point[on][0]) if on.any() else None
+
+
+class _Past(NamedTuple):
+    """A path close by a pole.
+
+    Parameters
+    ----------
+    path : AtlasPath or None
+        None if there is none with a good length.
+    composed : AtlasPath
+        The path over its legs, less what it gains on them.
+    """
+
+    path: AtlasPath | None
+    composed: AtlasPath
+
+
+def _past(
+    atlas: Atlas,
+    neighbors: Neighbors,
+    ends: Ends,
+    near: tuple[AtlasPoint, RefinedPath | None],
+    depth: int,
+) -> _Past | None:
+    """Return the path close by a pole; None if the legs have no good lengths."""
+    place, rough = near
+    fan = fan_at(atlas, place)
+    if fan is None:
+        return None
+    first, second = (
+        radial(fan, leg) or _between(atlas, neighbors, leg, depth - 1)
+        for leg in ((ends[0], place), (place, ends[1]))
+    )
+    if not (first.converged and second.converged):
+        return None
+    found = composed_path(ends, fan, (first, second))
+    if found is None:
+        return None
+    composed, gained = found
+    length, gain = composed.raw_length, composed.raw_length - composed.length
+    # Rounding errors leave nothing to refine where both ends are right beside the pole.
+    exact = composed.error_estimate <= EXACT * length and gain <= TRUSTED_CORRECTION * length
+    if exact or length * fan.curvature <= TINY:
+        return _Past(composed, composed)
+    if gained.conjugate:
+        # Paths that differ by little in length may be anywhere.
+        return _Past(None, composed)
+    good = []
+    before, after = course_of(neighbors, first), course_of(neighbors, second)
+    if before is not None and after is not None:
+        course = past_pole(fan, before, after, (first.length, second.length))
+        path = None if course is None else graded_path(atlas, neighbors, ends, course)
+        if path is not None and gained.away < CLOSE * min(first.length, second.length):
+            return _Past(path, composed)
+        good.append(path)
+    if rough is not None:
+        good.append(graded_path(atlas, neighbors, ends, course_along(rough)))
+        shortest = min((path.length for path in good if path), default=np.inf)
+        if good[-1] is None and shortest > rough.length:
+            best, _, _ = repaired(atlas, neighbors, rough, {rough.route.key})
+            good.append(graded_path(atlas, neighbors, ends, course_along(best)))
+    path = min((path for path in good if path), key=lambda path: path.length, default=None)
+    return _Past(path, composed)
