@@ -43,8 +43,8 @@ ORDERS = {
     "formats": "groups, json_faults, options, patches, spline_patches, text · atlas_json, bez, bpt,"
     " foreign, geomdl, npz, obj · mesh_vertices · registry",
     "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"
-    " across/pieces, solving · contact, graph, tracing · across/contact, methods, shortest ·"
-    " across/search · across/poles",
+    " across/pieces, solving · contact, graph, tracing · elements · across/contact, methods,"
+    " shortest · across/search · across/poles",
     "measure": "patches · body/cutting, body/drops, body/height_saddles, body/merging,"
     " body/straight, body/taut_places · body/forks, body/girths · body/closed_girth,"
     " body/extreme_girth, body/girth_arcs",

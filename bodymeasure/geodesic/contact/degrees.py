@@ -9,6 +9,8 @@ from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 # The degrees that are tried in turn. Strongly bent paths take the highest; at higher ones, rounding
 # errors outweigh the gain.
 DEGREES = (12, 20, 32, 48, 72, 108, 160)
+# Those that are tried on one patch, where elements (`geodesic.elements`) serve the others better.
+LOWER_DEGREES = DEGREES[:4]
 # Errors fall about geometrically with the degree. This part of the degree so predicted is taken,
 # since they fall faster at the end than at the beginning.
 CAUTION = 0.75

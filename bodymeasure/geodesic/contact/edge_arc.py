@@ -18,8 +18,10 @@ from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.spaces.quadrature import Quadrature
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# The number of Gauss points of an arc, and of each half; their difference gives the error.
-POINTS = 24
+# The number of Gauss points of a piece of an arc, and of each half; their difference gives the
+# error. Pieces that are not exact are halved, at most so often: beside a point where the speed
+# changes sharply, only those there are.
+POINTS, MOST_ROUNDS = 24, 40
 # The relative rounding error of a length.
 ROUNDING = 1e-15
 # The angle by which an arc may bend inwards over its whole length: an edge that is a geodesic
@@ -51,25 +53,48 @@ def edge_arc(surface: Surface, contact: Contact, begin: Array, end: Array) -> Ed
     space = polynomial_space(DEGREE)
     values = begin[:, None] + (end - begin)[:, None] * space.nodes
     values[:, -1] = end
-    lengths = []
-    for pieces in (1, 2):
-        rule = Quadrature(np.linspace(0.0, 1.0, pieces + 1), POINTS)
-        places = begin + rule.points[:, None] * (end - begin)
-        jet = surface.jet(places[None], 2)[:, :, 0]
-        velocity = jet[1] * (end - begin)[0] + jet[2] * (end - begin)[1]
-        speed = np.sqrt((velocity * velocity).sum(axis=0))
-        lengths.append(rule.integrate(speed))
-    turn = _inward_turn(jet, contact, velocity, end - begin)
-    raw = np.array([lengths[1]])
+    edges, rounds = np.array([0.0, 1.0]), 0
+    while True:
+        arcs = _halves(surface, contact, edges, begin, end)
+        error = np.abs(arcs.whole - arcs.halves)
+        total, rounds = arcs.halves.sum(), rounds + 1
+        far = error > ROUNDING * total / len(error)
+        if not far.any() or rounds == MOST_ROUNDS:
+            break
+        middles = (edges[1:] + edges[:-1])[far] / 2.0
+        edges = np.sort(np.concatenate([edges, middles]))
+    raw = np.array([total])
     length = Length(
         raw=raw,
         correction=np.zeros(1),
-        error=2.0 * np.abs(raw - lengths[0]) + ROUNDING * raw,
+        error=2.0 * error.sum() + ROUNDING * raw,
         residual=np.zeros(1),
         index=np.zeros(1, np.int64),
         trusted=np.ones(1, bool),
     )
-    return EdgeArc(SolvedLeg(space, values, length), bool((turn <= UNPRESSED).all()))
+    return EdgeArc(SolvedLeg(space, values, length), bool((arcs.turn <= UNPRESSED).all()))
+
+
+class _Halves(NamedTuple):
+    """The lengths of pieces of an arc as wholes and as two halves, and how far it turns inwards."""
+
+    whole: Array
+    halves: Array
+    turn: Array
+
+
+def _halves(surface: Surface, contact: Contact, edges: Array, begin: Array, end: Array) -> _Halves:
+    middles = (edges[1:] + edges[:-1]) / 2.0
+    lengths = []
+    for each in (edges, np.sort(np.concatenate([edges, middles]))):
+        rule = Quadrature(each, POINTS)
+        places = begin + rule.points[:, None] * (end - begin)
+        jet = surface.jet(places[None], 2)[:, :, 0]
+        velocity = jet[1] * (end - begin)[0] + jet[2] * (end - begin)[1]
+        speed = np.sqrt((velocity * velocity).sum(axis=0))
+        lengths.append((rule.weights * speed).reshape(len(middles), -1).sum(axis=1))
+    whole, halves = lengths
+    return _Halves(whole, halves, _inward_turn(jet, contact, velocity, end - begin))
 
 
 def edge_curvature(surface: Surface, contact: Contact, place: Array) -> float:

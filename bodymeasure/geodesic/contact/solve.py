@@ -13,7 +13,7 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.contact.degrees import (
-    DEGREES,
+    LOWER_DEGREES,
     OVERSHOOT,
     degrees_wanted,
     leave_for_certain,
@@ -94,7 +94,7 @@ def _solve_free(surface: Surface, points: Array, leg: Leg, tolerance: float) -> 
         return None
     times = way / way[-1]
     wanted, outside = 0.0, None
-    for degree in DEGREES:
+    for degree in LOWER_DEGREES:
         if degree < wanted:
             continue
         space = polynomial_space(degree)

@@ -203,7 +203,9 @@ def _compete(
             break
         problems, first = np.unique(contenders.problems, return_index=True)
         latest[problems] = contenders.points[first]
-        exact = exact_paths(surface.take(problems), latest[problems], tolerance)
+        exact = exact_paths(
+            surface.take(problems), latest[problems], standing.best[problems], tolerance
+        )
         standing.unsolved[problems] = np.minimum(standing.unsolved[problems], exact.unsolved)
         failures[problems] += exact.unsolved < standing.best[problems]
         for batch in exact.batches:

@@ -8,10 +8,11 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from bodymeasure._typing import Array, Ints
-from bodymeasure.geodesic.contact.degrees import DEGREES, degrees_wanted, leave_for_certain
+from bodymeasure.geodesic.contact.degrees import LOWER_DEGREES, degrees_wanted, leave_for_certain
 from bodymeasure.geodesic.contact.joined import ContactPath
 from bodymeasure.geodesic.contact.legs import End, Pole
 from bodymeasure.geodesic.contact.solve import solve_contact_path
+from bodymeasure.geodesic.elements.solve import solve_elements
 from bodymeasure.geodesic.lengths.coincident import TIMES
 from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.shortest.descent import descend
@@ -36,11 +37,14 @@ COLLAPSED = 1e-14
 SMALL = 0.1
 # A generous bound of the rounding errors of lengths, relative to them.
 ROUNDING = 1e-9
+# Each leg of a path is known to the tolerance, in parts of its own length; so is the whole. The
+# errors of joints come to that.
+PARTS = 2.0
 # Points of a polygon this close to an edge, in u or v, are taken to be on it: nothing presses them
 # to an edge that is a geodesic itself, and rounding errors would decide which of them touch it.
 TOUCHING = 1e-12
-# The numbers of edges of the polygons whose pattern of contacts is read, in turn.
-FINE_EDGES = (64, 256)
+# The number of edges of the polygons whose pattern of contacts is read.
+FINE_EDGES = 64
 
 
 class ExactPaths(NamedTuple):
@@ -58,17 +62,20 @@ class ExactPaths(NamedTuple):
     unsolved: Array
 
 
-def exact_paths(surface: Surface, polygons: Array, tolerance: float) -> ExactPaths:
+def exact_paths(surface: Surface, polygons: Array, known: Array, tolerance: float) -> ExactPaths:
     """Find the exact paths near polygons at rest.
 
     Paths of polygons that touch no edge are solved by collocation, all at once. The others, and
-    those for which that fails, are solved leg by leg, with their contacts read from finer polygons.
+    those for which that fails, are solved leg by leg, with their contacts read from finer polygons,
+    and if that fails, too, as paths made of elements.
 
     Parameters
     ----------
     surface : Surface
     polygons : ndarray, shape (polygons, m + 1, 2)
         As `descend` returns them.
+    known : ndarray, shape (polygons,)
+        The lengths of other paths; longer ones are not wanted.
     tolerance : float
         Relative error asked for.
     """
@@ -80,22 +87,29 @@ def exact_paths(surface: Surface, polygons: Array, tolerance: float) -> ExactPat
     batches = _collocated(surface, polygons, np.flatnonzero(~touches & fixed), tolerance)
     left = _without(np.arange(len(polygons)), batches)
     unsolved = np.full(len(polygons), np.inf)
-    for edges in FINE_EDGES:
-        if len(left) == 0:
-            break
-        part = surface.take(left)
-        fine = _on_edges(descend(part, _refined(polygons[left], edges)))
-        length = polygon_lengths(part, fine)
-        unsolved[left] = length
-        for row, polygon, least in zip(left, fine, length, strict=True):
-            own = surface.take(np.array([row]))
-            path = solve_contact_path(own, polygon, (poles[0][row], poles[1][row]), tolerance)
-            # No path is shorter than the shortest polygon.
-            if path is not None and path.length.raw[0] >= least * (1.0 - ROUNDING):
-                batches.append(_as_batch(row, path, widths[0][row] + widths[1][row]))
-                unsolved[row] = np.inf
-        left = _without(left, batches)
+    if len(left) == 0:
+        return ExactPaths(tuple(batches), unsolved)
+    part = surface.take(left)
+    fine = _on_edges(descend(part, _refined(polygons[left], FINE_EDGES)))
+    least = polygon_lengths(part, fine)
+    for row, polygon, shortest in zip(left, fine, least, strict=True):
+        own, ends = surface.take(np.array([row])), (poles[0][row], poles[1][row])
+        path = solve_contact_path(own, polygon, ends, tolerance)
+        if path is None or not _is_good(path, shortest, tolerance):
+            path, is_longer = solve_elements(
+                own, polygons[row], ends, tolerance=tolerance, known=float(known[row])
+            )
+            if path is None and not is_longer:
+                unsolved[row] = shortest
+        if path is not None:
+            batches.append(_as_batch(row, path, widths[0][row] + widths[1][row]))
     return ExactPaths(tuple(batches), unsolved)
+
+
+def _is_good(path: ContactPath, shortest: float, tolerance: float) -> bool:
+    """Whether the length of a path is known, and not shorter than the shortest polygon."""
+    known = path.length.is_known_to(PARTS * tolerance)[0]
+    return bool(known and path.length.raw[0] >= shortest * (1.0 - ROUNDING))
 
 
 def _poles(surface: Surface, points: Array, tolerance: float) -> tuple[list[End], Array]:
@@ -119,7 +133,7 @@ def _collocated(surface: Surface, polygons: Array, rows: Ints, tolerance: float)
     times = np.linspace(0.0, 1.0, polygons.shape[1])
     batches: list[PathBatch] = []
     every, wanted = rows, np.zeros(len(polygons))
-    for degree in DEGREES:
+    for degree in LOWER_DEGREES:
         rows = _without(every, batches)
         rows = rows[wanted[rows] <= degree]
         if len(rows) == 0:

@@ -3,7 +3,10 @@
 import numpy as np
 import pytest
 from helpers.surfaces.height_fields import bent_plane, heights
+from scipy.integrate import quad
+from scipy.optimize import minimize_scalar
 
+import bodymeasure as bm
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.contact.edge_arc import edge_arc
 from bodymeasure.geodesic.contact.legs import Contact, read_legs
@@ -91,3 +94,29 @@ def test_a_joint_in_the_wrong_place_is_told(off: float) -> None:
     values = np.stack([(x - edge) / (1.0 - edge), y])
     told = tangency_error(surface, space, values, (Contact(0, 0.0), None)) / SAFETY
     assert told == pytest.approx(abs(whole(joint) - whole(right)), rel=0.2)
+
+
+def test_the_length_of_an_edge_whose_speed_almost_vanishes() -> None:
+    # A cylinder over a cubic with a cusp beside it. The length is that of adaptive quadrature.
+    curve = np.array(
+        [
+            (-0.16598536396439068, 0.5173666233171519),
+            (1.6010090117576607, 0.3520136407218413),
+            (0.134871338631837, -0.06284195169858134),
+            (-0.7832046627088782, 2.0297970631842297),
+        ]
+    )
+    net = np.zeros((4, 2, 3))
+    net[:, :, :2] = curve[:, None]
+    net[:, 1, 2] = 1.0
+    solution = bm.solve_geodesic(net, [(0.0, 0.0), (0.0, 1.0)], [(1.0, 0.0), (1.0, 1.0)])
+
+    def speed(t: float) -> float:
+        basis = np.array([(1.0 - t) ** 2, 2.0 * t * (1.0 - t), t**2])
+        return float(np.linalg.norm(3.0 * basis @ np.diff(curve, axis=0)))
+
+    slowest = minimize_scalar(speed, bounds=(0.0, 1.0), options={"xatol": 1e-12}).x
+    known = quad(speed, 0.0, 1.0, points=[slowest], epsabs=1e-13, epsrel=1e-13, limit=200)[0]
+    assert known == pytest.approx(3.0983057781555, abs=1e-12)
+    assert (solution.error_estimate <= 1e-13).all()
+    np.testing.assert_allclose(solution.length, known, rtol=1e-13)

@@ -1,0 +1,1 @@
+"""Paths made of many short polynomials, for those that a single polynomial does not serve."""
