@@ -93,6 +93,7 @@ __all__ = [
     "write_atlas",
     "write_chart",
     "write_glb",
+    "write_paths",
     "write_population",
     "write_report",
 ]
@@ -198,7 +199,7 @@ if TYPE_CHECKING:
         plane_girth,
         vertical_drop,
     )
-    from bodymeasure.mesh import MeshPath, measure_mesh, path_to_trimesh, write_glb
+    from bodymeasure.mesh import MeshPath, measure_mesh, path_to_trimesh, write_glb, write_paths
     from bodymeasure.report import write_chart, write_report
     from bodymeasure.samples import load_sample, sample_names
     from bodymeasure.section import (

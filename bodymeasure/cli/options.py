@@ -105,6 +105,13 @@ definitions_option = click.option(
     metavar="FILE",
     help="File of definitions of the measurements; the default set if not given.",
 )
+paths_option = click.option(
+    "--paths",
+    "paths_file",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Write the paths as curves to FILE, in the atlas's unit: .3dm, .step, .obj, .json, .svg.",
+)
 only_option = click.option(
     "--only",
     metavar="KEYS",

@@ -17,6 +17,7 @@ from bodymeasure.cli.console import (
     print_table,
     progress_bar,
 )
+from bodymeasure.cli.measuring.paths import check_paths_file, tape_curves, write_curves
 from bodymeasure.cli.measuring.subjects import Subject, charts_of, subjects_of
 from bodymeasure.cli.options import (
     CHART_PAGE,
@@ -31,6 +32,7 @@ from bodymeasure.cli.options import (
     load_sound_atlas,
     no_pictures_option,
     only_option,
+    paths_option,
     require,
     several_atlases_argument,
     unit_option,
@@ -88,6 +90,7 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) ->
     help="Print the default set, which may be copied and changed, and exit.",
 )
 @only_option
+@paths_option
 @click.option(
     "--sensitivity",
     is_flag=True,
@@ -103,6 +106,7 @@ def chart(
     output: Path | None,
     form: str | None,
     only: tuple[str, ...],
+    paths_file: Path | None,
     sensitivity: bool,
     unit: str,
     no_pictures: bool,
@@ -141,10 +145,14 @@ def chart(
     asked_for = definitions is not None or any(
         name not in loaded_definitions.presets for name in only
     )
+    if paths_file is not None:
+        check_paths_file(paths_file)
     several = len(atlases) > 1
     load = partial(load_sound_atlas, despite_errors=despite_errors, if_none=several)
     bodies = subjects_of(atlases or (DEFAULT_SAMPLE,), load, despite_errors=despite_errors)
     if len(bodies) > 1:
+        if paths_file is not None:
+            raise click.UsageError("--paths is for one body; chart them one by one.")
         charting = partial(
             charts_of, bodies, loaded_definitions, unit=unit, only=only, sensitivity=sensitivity
         )
@@ -159,6 +167,8 @@ def chart(
             despite_errors=despite_errors,
         )
         document = chart_document(measured, unit)
+        if paths_file is not None:
+            write_curves(paths_file, body, tape_curves(measured))
         _print(document, form or "table")
         return _exit_code(document, asked_for=asked_for)
     with output_folder(output):
@@ -173,6 +183,9 @@ def chart(
         stem = bodies[0].name
         files = write_chart(measured, output, unit=unit, stem=stem, pictures=pictures or False)
     document = chart_document(measured, unit)
+    if paths_file is not None:
+        write_curves(paths_file, body, tape_curves(measured))
+        files = (*files, paths_file)
     print_table(_summary(document, time.perf_counter() - begin))
     print_files(files)
     if pictures is not None and pictures.note:

@@ -1,17 +1,20 @@
 """`bodymeasure diagonals`."""
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 from rich.text import Text
 
 from bodymeasure.cli.console import RESULTS, print_table
+from bodymeasure.cli.measuring.paths import check_paths_file, diagonal_curves, write_curves
 from bodymeasure.cli.options import (
     EXIT_CODES,
     atlas_argument,
     despite_errors_option,
     format_option,
     load_sound_atlas,
+    paths_option,
     unit_option,
 )
 from bodymeasure.cli.tables import new_table
@@ -28,8 +31,11 @@ if TYPE_CHECKING:
     help="Format of the output; json has the layout of a report's measurements.json.",
 )
 @unit_option
+@paths_option
 @despite_errors_option
-def diagonals(atlas: str, form: str, unit: str, despite_errors: bool) -> None:
+def diagonals(
+    atlas: str, form: str, unit: str, paths_file: Path | None, despite_errors: bool
+) -> None:
     """Print both diagonal geodesics of every patch of ATLAS.
 
     A diagonal whose length cannot be trusted has none; its status says why.
@@ -38,9 +44,13 @@ def diagonals(atlas: str, form: str, unit: str, despite_errors: bool) -> None:
     from bodymeasure.measure import measure_atlas
     from bodymeasure.report import survey_document, to_csv, to_json
 
+    if paths_file is not None:
+        check_paths_file(paths_file)
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
     survey = measure_atlas(loaded, compare=False)
     document = survey_document(survey, unit, kinds=("diagonal",))
+    if paths_file is not None:
+        write_curves(paths_file, loaded, diagonal_curves(survey))
     # Bytes are UTF-8, whatever the encoding of the terminal.
     if form == "json":
         click.echo(to_json(document), nl=False)

@@ -1,0 +1,1 @@
+"""Paths as curves in files of CAD programs."""
