@@ -14,6 +14,7 @@ from bodymeasure.chart.landmarks.rules import (
     Between,
     Boundary,
     Farthest,
+    Fork,
     GirthLevel,
     Hollow,
     Level,
@@ -317,6 +318,31 @@ def test_boundary_is_the_extreme_of_the_open_edges() -> None:
         wanted = sign * expected + [0.0, 0.0, z]
         wanted[2] += 0.4 * wanted[0]
         np.testing.assert_allclose(found, wanted, rtol=0.0, atol=1e-13)
+
+
+def test_the_boundary_curve_nearest_to_a_landmark() -> None:
+    # Two open tubes that slant, without any regions.
+    atlas = joined([tube([1.0] * 4), tube([1.0] * 4, (5.0, 0.0))], ("", ""))
+    slanting = atlas.points @ np.array([[1.0, 0.0, 0.4], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+    low, high = AtlasPoint(4, 0.3, 0.1), AtlasPoint(4, 0.3, 0.9)
+    atlas = given(replace(atlas, points=slanting), low=low, high=high)
+    for near, z in (("low", 0.0), ("high", 3.0)):
+        found = place(atlas, Boundary(name="e", direction="up", near=near))
+        np.testing.assert_allclose(found, [6.0, 0.0, z + 0.4 * 6.0], rtol=0.0, atol=1e-12)
+    rule = Boundary(name="e", direction="up", near="low", within=0.01)
+    assert "the body seems not to be open there; pick the point" in reason(atlas, rule)
+    assert "give either regions or near" in reason(atlas, Boundary(name="e", direction="up"))
+
+
+def test_parts_that_are_one_or_join_nowhere_do_not_fork() -> None:
+    atlas = joined([tube([1.0] * 4), tube([1.0] * 4, (5.0, 0.0))], ("", ""))
+    here, above, there = AtlasPoint(0, 0.3, 0.1), AtlasPoint(1, 0.3, 0.4), AtlasPoint(4, 0.3, 0.2)
+    atlas = given(atlas, here=here, above=above, there=there)
+    rule = Fork(name="f", parts=("here", "above"))
+    assert "the two places are on one horizontal loop of the body" in reason(atlas, rule)
+    rule = Fork(name="f", parts=("here", "there"))
+    assert "the horizontal loops of the two places join nowhere" in reason(atlas, rule)
+    assert "give either regions or parts" in reason(atlas, Fork(name="f"))
 
 
 def test_a_boundary_that_is_level_or_not_there_is_told() -> None:

@@ -1,6 +1,7 @@
 """The points at which parts of a body fork: armpits and crotch."""
 
-from functools import lru_cache
+from collections.abc import Callable
+from functools import lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -9,6 +10,7 @@ import scipy
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.queries.closest import closest_points
+from bodymeasure.atlas.queries.locations import Location, position_of
 from bodymeasure.errors import InputError
 from bodymeasure.measure.body.height_saddles import saddles_between
 from bodymeasure.section import Plane, PlaneSection, SectionLoop, plane_section
@@ -17,6 +19,9 @@ from bodymeasure.threads import one_blas_thread
 # The number of heights at which the common stretch of two parts is cut first: some two centimeters
 # apart.
 LEVELS = 16
+# The number of steps in which loops are followed from the lower place to the top of the body: some
+# two centimeters each.
+FOLLOWED = 40
 # The height of the fork is enclosed to within this part of the stretch before the saddle of the
 # surface is looked for. Two saddles closer together than this are not distinguished.
 ENCLOSED = 1e-5
@@ -86,13 +91,77 @@ def fork_point(atlas: Atlas, regions: tuple[str, str]) -> AtlasPoint:
             f"the regions are {regions!r}; expected the beginnings of two regions' names, such as "
             "('torso', 'upper arm left')"
         )
-    above, below = _enclosed(atlas, regions)
+    low, high = _stretch(atlas, regions)
+    # Above its regions a part still has a loop: the thighs end below the crotch on some bodies.
+    heights = low + (high - low) * (np.arange(2 * LEVELS) + 0.5) / LEVELS
+    enclosed = _enclosed(partial(_level, atlas, regions), heights)
+    if enclosed is None:
+        raise InputError(
+            f"{regions[0]!r} and {regions[1]!r} have no two horizontal loops that join farther up, "
+            "so that they fork nowhere; name the regions of two neighboring parts"
+        )
+    return _saddle(atlas, enclosed, regions)
+
+
+def fork_between(atlas: Atlas, places: tuple[Location, Location]) -> AtlasPoint:
+    """Return the point where the parts of the body on which two places lie divide, going down.
+
+    It is that of `fork_point`, for atlases without regions: the parts are the horizontal loops at
+    the places, followed upwards.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    places : tuple of two str, AtlasPoint or ndarray of shape (3,)
+        Places well below the fork, such as the side waist point and the elbow point for an armpit.
+
+    Returns
+    -------
+    AtlasPoint
+
+    Raises
+    ------
+    InputError
+        If the two places lie on one loop already, or their loops join nowhere.
+    """
+    up = atlas.axes.up_vector
+    positions = sorted((position_of(atlas, place) for place in places), key=lambda x: float(x @ up))
+    low, start = (float(position @ up) for position in positions)
+    top = float((atlas.points @ up).max())
+    step = (top - low) / FOLLOWED
+    loop = _section(atlas, low).nearest(positions[0])
+    # The lower one is followed to the height of the other.
+    for height in np.arange(low + step, start, step).tolist():
+        loop = _continued(_section(atlas, height), loop)
+    section = _section(atlas, start)
+    first = _Level(start, (_continued(section, loop), section.nearest(positions[1])))
+    if not first.divided:
+        raise InputError(
+            "the two places are on one horizontal loop of the body; choose places farther down, "
+            "on parts that are apart"
+        )
+
+    def level(height: float, below: _Level | None) -> _Level:
+        section = _section(atlas, height)
+        one, other = (_continued(section, each) for each in (below or first).loops)
+        return _Level(height, (one, other))
+
+    heights = np.append(np.arange(start, top, step), top - 0.5 * step)
+    enclosed = _enclosed(level, heights)
+    if enclosed is None:
+        raise InputError("the horizontal loops of the two places join nowhere; choose other places")
+    return _saddle(atlas, enclosed, ("the one place", "the other"))
+
+
+def _saddle(atlas: Atlas, enclosed: tuple[_Level, _Level], names: tuple[str, str]) -> AtlasPoint:
+    """Return the saddle of the height between two close levels."""
+    above, below = enclosed
     first, second = _narrowest(*below.loops)
     middle, aside = 0.5 * (first + second), ASIDE * float(np.abs(atlas.points).max())
     found = saddles_between(atlas, below.height - aside, above.height + aside, middle)
     if not found:
         raise InputError(
-            f"the loops of {regions[0]!r} and {regions[1]!r} divide between the heights "
+            f"the loops of {names[0]!r} and {names[1]!r} divide between the heights "
             f"{below.height:.6g} and {above.height:.6g} {atlas.unit}, but the surface has no "
             "saddle there; check the atlas with bodymeasure.check_atlas"
         )
@@ -103,15 +172,22 @@ def fork_point(atlas: Atlas, regions: tuple[str, str]) -> AtlasPoint:
     return found[0]
 
 
-def _enclosed(atlas: Atlas, regions: tuple[str, str]) -> tuple[_Level, _Level]:
-    """Return two close levels: the parts are in one loop on the upper and in two on the lower."""
-    low, high = _stretch(atlas, regions)
-    # Above its regions a part still has a loop: the thighs end below the crotch on some bodies.
-    heights = low + (high - low) * (np.arange(2 * LEVELS) + 0.5) / LEVELS
+def _enclosed(
+    level_at: Callable[[float, _Level | None], _Level | None], heights: Array
+) -> tuple[_Level, _Level] | None:
+    """Return two close levels: the parts are in one loop on the upper and in two on the lower.
+
+    Parameters
+    ----------
+    level_at : callable
+        Gives the level at a height, or None; it is called with the level below that is known.
+    heights : ndarray
+        The heights that are tried first, from below.
+    """
     above: _Level | None = None
     below: _Level | None = None
     for height in heights.tolist():
-        level = _level(atlas, regions, height, below)
+        level = level_at(height, below)
         if level is None:
             continue
         if level.divided:
@@ -120,12 +196,10 @@ def _enclosed(atlas: Atlas, regions: tuple[str, str]) -> tuple[_Level, _Level]:
             above = level
             break
     if above is None or below is None:
-        raise InputError(
-            f"{regions[0]!r} and {regions[1]!r} have no two horizontal loops that join farther up, "
-            "so that they fork nowhere; name the regions of two neighboring parts"
-        )
-    while above.height - below.height > ENCLOSED * (high - low):
-        middle = _level(atlas, regions, 0.5 * (above.height + below.height), below)
+        return None
+    least = ENCLOSED * LEVELS * float(heights[1] - heights[0])
+    while above.height - below.height > least:
+        middle = level_at(0.5 * (above.height + below.height), below)
         if middle is None:
             break
         above, below = (above, middle) if middle.divided else (middle, below)

@@ -87,6 +87,33 @@ def test_the_default_landmarks_move_along_with_the_body(name: str) -> None:
     assert_moves_along(atlas, rules, derived)
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["male_average"])
+def test_the_default_landmarks_need_no_regions_but_one(name: str) -> None:
+    pytest.importorskip("pygeodesic")
+    atlas, rules = load_sample(name), load_definitions().landmark
+    bare = replace(atlas, regions=())
+    named, nameless = (derive_landmarks(body, rules, strict=False) for body in (atlas, bare))
+    lost = {
+        f"back {kind}armhole point {side}" for kind in ("", "mid-") for side in ("left", "right")
+    }
+    assert set(nameless.missing) == lost
+    here, there = positions(atlas, named), positions(bare, nameless)
+    for found, position in there.items():
+        np.testing.assert_allclose(position, here[found], rtol=0.0, atol=SAME, err_msg=found)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["female_average", "female_old"])
+def test_parts_fork_where_regions_do(name: str) -> None:
+    atlas = load_sample(name)
+    regions = Fork(name="armpit {side}", regions=("torso", "upper arm {side}"))
+    parts = Fork(name="armpit {side}", parts=("side waist point {side}", "elbow point {side}"))
+    here, there = (positions(atlas, derive_landmarks(atlas, [rule])) for rule in (regions, parts))
+    for side, position in here.items():
+        np.testing.assert_allclose(there[side], position, rtol=0.0, atol=1e-12)
+
+
 @pytest.mark.parametrize(
     "name", [BODIES[0], *(pytest.param(name, marks=pytest.mark.slow) for name in BODIES[1:])]
 )

@@ -1,13 +1,17 @@
 """Landmarks that lie farthest in a direction of the atlas's open boundary."""
 
+from collections.abc import Iterator
 from typing import ClassVar
 
 import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import EDGES, Atlas, AtlasPoint, edge_table
 from bodymeasure.atlas.seams import sides_of
 from bodymeasure.bezier import bernstein, evaluate, project
+from bodymeasure.chart.entry import Fault, Landmark
 from bodymeasure.chart.landmarks.choice import (
     TIE,
     atlas_size,
@@ -19,31 +23,49 @@ from bodymeasure.chart.landmarks.rules.base import Direction, LandmarkRule, Land
 from bodymeasure.errors import InputError
 from bodymeasure.section.roots import roots_of_polynomials
 
+# Points on each side from which the nearest curve of the boundary is found.
+SAMPLES = 8
+
 
 class Boundary(LandmarkRule, frozen=True, kw_only=True, tag="boundary"):
-    """The point of the atlas's open boundary in some regions that lies farthest in a direction.
+    """The point of the atlas's open boundary that lies farthest in a direction.
 
     Parameters
     ----------
     direction : {"front", "back", "left", "right", "{side}", "up", "down"}
     regions : tuple of str
-        The beginnings of the regions' names.
+        The beginnings of the names of regions whose boundary is meant.
+    near : str, optional
+        A landmark: the closed curve of the boundary that passes closest to it is meant, whatever
+        the regions.
+    within : float
+        The most that this curve may be away, as a multiple of its own length: a body that is not
+        open there has other openings, such as those of the eyes.
     """
 
-    example: ClassVar[str] = 'direction = "back"\nregions = ["forearm left"]'
+    example: ClassVar[str] = 'direction = "back"\nnear = "elbow point left"'
 
     direction: Direction
-    regions: tuple[str, ...]
+    regions: tuple[str, ...] = ()
+    near: Landmark | None = None
+    within: float = 3.0
 
     @property
     def description(self) -> str:
-        regions = ", ".join(self.regions)
-        return f"farthest {towards(self.direction)} of the boundary of {regions}"
+        of = ", ".join(self.regions) if self.near is None else f"the atlas nearest to {self.near}"
+        return f"farthest {towards(self.direction)} of the boundary of {of}"
+
+    def faults(self) -> Iterator[Fault]:
+        if (self.near is None) != bool(self.regions):
+            yield Fault(self, "", "give either regions or near")
 
     def point(self, atlas: Atlas, landmarks: Landmarks) -> AtlasPoint:
-        patches = patches_of_regions(atlas, self.regions)
         direction = direction_vector(atlas, self.direction)
-        patch, side = _open_sides(atlas, patches)
+        if self.near is None:
+            patch, side = _open_sides(atlas, patches_of_regions(atlas, self.regions))
+        else:
+            every = _open_sides(atlas, np.arange(len(atlas)))
+            patch, side = _nearest_curve(atlas, every, self.near, landmarks, self.within)
         nets = sides_of(atlas.control_points)[patch, side]
         tie = TIE * atlas_size(atlas)
 
@@ -74,6 +96,30 @@ def _open_sides(atlas: Atlas, patches: Ints) -> tuple[Ints, Ints]:
     if not len(row):
         raise InputError("the atlas has no open boundary in these regions; choose others")
     return patches[row], side
+
+
+def _nearest_curve(
+    atlas: Atlas, sides: tuple[Ints, Ints], near: str, landmarks: Landmarks, within: float
+) -> tuple[Ints, Ints]:
+    """Return the sides that make up the boundary curve nearest to a landmark."""
+    patch, side = sides
+    ends = edge_table(atlas.index).control_index[patch, side][:, [0, -1]]
+    graph = coo_array((np.ones(len(ends)), ends.T), shape=(len(atlas.points),) * 2)
+    curve = connected_components(graph, directed=False)[1][ends[:, 0]]
+    along = np.arange(SAMPLES + 1) / SAMPLES
+    nets = sides_of(atlas.control_points)[patch, side]
+    values = bernstein(nets.shape[1] - 1, along)[:, 0]
+    positions = project(np.einsum("tk,ekc->etc", values, nets))
+    apart = np.linalg.norm(positions - atlas.position(landmarks[near]), axis=2).min(axis=1)
+    nearest = curve == curve[np.argmin(apart)]
+    length = np.linalg.norm(np.diff(positions[nearest], axis=1), axis=2).sum()
+    if apart.min() > within * length:
+        raise InputError(
+            f"the boundary of the atlas that is nearest to {near!r} is {apart.min():.3g} "
+            f"{atlas.unit} away, more than {within:.4g} times its own length: the body seems not "
+            "to be open there; pick the point"
+        )
+    return patch[nearest], side[nearest]
 
 
 def _stations(nets: Array, direction: Array) -> tuple[Ints, Array]:
