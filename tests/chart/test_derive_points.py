@@ -137,6 +137,17 @@ def test_a_median_plane_beside_the_body_is_told() -> None:
     )
 
 
+def test_a_median_point_is_not_taken_from_the_other_side() -> None:
+    # The front of the tube is missing, so that the median plane meets its back only.
+    whole = tube([1.0] * 4)
+    half = replace(whole, index=whole.index[:2], patch_names=(), regions=())
+    atlas = given(half, here=AtlasPoint(0, 0.4, 0.5), axis=AtlasPoint(1, 0.0, 0.5))
+    back = place(atlas, Median(name="there", of="here", through="axis", facing="back"))
+    np.testing.assert_allclose(back[:2], [0.0, 1.0], rtol=0.0, atol=1e-13)
+    rule = Median(name="there", of="here", through="axis", facing="front")
+    assert "at the height of 'here', the body is open at the front" in reason(atlas, rule)
+
+
 def bump(a: float, b: float) -> Atlas:
     """Heights 1 - (x - a)^2 - (y - b)^2 over the unit square; up is y, and the front is z."""
     grid = np.arange(4) / 3

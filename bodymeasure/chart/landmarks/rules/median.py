@@ -53,19 +53,26 @@ class Median(LandmarkRule, frozen=True, kw_only=True, tag="median"):
         of, through = (atlas.position(landmarks[name]) for name in (self.of, self.through))
         section = plane_section(atlas, Plane(of, atlas.axes.up_vector))
         median = Plane(through, atlas.axes.left_vector)
+        direction = direction_vector(atlas, self.facing)
         found = []
         for loop in section.loops:
             places = _crossings(loop, median, ON_PLANE * atlas_size(atlas))
             found += [
-                (places.position[k], point_of_place(loop, places, k)) for k in range(len(places[0]))
+                (float(places.position[k] @ direction), loop, point_of_place(loop, places, k))
+                for k in range(len(places[0]))
             ]
         if not found:
             raise InputError(
                 f"at the height of {self.of!r}, no part of the body lies in the median plane "
                 f"through {self.through!r}"
             )
-        coordinate = np.array([place for place, _ in found]) @ direction_vector(atlas, self.facing)
-        return found[int(np.argmax(coordinate))][1]
+        coordinate, loop, point = max(found, key=lambda candidate: candidate[0])
+        if not loop.closed and (loop.positions[[0, -1]] @ direction).max() > coordinate:
+            raise InputError(
+                f"at the height of {self.of!r}, the body is open at the {self.facing}: the atlas "
+                "ends below; pick the point"
+            )
+        return point
 
 
 def _crossings(loop: SectionLoop, plane: Plane, near: float) -> LoopPlaces:
