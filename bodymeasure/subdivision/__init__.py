@@ -2,6 +2,7 @@
 
 from bodymeasure.subdivision.catmull_clark import limit_positions, subdivide
 from bodymeasure.subdivision.deviation import Deviation, limit_deviation
+from bodymeasure.subdivision.fit import fitted
 from bodymeasure.subdivision.flat import MeshDeviation, face_distances, flat_places, mesh_deviation
 from bodymeasure.subdivision.interpolate import interpolating
 from bodymeasure.subdivision.irregular import irregular_quads, neighborhood
@@ -20,6 +21,7 @@ __all__ = [
     "children",
     "face_distances",
     "fill_pinches",
+    "fitted",
     "flat_places",
     "interpolating",
     "irregular_quads",

@@ -6,7 +6,7 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.subdivision.grid import grid_jets
-from bodymeasure.subdivision.irregular import irregular_quads, neighborhood
+from bodymeasure.subdivision.irregular import children_places, irregular_quads, neighborhood
 from bodymeasure.subdivision.loop_schaefer import PatchNets, loop_schaefer
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh
 from bodymeasure.subdivision.polygons import refined
@@ -83,7 +83,7 @@ def limit_deviation(mesh: PolygonMesh, nets: PatchNets) -> Deviation:
     for _ in range(steps):
         fine = refined(fine)
         children = (4 * children[..., None] + np.arange(4)).reshape(len(within), -1)
-        places = _children_places(places)
+        places = children_places(places)
     finer = loop_schaefer(fine)
     parameters = _parameters(places)
     for first in range(0, len(numbers), BLOCK):
@@ -94,14 +94,6 @@ def limit_deviation(mesh: PolygonMesh, nets: PatchNets) -> Deviation:
         result.distance[numbers[some]] = rest * distance.max(axis=1)
         result.stretch[numbers[some]] = np.minimum(rest * stretch.max(axis=1), 1.0)
     return result
-
-
-def _children_places(places: Array) -> Array:
-    """(u, v) of the corners of the four children of quads, shape (4 quads, 4, 2)."""
-    middle = (places + np.roll(places, -1, axis=1)) / 2.0
-    center = np.broadcast_to(places.mean(axis=1, keepdims=True), places.shape)
-    children = [places, middle, center, np.roll(middle, 1, axis=1)]
-    return np.stack(children, axis=2).reshape(-1, 4, 2)
 
 
 def _parameters(places: Array) -> Array:

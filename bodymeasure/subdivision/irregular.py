@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bodymeasure._typing import Bools, Ints
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh, joined_corners
 
 
@@ -64,3 +64,11 @@ def neighborhood(mesh: PolygonMesh, chosen: Bools) -> tuple[PolygonMesh, Ints]:
         rounded=mesh.rounded,
     )
     return part, np.flatnonzero(chosen[kept])
+
+
+def children_places(places: Array) -> Array:
+    """Return (u, v) of the corners of the four children of quads, shape (4 quads, 4, 2)."""
+    middle = (places + np.roll(places, -1, axis=1)) / 2.0
+    center = np.broadcast_to(places.mean(axis=1, keepdims=True), places.shape)
+    children = [places, middle, center, np.roll(middle, 1, axis=1)]
+    return np.stack(children, axis=2).reshape(-1, 4, 2)

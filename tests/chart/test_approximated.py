@@ -82,7 +82,7 @@ def test_records_hold_it() -> None:
     assert path.approximation_error == pytest.approx(10.0 * (CHART["ab"].approximation_error or 0))
     assert angle.approximation_error == CHART["angle"].approximation_error
     assert document.approximation
-    assert "0.16 mm" in document.approximation[0]
+    assert "0.086 mm" in document.approximation[0]
     assert b",approximation_error,mesh_difference," in chart_to_csv(document)
     survey = survey_document(measure_atlas(CHART.atlas, compare=False), "cm")
     assert b",approximation_error,mesh_difference," in to_csv(survey.measurements)

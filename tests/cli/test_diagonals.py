@@ -135,7 +135,7 @@ def test_lengths_show_what_an_approximation_costs(run: Run, tmp_path: Path) -> N
     ran = run("diagonals", file)
     head, first = ran.out.splitlines()[:2]
     assert head.split()[-6:] == ["error", "approximation", "on", "the", "mesh", "status"]
-    assert first.split()[-3:] == ["4e-02", "+0.5", "converged"]
+    assert first.split()[-3:] == ["2e-02", "+0.5", "converged"]
     assert "\nThe mesh itself lies within 0.43 cm of the patches" in ran.out
     document = json.loads(run("diagonals", file, "--format", "json").out)
     assert document["approximation"][0].startswith("The patches approximate")

@@ -12,6 +12,7 @@ from bodymeasure.subdivision import (
     PatchNets,
     PolygonMesh,
     face_distances,
+    fitted,
     flat_places,
     interpolating,
     limit_deviation,
@@ -81,7 +82,7 @@ def approximate(
     if not (mesh.sizes == 4).all():
         mesh, places, face = _refined(mesh, places, face)
     while True:
-        nets = loop_schaefer(mesh)
+        nets = fitted(mesh, loop_schaefer(mesh))
         found, kept = limit_deviation(mesh, nets), ~holes[face]
         largest = float(found.distance[kept].max())
         if largest <= wanted or _out_of_reach(largest / wanted, most / len(face)):
