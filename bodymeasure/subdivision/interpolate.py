@@ -5,7 +5,7 @@ import scipy
 
 from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
-from bodymeasure.subdivision.loop_schaefer import vertex_limits
+from bodymeasure.subdivision.patches.loop_schaefer import vertex_limits
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh
 from bodymeasure.subdivision.polygons import refined, refined_vertices
 

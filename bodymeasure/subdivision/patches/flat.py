@@ -5,10 +5,10 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array, Ints
-from bodymeasure.subdivision.grid import grid_jets
-from bodymeasure.subdivision.loop_schaefer import PatchNets
+from bodymeasure.subdivision.patches.grid import grid_jets
+from bodymeasure.subdivision.patches.loop_schaefer import PatchNets
+from bodymeasure.subdivision.patches.projection import closest_on_patches
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh
-from bodymeasure.subdivision.projection import closest_on_patches
 from bodymeasure.subdivision.sums import sum_at
 
 # Steps along the sides of a patch with which its area is found.

@@ -4,8 +4,8 @@ import numpy as np
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import bernstein
-from bodymeasure.subdivision.irregular import children_places, irregular_quads, neighborhood
-from bodymeasure.subdivision.loop_schaefer import PatchNets, vertex_limits
+from bodymeasure.subdivision.patches.irregular import children_places, irregular_quads, neighborhood
+from bodymeasure.subdivision.patches.loop_schaefer import PatchNets, vertex_limits
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh
 from bodymeasure.subdivision.polygons import refined
 

@@ -5,12 +5,12 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.subdivision.grid import grid_jets
-from bodymeasure.subdivision.irregular import children_places, irregular_quads, neighborhood
-from bodymeasure.subdivision.loop_schaefer import PatchNets, loop_schaefer
+from bodymeasure.subdivision.patches.grid import grid_jets
+from bodymeasure.subdivision.patches.irregular import children_places, irregular_quads, neighborhood
+from bodymeasure.subdivision.patches.loop_schaefer import PatchNets, loop_schaefer
+from bodymeasure.subdivision.patches.projection import closest_on_patches, unit
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh
 from bodymeasure.subdivision.polygons import refined
-from bodymeasure.subdivision.projection import closest_on_patches, unit
 
 # Steps of subdivision after which patches stand for the surface: they are exact but for those at
 # irregular vertices, whose deviation at least halves with each step.

@@ -1,0 +1,1 @@
+"""Bicubic patches of Catmull-Clark surfaces, and how far they deviate."""
