@@ -194,9 +194,41 @@ class Atlas:
                 f"the atlas has no patch named {name!r}; {hint(name, self.patch_names)}"
             ) from None
 
-    def position(self, point: AtlasPoint) -> Array:
-        """Position of a point of the atlas, shape (3,), in the atlas's unit."""
+    def position(self, point: AtlasPoint | str) -> Array:
+        """Position of a point of the atlas, or of a landmark by its name, in the atlas's unit.
+
+        Its shape is (3,).
+
+        Raises
+        ------
+        InputError
+            If there is no landmark of that name; the message suggests the nearest one.
+
+        Examples
+        --------
+        >>> import bodymeasure as bm
+        >>> bm.load_sample("female_average").position("back neck point").round(3).tolist()
+        [0.0, 0.022, 1.367]
+        """
+        point = self.landmark(point) if isinstance(point, str) else point
         return evaluate(self.control_points[point.patch], (point.u, point.v))
+
+    def landmark(self, name: str) -> AtlasPoint:
+        """The landmark of a name.
+
+        Raises
+        ------
+        InputError
+            If there is none; the message suggests the nearest name.
+        """
+        if name in self.landmarks:
+            return self.landmarks[name]
+        if not self.landmarks:
+            raise InputError(
+                f"the atlas has no landmark {name!r}, nor any other; add it, or give a position"
+            )
+        meant = hint(name, sorted(self.landmarks), expected="it has")
+        raise InputError(f"the atlas has no landmark {name!r}; {meant}")
 
     def to_trimesh(self, segments: int = 8) -> "Trimesh":
         """A mesh of the atlas as a `trimesh.Trimesh`, with vertex attributes ``patch``, u and v.

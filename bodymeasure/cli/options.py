@@ -86,12 +86,14 @@ def _of_atlas(name: str = "atlas", **settings: Any) -> Callable[[_Command], _Com
 atlas_argument = _of_atlas(metavar="ATLAS")
 optional_atlas_argument = _of_atlas(metavar="[ATLAS]", default=DEFAULT_SAMPLE, required=False)
 several_atlases_argument = _of_atlas("atlases", metavar="[ATLAS]...", nargs=-1)
+# The choice of a unit that stands for the one of the atlas's own file.
+OWN = "file"
 unit_option = click.option(
     "--unit",
-    type=click.Choice([unit.value for unit in Unit]),
+    type=click.Choice([*(unit.value for unit in Unit), OWN]),
     default=Unit.CM.value,
     show_default=True,
-    help="Unit of the lengths.",
+    help=f"Unit of the lengths; {OWN!r} is that of the atlas.",
 )
 despite_errors_option = click.option(
     "--despite-errors",
@@ -153,6 +155,11 @@ processes_option = click.option(
 def names_in_list(text: str | None) -> tuple[str, ...]:
     """Return the names in a list with commas."""
     return tuple(name for name in map(str.strip, (text or "").split(",")) if name)
+
+
+def length_unit(unit: str, atlas: Atlas) -> str:
+    """Return the unit in which lengths are shown."""
+    return atlas.unit.value if unit == OWN else unit
 
 
 def available_cores() -> int:

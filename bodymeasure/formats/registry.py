@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from bodymeasure.atlas import Atlas, Axes, Unit
+from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.errors import InputError, ReadWarning
 from bodymeasure.files import read_bytes, write_bytes
 from bodymeasure.formats import atlas_json, bez, bpt, geomdl, npz, patches
@@ -216,7 +217,8 @@ def write_atlas(
     Raises
     ------
     InputError
-        If the extension is unknown or the file cannot be written; nothing half-written is left.
+        If the first argument is no atlas, the extension is unknown, or the file cannot be written;
+        nothing half-written is left.
 
     Examples
     --------
@@ -229,11 +231,10 @@ def write_atlas(
     ...     bm.read_atlas(file).name
     'Paraboloid of revolution'
     """
+    require_atlas(atlas)
     path = Path(path)
-    form = format_of(path, format)
-    if form.write is None:
-        written = ", ".join(end for end, other in EXTENSIONS.items() if other.write is not None)
-        raise InputError(f"{path}: this format can only be read; expected one of {written}")
+    form = format_of(path, format, writing=True)
+    assert form.write is not None
     write_bytes(path, form.write(atlas))
 
 
@@ -306,8 +307,15 @@ def write_population(atlases: Sequence[Atlas], path: str | PathLike[str]) -> Non
     write_bytes(path, npz.write_bodies(atlases))
 
 
-def format_of(path: Path, name: str | None = None) -> Format:
+def format_of(path: Path, name: str | None = None, *, writing: bool = False) -> Format:
     """Return the format of a name, or else of a file's extension.
+
+    Parameters
+    ----------
+    path : Path
+    name : str, optional
+    writing : bool
+        Whether a file is to be written, which some formats do not allow.
 
     Raises
     ------
@@ -315,11 +323,16 @@ def format_of(path: Path, name: str | None = None) -> Format:
         If there is none; the message lists those that there are.
     """
     table, key = (EXTENSIONS, path.suffix.lower()) if name is None else (FORMATS, name)
-    if key in table:
+    allowed = [each for each, form in table.items() if form.write is not None or not writing]
+    if key in allowed:
         return table[key]
+    if key in table:
+        raise InputError(
+            f"{path}: this format can only be read; expected one of {', '.join(allowed)}"
+        )
     what = (
         f"{path}: {f'unknown kind of file {path.suffix!r}' if path.suffix else 'has no extension'}"
         if name is None
         else f"unknown format {name!r}"
     )
-    raise InputError(f"{what}; expected one of {', '.join(table)}")
+    raise InputError(f"{what}; expected one of {', '.join(allowed)}")

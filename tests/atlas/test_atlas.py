@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from helpers.surfaces.grids import grid_atlas
 
-from bodymeasure import Atlas, AtlasPoint, InputError, Unit
+from bodymeasure import Atlas, AtlasPoint, InputError, Unit, load_sample
 
 NET = np.stack(np.meshgrid(np.arange(4.0), np.arange(4.0), [0.0], indexing="ij"), -1)[:, :, 0]
 POINTS, INDEX = NET.reshape(-1, 3), np.arange(16).reshape(1, 4, 4)
@@ -137,3 +137,14 @@ def test_the_digest_is_of_geometry_and_unit_alone() -> None:
 def test_a_patch_has_a_name_that_can_be_printed(name: str) -> None:
     with pytest.raises(InputError, match="expected a name on one line"):
         Atlas(POINTS, INDEX, Unit.CM, patch_names=(name,))
+
+
+def test_landmarks_have_positions_by_their_names() -> None:
+    body = load_sample("female_average")
+    point = body.landmarks["crotch point"]
+    assert body.landmark("crotch point") == point
+    assert (body.position("crotch point") == body.position(point)).all()
+    with pytest.raises(InputError, match="no landmark 'crotch'; did you mean 'crotch point'"):
+        body.position("crotch")
+    with pytest.raises(InputError, match="nor any other"):
+        load_sample("paraboloid").position("crotch")

@@ -6,7 +6,7 @@ import pytest
 from helpers.command_line import Run
 from helpers.surfaces.solids import CUBE, obj_text
 
-from bodymeasure import Axes, load_sample, read_atlas, write_atlas
+from bodymeasure import Axes, InputError, load_sample, read_atlas, write_atlas
 
 DATA = Path(__file__).parents[1] / "data"
 MESH = """v 0 0 0
@@ -255,3 +255,16 @@ def test_turning_a_body_turns_it_whole(axes: tuple[str, str]) -> None:
     for name in ("up_vector", "front_vector", "left_vector"):
         before = body.points @ getattr(body.axes, name)
         assert turned.points @ getattr(turned.axes, name) == pytest.approx(before, abs=1e-15)
+
+
+def test_swapped_arguments_are_told(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="expected an Atlas"):
+        write_atlas(tmp_path / "a.atlas", load_sample("paraboloid"))  # type: ignore[arg-type]
+
+
+def test_only_formats_that_can_be_written_are_offered(run: Run, tmp_path: Path) -> None:
+    for name in ("x.stl", "x.3dm"):
+        ran = run("convert", "paraboloid", "-o", tmp_path / name)
+        assert ran.code == 2
+        assert ".obj" in ran.err
+        assert ".step" not in ran.err

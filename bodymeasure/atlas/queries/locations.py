@@ -12,7 +12,6 @@ from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.atlas.units import Unit
 from bodymeasure.errors import InputError
-from bodymeasure.wording import hint
 
 Location = str | AtlasPoint | Sequence[float] | Array
 """A landmark's name, a point of the atlas, or a position (x, y, z) in the atlas's unit."""
@@ -49,7 +48,7 @@ def atlas_point(atlas: Atlas, location: Location, name: str = "the point") -> At
     """
     require_atlas(atlas)
     if isinstance(location, str):
-        return landmark(atlas, location)
+        return atlas.landmark(location)
     if isinstance(location, AtlasPoint):
         return _checked(atlas, location, name)
     points, _ = points_near(atlas, [_position(location, name)], [name])
@@ -83,24 +82,6 @@ def position_of(atlas: Atlas, location: Location, name: str = "the point") -> Ar
     if isinstance(location, (str, AtlasPoint)):
         return atlas.position(atlas_point(atlas, location, name))
     return _position(location, name)
-
-
-def landmark(atlas: Atlas, name: str) -> AtlasPoint:
-    """Return the landmark of a name.
-
-    Raises
-    ------
-    InputError
-        If there is none; the message suggests the nearest name.
-    """
-    if name in atlas.landmarks:
-        return atlas.landmarks[name]
-    if not atlas.landmarks:
-        raise InputError(
-            f"the atlas has no landmark {name!r}, nor any other; add it, or give a position"
-        )
-    meant = hint(name, sorted(atlas.landmarks), expected="it has")
-    raise InputError(f"the atlas has no landmark {name!r}; {meant}")
 
 
 def points_near(

@@ -105,7 +105,7 @@ def convert(
     --up and --front say where up and the front are in ATLAS. They correct the axes that an atlas
     has already; the coordinates stay, unless --upright turns them.
     """
-    target = format_of(output, target_format)
+    target = format_of(output, target_format, writing=True)
     require_writable(output)
     loaded = load_atlas(
         atlas,

@@ -12,6 +12,7 @@ from bodymeasure.cli.options import (
     atlas_argument,
     definitions_option,
     format_option,
+    length_unit,
     load_atlas,
     unit_option,
 )
@@ -70,8 +71,10 @@ def check_landmarks(
     from bodymeasure.report.serial import to_json
 
     loaded_definitions = load_definitions(definitions)
+    loaded = load_atlas(atlas)
+    shown = length_unit(unit, loaded)
     document = symmetry_document(
-        load_atlas(atlas), loaded_definitions, unit, mirror=mirror, within=within, name=atlas
+        loaded, loaded_definitions, shown, mirror=mirror, within=within, name=atlas
     )
     if form == "json":
         click.echo(to_json(document), nl=False)

@@ -13,6 +13,7 @@ from bodymeasure.cli.options import (
     definitions_option,
     despite_errors_option,
     format_option,
+    length_unit,
     load_sound_atlas,
     unit_option,
 )
@@ -49,7 +50,8 @@ def list_landmarks(
 
     loaded_definitions = load_definitions(definitions)
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
-    document = landmarks_document(loaded, loaded_definitions, unit, name=atlas)
+    shown = length_unit(unit, loaded)
+    document = landmarks_document(loaded, loaded_definitions, shown, name=atlas)
     # Bytes are UTF-8, whatever the encoding of the terminal.
     if form == "json":
         click.echo(to_json(document), nl=False)

@@ -29,6 +29,7 @@ from bodymeasure.cli.options import (
     despite_errors_option,
     folder_option,
     format_option,
+    length_unit,
     load_sound_atlas,
     no_pictures_option,
     only_option,
@@ -151,6 +152,7 @@ def chart(
     load = partial(load_sound_atlas, despite_errors=despite_errors, if_none=several)
     bodies = subjects_of(atlases or (DEFAULT_SAMPLE,), load, despite_errors=despite_errors)
     if len(bodies) > 1:
+        unit = length_unit(unit, bodies[0].atlas)
         if paths_file is not None:
             raise click.UsageError("--paths is for one body; chart them one by one.")
         charting = partial(
@@ -158,6 +160,7 @@ def chart(
         )
         return _population(bodies, charting, output, form)
     body = bodies[0].atlas
+    unit = length_unit(unit, body)
     if output is None:
         measured = measured_chart(
             body,

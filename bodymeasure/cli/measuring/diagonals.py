@@ -13,6 +13,7 @@ from bodymeasure.cli.options import (
     atlas_argument,
     despite_errors_option,
     format_option,
+    length_unit,
     load_sound_atlas,
     paths_option,
     unit_option,
@@ -48,7 +49,7 @@ def diagonals(
         check_paths_file(paths_file)
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
     survey = measure_atlas(loaded, compare=False)
-    document = survey_document(survey, unit, kinds=("diagonal",))
+    document = survey_document(survey, length_unit(unit, loaded), kinds=("diagonal",))
     if paths_file is not None:
         write_curves(paths_file, loaded, diagonal_curves(survey))
     # Bytes are UTF-8, whatever the encoding of the terminal.

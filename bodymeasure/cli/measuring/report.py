@@ -15,6 +15,7 @@ from bodymeasure.cli.options import (
     PICTURES,
     despite_errors_option,
     folder_option,
+    length_unit,
     load_sound_atlas,
     no_cross_check_option,
     no_pictures_option,
@@ -76,6 +77,7 @@ def report(
     begin = time.perf_counter()
     require(PAGE, *(() if no_cross_check else (COMPARISON,)), *(() if no_pictures else (PICTURES,)))
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
+    unit = length_unit(unit, loaded)
     with output_folder(output):
         # Slow imports, which `--help` does not need.
         from bodymeasure.report import (

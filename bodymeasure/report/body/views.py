@@ -122,7 +122,7 @@ def _shift_words(record: BodyRecord, shift: LandmarkShift) -> str:
         sign = "" if abs(change) < LEAST_SHIFT[record.unit] else "+" if change > 0.0 else MINUS
         return f"{sign}{_change(record, abs(change))}"
 
-    return f"{shift.landmark}: {said(shift.up)} higher, {said(shift.across)} to the side"
+    return f"{shift.landmark}: higher {said(shift.up)}, to the side {said(shift.across)}"
 
 
 def _change(record: BodyRecord, size: float) -> str:

@@ -38,3 +38,16 @@ def test_a_file_that_cannot_be_written_is_refused_first(run: Run, tmp_path: Path
     assert "expected a name that ends in one of .3dm" in ran.err
     ran = run("diagonals", "paraboloid", "--paths", tmp_path / "no" / "paths.obj")
     assert (ran.code, ran.out) == (2, "")
+
+
+def test_lengths_are_shown_in_the_unit_of_the_file(run: Run, tmp_path: Path) -> None:
+    bm.write_atlas(bm.load_sample("female_average").converted("inch"), tmp_path / "body.atlas")
+    by_file = run("diagonals", tmp_path / "body.atlas", "--unit", "file", "--format", "json")
+    by_name = run("diagonals", tmp_path / "body.atlas", "--unit", "inch", "--format", "json")
+    found, expected = json.loads(by_file.out), json.loads(by_name.out)
+    assert found["unit"] == "inch"
+    assert found["measurements"] == expected["measurements"]
+    for command in ("chart", "landmarks"):
+        options = ("--only", "knee_height") if command == "chart" else ()
+        ran = run(command, tmp_path / "body.atlas", *options, "--unit", "file", "--format", "json")
+        assert json.loads(ran.out)["unit"] == "inch"
