@@ -53,8 +53,8 @@ ORDERS = {
     "report": "files, serial, units · numbers · templating · landmarks · patches · body ·"
     " population",
     "scene": "model · camera, colors · lighting · figures · drawing · diagonals · tapes",
-    "section": "cells, plane, roots · crossings, pieces · arcs, loop · curve, part ·"
-    " bridged, places, section · hull",
+    "section": "cells, plane, roots, through/quotient · crossings, pieces ·"
+    " arcs, loop, through/poles · curve, part · bridged, places, section · hull",
     "taut": "poles, starts, status · skin · ridges, takeoffs, valleys · equilibrium · string ·"
     " refine · solve",
 }

@@ -23,11 +23,14 @@ class Crossings(NamedTuple):
         The parameter that varies on the side, at each crossing.
     sides : ndarray of int, shape (crossings,)
         The number of patches that meet in each: 0 inside a patch, else as in `EdgeTable.sides`.
+    line : ndarray of int, shape (crossings,)
+        The edge of each crossing, as in `EdgeTable`; larger numbers are lines within patches.
     """
 
     number: Ints
     along: Array
     sides: Ints
+    line: Ints
 
 
 def find_crossings(distance: Array, cells: Cells, table: EdgeTable) -> Crossings:
@@ -58,6 +61,7 @@ def find_crossings(distance: Array, cells: Cells, table: EdgeTable) -> Crossings
         np.where(inside, numbers[row], -1),
         along,
         np.repeat(sides, exists.sum(axis=1)),
+        np.repeat(np.arange(len(sides)), exists.sum(axis=1)),
     )
 
 

@@ -9,6 +9,7 @@ from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.bezier import bernstein, derivatives
 from bodymeasure.section.plane import Plane
 from bodymeasure.section.roots import bracketed_roots
+from bodymeasure.section.through.quotient import without_poles
 
 # The nodes of two Gauss rules on each piece, whose difference is the error of the first one.
 NODES, MORE_NODES = 8, 13
@@ -64,15 +65,23 @@ class CutSurface:
     ----------
     control_points : ndarray, shape (patches, m + 1, m + 1, 3) or (patches, m + 1, m + 1, 4)
     plane : Plane
+    poles : ndarray of bool, shape (patches, 4)
+        The collapsed sides that lie in the plane.
     """
 
     control_points: Array
     plane: Plane
+    poles: Bools
+
+    def distances(self, patch: Ints) -> Array:
+        """Return the distances of patches from the plane in Bernstein form, divided about poles."""
+        distances = self.plane.distances(self.control_points[patch])
+        return without_poles(distances, self.poles[patch])
 
     def parameters(self, pieces: Pieces, fraction: Array) -> Array:
         """Return (u, v) at fractions (k, n) of each piece's range, shape (k, n, 2)."""
         along = pieces.start[:, None] + fraction * (pieces.stop - pieces.start)[:, None]
-        distance = self.plane.distances(self.control_points[pieces.patch])
+        distance = self.distances(pieces.patch)
         over_v = (pieces.axis == 1)[:, None, None]
         turned = np.where(over_v, distance.swapaxes(1, 2), distance)
         across = bernstein(turned.shape[1] - 1, along)[..., 0, :] @ turned

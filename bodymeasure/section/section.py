@@ -16,6 +16,7 @@ from bodymeasure.section.crossings import find_crossings
 from bodymeasure.section.loop import SectionLoop
 from bodymeasure.section.pieces import CutSurface, measured_pieces
 from bodymeasure.section.plane import Plane
+from bodymeasure.section.through.poles import joined_at_poles, opened, poles_in, turned_about
 
 # Rounding decides on which side of the plane a corner within this part of the atlas's size lies.
 NEAR = 1e-14
@@ -86,7 +87,8 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
     Notes
     -----
     Where corners of patches or whole seams lie in the plane, it is moved by 1e-11 of the atlas's
-    size, and the loops' error estimates say so.
+    size, or turned about a collapsed side through which it leads, and the loops' error estimates
+    say so.
     """
     require_atlas(atlas)
     if not isinstance(plane, Plane):
@@ -101,19 +103,26 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
             "curve; move or tilt the plane"
         )
     table = edge_table(atlas.index)
+    poles = poles_in(atlas.points, table, plane, size)
+    table, pole = opened(table, poles.sides)
     missed = False
     for move in MOVES:
+        # A plane through poles is turned about them.
+        here = plane.moved(move * size)
+        if len(poles.points):
+            here = turned_about(plane, poles.points, move)
+        surface = CutSurface(nets, here, poles.sides)
         # Patches beside the plane do not belong to the section, but share edges with those that do.
-        distances = plane.moved(move * size).distances(nets)
+        distances = surface.distances(np.arange(len(nets)))
         near = np.flatnonzero(
             (distances.min(axis=(1, 2)) <= 0.0) & (distances.max(axis=(1, 2)) >= 0.0)
         )
-        joined = _joined(atlas, distances[near], near, table, size)
+        joined = _joined(atlas, distances[near], near, (table, pole), size)
         if joined is None:
             continue
         arcs, chains = joined
-        surface = CutSurface(nets, plane.moved(move * size))
-        loops = [_loop(atlas, surface, arcs, chain, size, abs(move) * size) for chain in chains]
+        moved = abs(move) * size + poles.away
+        loops = [_loop(atlas, surface, arcs, chain, size, moved) for chain in chains]
         # Corners that the plane only touched leave a trace when it is moved.
         loops = [loop for loop in loops if loop.length > TRACE * abs(move) * size]
         if not loops and move != 0.0:
@@ -141,7 +150,7 @@ def _joined(
     atlas: Atlas,
     distance: Array,
     patches: Ints,
-    table: EdgeTable,
+    edges: tuple[EdgeTable, Ints],
     size: float,
 ) -> tuple[Arcs, list[Chain]] | None:
     """Arcs and how they follow one another; None if the plane passes a corner too closely."""
@@ -150,10 +159,11 @@ def _joined(
         _refuse_touching(atlas, undecided, patches)
     if len(cells.patch) and np.abs(cells.corners).min() <= NEAR * size:
         return None
+    table, pole = edges
     own = EdgeTable(
         table.control_index[patches], table.edge[patches], table.reversed[patches], table.sides
     )
-    crossings = find_crossings(distance, cells, own)
+    crossings = joined_at_poles(find_crossings(distance, cells, own), pole)
     arcs = pair_crossings(cells, crossings)
     chains = None if arcs is None else chain_arcs(arcs, crossings.sides)
     if arcs is None or chains is None:

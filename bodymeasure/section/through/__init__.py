@@ -1,0 +1,1 @@
+"""Sections by planes through poles: sides of patches that are collapsed to a point."""
