@@ -17,6 +17,7 @@ from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
 from bodymeasure.geodesic.across.routes.route import Route, RouteKey
 from bodymeasure.geodesic.across.search.repair import detours, other_loops, other_routes
 from bodymeasure.geodesic.status import Status
+from bodymeasure.trust import NEGLIGIBLE
 
 # Degrees of the polynomial on each patch, tried in turn.
 DEGREES = (8, 12, 16, 24, 32, 48, 72)
@@ -90,6 +91,8 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
     if route.closed and not route.crossings:
         raise InputError(NO_LOOP)
     degrees = (SLIDING, *DEGREES) if route.closed else DEGREES
+    # Between points on both sides of a seam and beside it, rounding is much of what is measured.
+    negligible = NEGLIGIBLE * float(np.ptp(atlas.points, axis=0).max())
     best = refine(atlas, route, degrees[0], size)
     tried: set[RouteKey] = set()
     history: list[float] = []
@@ -115,11 +118,15 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
             length = replace(length, correction=np.zeros(()), error=np.asarray(error))
             good = bool(error <= CONTACT_TOLERANCE * length.raw)
         else:
-            good = bool(length.is_known_to(GOOD_ENOUGH))
+            most = GOOD_ENOUGH * max(float(length.raw), negligible)
+            good = bool(length.trusted and length.error <= most)
         history.append(best.length)
-        # Newton's method comes to rest on a saddle, too, but does not notice it.
-        good = good and (best.minimum.converged or kind is LoopKind.SADDLE)
-        exact = not contact and length.error <= TOLERANCE * length.raw
+        # Newton's method comes to rest on a saddle, too, but does not notice it, nor where the
+        # parameters of so short a path have only a few digits.
+        rests = best.minimum.converged or kind is LoopKind.SADDLE or length.raw < negligible
+        good = bool(good and rests)
+        enough = GOOD_ENOUGH * negligible if length.raw < negligible else TOLERANCE * length.raw
+        exact = not contact and length.error <= enough
         if good and degree > SLIDING and (exact or degree >= ORDINARY):
             break
         if degree == ORDINARY and not (contact or route.closed):
