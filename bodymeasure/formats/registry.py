@@ -327,9 +327,8 @@ def format_of(path: Path, name: str | None = None, *, writing: bool = False) -> 
     if key in allowed:
         return table[key]
     if key in table:
-        raise InputError(
-            f"{path}: this format can only be read; expected one of {', '.join(allowed)}"
-        )
+        written = ", ".join(end for end, form in EXTENSIONS.items() if form.write is not None)
+        raise InputError(f"{path}: this format can only be read; expected one of {written}")
     what = (
         f"{path}: {f'unknown kind of file {path.suffix!r}' if path.suffix else 'has no extension'}"
         if name is None
