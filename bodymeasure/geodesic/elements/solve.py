@@ -23,8 +23,8 @@ from bodymeasure.geodesic.surfaces.protocol import Surface
 
 FIRST_ELEMENTS, MOST_ELEMENTS = 8, 80
 # The most steps of Newton's method with the same elements, the work of measuring a path in such
-# steps, and the most work, each step counted once for each element: half a second.
-MOST_STEPS, MEASURED, MOST_WORK = 60, 5, 6000
+# steps, and the most work, each step counted once for each element: a third of a second.
+MOST_STEPS, MEASURED, MOST_WORK = 60, 5, 4000
 # The relative error that is good enough where the one that is asked for needs too much work.
 GOOD_ENOUGH = 1e-6
 # A path that is still longer than a known one by this many times what the latest cuts took off
@@ -40,13 +40,14 @@ class ElementResult(NamedTuple):
     Parameters
     ----------
     path : ContactPath or None
-        None if the length is not known well enough within the budget of elements and steps.
-    is_longer : bool
-        Whether the path was given up because a shorter one is known.
+        None if the length is not known well enough within the budget of elements and steps, or if
+        the path was given up because a shorter one is known.
+    least : float
+        The length that the path will not fall below, as far as the latest cuts show.
     """
 
     path: ContactPath | None
-    is_longer: bool
+    least: float
 
 
 class _Found(NamedTuple):
@@ -80,7 +81,7 @@ def solve_elements(
     """
     path = from_polygon(surface, polygon, FIRST_ELEMENTS)
     best: _Found | None = None
-    work, before = 0, np.inf
+    work, before, least = 0, np.inf, 0.0
     while len(path.widths) <= MOST_ELEMENTS and work < MOST_WORK:
         path, minimum = least_energy(surface, path, _idle(path, poles), MOST_STEPS)
         work += (minimum.iterations + MEASURED) * len(path.widths)
@@ -89,9 +90,9 @@ def solve_elements(
         length = float(measured.length.raw[0])
         if not np.isfinite(length):
             break
-        if length - FALLS * abs(before - length) > known:
-            return ElementResult(None, is_longer=True)
-        before = length
+        before, least = length, length - FALLS * abs(before - length)
+        if least > known:
+            return ElementResult(None, least)
         path = path.weighted(np.maximum(measured.lengths, LEAST_PART * length))
         # What an edge holds is right only where the path is at rest.
         at_rest = minimum.converged or not held.any()
@@ -101,8 +102,8 @@ def solve_elements(
             break
         path = path.split(cuts(path, measured, held, tolerance * length))
     if best is None or not best.measured.length.is_known_to(GOOD_ENOUGH)[0]:
-        return ElementResult(None, is_longer=False)
-    return ElementResult(_joined(best), is_longer=False)
+        return ElementResult(None, max(least, 0.0))
+    return ElementResult(_joined(best), least)
 
 
 def _idle(path: ElementPath, poles: tuple[End, End]) -> Bools:

@@ -55,7 +55,7 @@ class ExactPaths(NamedTuple):
     batches : tuple of PathBatch
         The paths; their problems are the polygons' numbers.
     unsolved : ndarray, shape (polygons,)
-        The lengths of the polygons whose paths were not found, and infinity for the others.
+        Lengths that the paths that were not found do not fall below, and infinity for the others.
     """
 
     batches: tuple[PathBatch, ...]
@@ -96,11 +96,11 @@ def exact_paths(surface: Surface, polygons: Array, known: Array, tolerance: floa
         own, ends = surface.take(np.array([row])), (poles[0][row], poles[1][row])
         path = solve_contact_path(own, polygon, ends, tolerance)
         if path is None or not _is_good(path, shortest, tolerance):
-            path, is_longer = solve_elements(
+            path, reached = solve_elements(
                 own, polygons[row], ends, tolerance=tolerance, known=float(known[row])
             )
-            if path is None and not is_longer:
-                unsolved[row] = shortest
+            if path is None:
+                unsolved[row] = max(shortest, reached)
         if path is not None:
             batches.append(_as_batch(row, path, widths[0][row] + widths[1][row]))
     return ExactPaths(tuple(batches), unsolved)

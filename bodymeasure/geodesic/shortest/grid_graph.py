@@ -27,10 +27,14 @@ class Trees(NamedTuple):
     distance : ndarray, shape (2, problems, LINES^2)
     before : ndarray of int, shape (2, problems, LINES^2)
         The previous point on the way; LINES^2 for the end itself.
+    roughness : ndarray, shape (problems,)
+        The part by which steps of the grid get longer when each is measured over its middle, on
+        average: how much the grid misses of the surface.
     """
 
     distance: Array
     before: Ints
+    roughness: Array
 
 
 def shortest_trees(surface: Surface, ends: Array) -> Trees:
@@ -48,7 +52,9 @@ def shortest_trees(surface: Surface, ends: Array) -> Trees:
     halfway = np.broadcast_to(grid.halfway, (problems, *grid.halfway.shape))
     # The problems along the last axis, where most of them are.
     positions = np.ascontiguousarray(surface.jet(halfway, 0)[0].swapaxes(1, 2))
-    steps = _lengths(*positions[:, grid.steps].swapaxes(0, 1))[grid.edges].T
+    begin, middle, last = positions[:, grid.steps].swapaxes(0, 1)
+    length = _lengths(begin, middle, last)
+    steps = length[grid.edges].T
     joined = _window(ends)
     joints = np.stack(
         [_joint_lengths(surface, *end, positions) for end in zip(ends, joined, strict=True)]
@@ -75,7 +81,15 @@ def shortest_trees(surface: Surface, ends: Array) -> Trees:
     return Trees(
         distance.reshape(shape)[..., :nodes],
         (before.reshape(shape) - first)[..., :nodes],
+        _roughness(length, np.sqrt(dot(last - begin, last - begin))),
     )
+
+
+def _roughness(length: Array, chord: Array) -> Array:
+    """Compare steps over their middles with their chords, both of shape (steps, problems)."""
+    finite = np.isfinite(length)
+    whole, straight = (np.where(finite, each, 0.0).sum(axis=0) for each in (length, chord))
+    return np.asarray(whole / np.maximum(straight, SHORTEST) - 1.0)
 
 
 def grid_points() -> Array:
