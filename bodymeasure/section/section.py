@@ -30,6 +30,9 @@ FLAT = 1e-12
 SAFETY = 10.0
 # Curves shorter than this multiple of the move come from the move alone.
 TRACE = 100.0
+# Closed curves that enclose less than this part of the size, times their length, run there and
+# back: the plane only touches the surface along a ridge.
+SLIT = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +85,8 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
     ------
     InputError
         If a patch lies in the plane, the plane touches the surface without a clean cut, or more
-        than two patches share an edge that it crosses.
+        than two patches share an edge that it crosses. A plane that touches a ridge in a point or
+        along a line misses the atlas there.
 
     Notes
     -----
@@ -124,7 +128,11 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
         moved = abs(move) * size + poles.away
         loops = [_loop(atlas, surface, arcs, chain, size, moved) for chain in chains]
         # Corners that the plane only touched leave a trace when it is moved.
-        loops = [loop for loop in loops if loop.length > TRACE * abs(move) * size]
+        loops = [
+            loop
+            for loop in loops
+            if loop.length > TRACE * abs(move) * size and not _is_slit(loop, size)
+        ]
         if not loops and move != 0.0:
             # A boundary that lies in the plane is cut by the planes on one side of it only.
             missed = True
@@ -180,6 +188,15 @@ def _refuse_touching(atlas: Atlas, undecided: Cells, patches: Ints) -> None:
         f"(u, v) = ({u:.6f}, {v:.6f}) instead of cutting it, so that the section is no clean "
         "curve there; move the plane a little"
     )
+
+
+def _is_slit(loop: SectionLoop, size: float) -> bool:
+    """Return whether a closed curve runs there and back, so that it encloses nothing."""
+    if not loop.closed:
+        return False
+    points = loop.positions - loop.positions[:1]
+    area = 0.5 * np.linalg.norm(np.cross(points, np.roll(points, -1, axis=0)).sum(axis=0))
+    return bool(area <= SLIT * size * loop.length)
 
 
 def _loop(
