@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+from bodymeasure.arguments import require_kind
 from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError
 from bodymeasure.formats import read_atlas
@@ -65,6 +66,7 @@ def sample_path(name: str) -> Path:
         If there is no sample of that name.
     """
     names = sample_names()
+    require_kind(name, str, "the name", "that of a sample")
     if name not in names:
         near = nearest(name, names)
         hint = f"did you mean {near!r}? " if near else ""

@@ -12,7 +12,7 @@ from helpers.modules import FOLDERS, MODULES, ROOT, loaded_by
 # Each layer imports from those above it in this list, not from others of its own line.
 LAYERS = (
     ("_typing", "errors", "threads", "wording"),
-    ("files", "trust"),
+    ("arguments", "files", "trust"),
     ("bezier",),
     ("subdivision",),
     ("atlas",),

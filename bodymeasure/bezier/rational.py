@@ -6,6 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from bodymeasure._typing import Array
+from bodymeasure.arguments import numbers
+from bodymeasure.errors import InputError
 
 
 def homogeneous(control_points: ArrayLike, weights: ArrayLike) -> Array:
@@ -32,8 +34,17 @@ def homogeneous(control_points: ArrayLike, weights: ArrayLike) -> Array:
     >>> rational.shape, round(bm.solve_geodesic(rational, (0, 0), (1, 1)).length, 6)
     ((4, 4, 4), 2.562007)
     """
-    points = np.asarray(control_points, dtype=np.float64)
-    weight = np.broadcast_to(np.asarray(weights, dtype=np.float64), points.shape[:-1])[..., None]
+    points = numbers(control_points, "control_points", "numbers (..., 3)")
+    given = numbers(weights, "weights", "numbers (...)")
+    if points.ndim == 0 or points.shape[-1] != 3:
+        raise InputError(f"control_points have shape {points.shape}; expected (..., 3)")
+    try:
+        weight = np.broadcast_to(given, points.shape[:-1])[..., None]
+    except ValueError:
+        raise InputError(
+            f"weights have shape {given.shape}, which does not broadcast to that of the control "
+            f"points, {points.shape[:-1]}"
+        ) from None
     return np.concatenate([points * weight, weight], axis=-1)
 
 

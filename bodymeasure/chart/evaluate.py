@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable, Iterable, Sequence
 
+from bodymeasure.arguments import require_kind, require_progress, several
 from bodymeasure.atlas import Atlas, Severity
 from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.atlas.check.stance import stance_findings
@@ -83,6 +84,8 @@ def measure_chart(
     if not despite_errors:
         _require_sound_landmarks(atlas)
     definitions = load_definitions() if definitions is None else definitions
+    require_kind(definitions, Definitions, "definitions", "what load_definitions returns")
+    require_progress(progress)
     chosen, needed = restricted(definitions, names_listed(only))
     derived = derive_landmarks(atlas, needed.landmark, strict=False)
     body = Body(atlas, derived.landmarks, derived.missing)
@@ -115,7 +118,7 @@ def names_listed(only: Sequence[str]) -> Sequence[str]:
     """
     if isinstance(only, str):
         raise InputError(f"only is {only!r}; expected a list of names, such as [{only!r}]")
-    return only
+    return several(only, str, "only", "the key of a measurement")
 
 
 def _by_key(definitions: Iterable[MeasurementDefinition]) -> dict[str, MeasurementDefinition]:

@@ -9,6 +9,7 @@ from os import PathLike
 from pathlib import Path
 from typing import NamedTuple
 
+from bodymeasure.arguments import file_path, require_kind, several
 from bodymeasure.atlas import Atlas, Axes, Unit
 from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.errors import InputError, ReadWarning
@@ -143,7 +144,7 @@ def read_atlas(
     >>> len(atlas), str(atlas.unit)
     (1, 'cm')
     """
-    path = Path(path)
+    path = file_path(path)
     options = ReadOptions.checked(unit, up, front, group, tolerance, deviation, interpolate)
     # The content comes first: for a missing file or a folder, the extension does not matter.
     content = read_bytes(path)
@@ -232,7 +233,7 @@ def write_atlas(
     'Paraboloid of revolution'
     """
     require_atlas(atlas)
-    path = Path(path)
+    path = file_path(path)
     form = format_of(path, format, writing=True)
     assert form.write is not None
     write_bytes(path, form.write(atlas))
@@ -269,7 +270,7 @@ def read_population(path: str | PathLike[str]) -> tuple[Atlas, ...]:
     ...     [body.name for body in bm.read_population(file)]
     ['Average female body, 160.5 cm', 'A taller one']
     """
-    path = Path(path)
+    path = file_path(path)
     return npz.read_bodies(read_bytes(path), str(path))
 
 
@@ -301,7 +302,8 @@ def write_population(atlases: Sequence[Atlas], path: str | PathLike[str]) -> Non
     ...     [body.name for body in bm.read_population(file)]
     ['Average female body, 160.5 cm', 'A taller one']
     """
-    path = Path(path)
+    atlases = several(atlases, Atlas, "the atlases", "an Atlas")
+    path = file_path(path)
     if path.suffix.lower() != ".npz":
         raise InputError(f"{path}: many bodies go into an .npz file; give a name that ends so")
     write_bytes(path, npz.write_bodies(atlases))
@@ -322,6 +324,8 @@ def format_of(path: Path, name: str | None = None, *, writing: bool = False) -> 
     InputError
         If there is none; the message lists those that there are.
     """
+    if name is not None:
+        require_kind(name, str, "the format", f"one of {', '.join(FORMATS)}")
     table, key = (EXTENSIONS, path.suffix.lower()) if name is None else (FORMATS, name)
     allowed = [each for each, form in table.items() if form.write is not None or not writing]
     if key in allowed:

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.atlas import Atlas, require_atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.queries.locations import Location
 from bodymeasure.atlas.topology.neighbors import Neighbors
@@ -90,6 +90,7 @@ def geodesic_alternatives(
     """
     if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < 1:
         raise InputError(f"count is {count!r}; expected how many paths, a whole number above 0")
+    require_atlas(atlas)
     neighbors = topology(atlas).neighbors
     (first, last), moves = checked_points(atlas, (start, end), ("the start", "the end"))
     shortest = leg_between(atlas, neighbors, first, last)

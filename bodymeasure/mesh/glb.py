@@ -2,14 +2,15 @@
 
 from collections.abc import Mapping
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from bodymeasure._typing import Array
+from bodymeasure.arguments import file_path, shown
 from bodymeasure.atlas import Atlas, tessellate
+from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.files import write_bytes
 from bodymeasure.geodesic import AtlasPath
@@ -80,7 +81,11 @@ def write_glb(
     ...     [file.name for file in Path(folder).iterdir()]
     ['body.glb']
     """
-    path = Path(path)
+    path = file_path(path)
+    require_atlas(atlas)
+    named: Mapping[str, AtlasPath | MeshPath | ArrayLike] = {} if paths is None else paths
+    if not isinstance(named, Mapping):
+        raise InputError(f"paths are {shown(paths)}; expected paths by their names, as in a dict")
     if path.suffix.lower() != ".glb":
         raise InputError(f"{path}: expected a name that ends in .glb")
     try:
@@ -97,7 +102,7 @@ def write_glb(
     scene.add_geometry(body, geom_name=atlas.name or "body", node_name=atlas.name or "body")
     size = float(np.ptp(body.vertices, axis=0).max())
     radius = min(RADIUS, THICKNESS * size)
-    for number, (name, given) in enumerate((paths or {}).items()):
+    for number, (name, given) in enumerate(named.items()):
         points, facts = points_of(repr(name), given, atlas.unit)
         if len(points) < 2 or not np.ptp(points, axis=0).any():
             continue

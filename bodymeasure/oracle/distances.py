@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from bodymeasure._typing import Array
+from bodymeasure.arguments import require_progress
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError
 from bodymeasure.oracle.extrapolate import richardson
@@ -122,8 +123,9 @@ def mesh_distances(
     """
     nets, starts, ends = _checked(control_points, start, end)
     levels = _checked_levels(levels)
-    if processes < 1:
-        raise InputError(f"processes is {processes}; expected at least 1")
+    if isinstance(processes, bool) or not isinstance(processes, int) or processes < 1:
+        raise InputError(f"processes is {processes!r}; expected at least 1, a whole number")
+    require_progress(progress)
     require_libigl()
 
     count, pairs = starts.shape[:2]

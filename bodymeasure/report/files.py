@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from pathlib import Path
 
+from bodymeasure.arguments import file_path
 from bodymeasure.files import make_folder, write_all
 
 
@@ -26,7 +27,7 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes]) -> tuple[Path
     InputError
         If the folder cannot be made or written to, or the disk is full.
     """
-    folder = Path(folder)
+    folder = file_path(folder, "the folder")
     paths = {folder / name: content for name, content in contents.items()}
     make_folder(folder)
     write_all(paths)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bodymeasure._typing import Array, Bools
+from bodymeasure.arguments import require_kind
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.queries.locations import Location, listed
 from bodymeasure.atlas.queries.outside import Outside
@@ -148,7 +149,7 @@ def taut_tape(
     0.2092 0.2104 0.2169 m
     """
     check_on_failure(on_failure)
-    if outside not in ("determined", "along normals", "against normals"):
+    if str(outside) not in ("determined", "along normals", "against normals"):
         raise InputError(
             f"outside is {outside!r}; expected 'determined', 'along normals' or 'against normals'"
         )
@@ -160,7 +161,7 @@ def taut_tape(
     if contact is None:
         contact = geodesic_between(atlas, points[0], points[-1], points[1:-1], on_failure="status")
         contact = contact.with_ends_moved(*ends.moves)
-    elif contact.atlas is not atlas:
+    elif require_kind(contact, AtlasPath, "contact", "an AtlasPath").atlas is not atlas:
         raise InputError("the contact path is one over another atlas; expected this one")
     elif contact.points != points:
         raise InputError(

@@ -61,13 +61,14 @@ def test_a_plane_that_touches_a_ridge_misses(turn: float, off: float) -> None:
     normal = (math.cos(turn), math.sin(turn), 0.0)
     # Along the edge at x = y = 0, and in the corner at its end.
     for tilt in (0.0, 0.3):
-        touching = Plane((-off * normal[0], -off * normal[1], 0.0), (*normal[:2], tilt))
+        point = np.array([-off * normal[0], -off * normal[1], 0.0])
+        touching = Plane(point, np.array([*normal[:2], tilt]))
         assert plane_section(box(), touching).loops == ()
 
 
 def test_beside_the_ridge_it_cuts() -> None:
     normal = (math.cos(0.7), math.sin(0.7), 0.0)
     for far in (1e-3, 1e-6):
-        (loop,) = plane_section(box(), Plane((0.0, far, 0.0), normal)).loops
+        (loop,) = plane_section(box(), Plane(np.array([0.0, far, 0.0]), np.array(normal))).loops
         width = far * math.sin(0.7) * (1.0 / math.tan(0.7) + math.tan(0.7))
         assert loop.length == pytest.approx(2.0 * (3.0 + width), rel=1e-9)

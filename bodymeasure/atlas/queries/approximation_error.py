@@ -7,6 +7,7 @@ import scipy
 from numpy.typing import ArrayLike
 
 from bodymeasure._typing import Array, Ints
+from bodymeasure.arguments import numbers
 from bodymeasure.atlas.approximation import extent
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.bezier import evaluate
@@ -53,7 +54,7 @@ def approximation_error(atlas: Atlas, positions: ArrayLike) -> float:
     >>> bm.approximation_error(body, path.position([0.0, 0.5, 1.0]))
     0.0
     """
-    points = np.asarray(positions, dtype=np.float64)
+    points = numbers(positions, "positions", "numbers (k, 3)")
     if points.ndim != 2 or points.shape[1] != 3:
         raise InputError(f"positions have shape {points.shape}; expected (k, 3)")
     if atlas.approximation is None or len(points) < 2:

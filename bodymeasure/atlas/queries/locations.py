@@ -1,7 +1,7 @@
 """Points that users name, as points of an atlas and as positions."""
 
 import operator
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -63,7 +63,7 @@ def listed(locations: Sequence[Location], name: str) -> tuple[Location, ...]:
     InputError
         If they are a single name or point, or no sequence at all.
     """
-    if isinstance(locations, (str, AtlasPoint)) or not hasattr(locations, "__len__"):
+    if isinstance(locations, (str, AtlasPoint)) or not isinstance(locations, Iterable):
         raise InputError(f"{name} is {locations!r}; expected a list of locations")
     return tuple(locations)
 

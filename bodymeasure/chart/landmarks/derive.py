@@ -3,7 +3,9 @@
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 
+from bodymeasure.arguments import several
 from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.chart.landmarks.names import KNOWN_NAMES
 from bodymeasure.chart.landmarks.rules.base import LandmarkRule
 from bodymeasure.chart.sides import both_sides
@@ -74,6 +76,8 @@ def derive_landmarks(
     >>> "navel" in derived.landmarks, derived.missing
     (True, {})
     """
+    require_atlas(atlas)
+    rules = several(rules, LandmarkRule, "the rules", "a rule for a landmark")
     by_name: dict[str, LandmarkRule] = {}
     for rule in both_sides(rules):
         if rule.name in by_name:

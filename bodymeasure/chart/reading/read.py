@@ -10,6 +10,7 @@ from typing import Any
 
 import msgspec
 
+from bodymeasure.arguments import file_path
 from bodymeasure.chart.definitions import FORMAT, VERSION, Definitions
 from bodymeasure.chart.reading.checks import first_fault
 from bodymeasure.chart.reading.convert import (
@@ -57,7 +58,7 @@ def load_definitions(path: str | Path | None = None) -> Definitions:
     """
     if path is None:
         return _default()
-    return definitions_from(read_bytes(Path(path)), str(path))
+    return definitions_from(read_bytes(file_path(path)), str(path))
 
 
 @lru_cache(maxsize=1)

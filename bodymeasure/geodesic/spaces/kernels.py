@@ -5,6 +5,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from bodymeasure.arguments import numbers
+
 
 @dataclass(frozen=True)
 class Kernel:
@@ -50,9 +52,9 @@ class Kernel:
 
     def __call__(self, r: ArrayLike) -> NDArray[np.float64]:
         """Return values at scaled distances r >= 0, of any shape."""
-        r = np.asarray(r, dtype=np.float64)
-        inside = np.clip(1.0 - r, 0.0, None) ** self.exponent
-        return np.asarray(inside * np.polynomial.polynomial.polyval(r, self.factor))
+        distance = numbers(r, "r", "scaled distances")
+        inside = np.clip(1.0 - distance, 0.0, None) ** self.exponent
+        return np.asarray(inside * np.polynomial.polynomial.polyval(distance, self.factor))
 
 
 # Z. Wu, "Compactly supported positive definite radial functions", Adv. Comput. Math. 4 (1995)

@@ -6,6 +6,7 @@ from functools import lru_cache
 import numpy as np
 
 from bodymeasure._typing import Array
+from bodymeasure.arguments import numbers, require_kind
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.spaces.decimals import (
     Decimals,
@@ -166,6 +167,22 @@ def rbf_coefficients(
     ... ).shape
     (3, 2)
     """
+    require_kind(kernel, Kernel, "the kernel", "a Kernel, such as WU_C2")
+    places = [
+        numbers(value, name, "numbers (k,)")
+        for name, value in (("centers", centers), ("nodes", nodes))
+    ]
+    values = numbers(nodal_values, "nodal_values", "numbers (k, ...)")
+    radius = numbers(support_radius, "support_radius", "a positive number")
+    if any(array.ndim != 1 for array in places) or len(places[0]) + 1 != len(places[1]):
+        raise InputError(
+            f"centers have shape {places[0].shape} and nodes {places[1].shape}; expected (N,) and "
+            "(N + 1,)"
+        )
+    if values.ndim == 0 or len(values) != len(places[1]):
+        raise InputError(f"nodal_values have shape {values.shape}; expected a row for each node")
+    if radius.ndim or not 0.0 < radius < np.inf:
+        raise InputError(f"support_radius is {support_radius!r}; expected a positive number")
     with many_digits():
         inverted, _ = inverse(_basis(kernel, centers, nodes, support_radius)[0])
         if inverted is None:

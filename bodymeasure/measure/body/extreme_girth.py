@@ -107,7 +107,7 @@ def extreme_girth(
         ("kind", kind, ("largest", "smallest")),
         ("tape", tape, ("contact", "taut")),
     ):
-        if word not in known:
+        if str(word) not in known:
             raise InputError(f"{what} is {word!r}; expected {known[0]!r} or {known[1]!r}")
     stretch = _Stretch.between(atlas, start, end, limb=limb)
     sign = -1.0 if kind == "largest" else 1.0

@@ -9,6 +9,7 @@ import scipy
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.atlas.queries.locations import Location, position_of
 from bodymeasure.errors import InputError
@@ -86,7 +87,9 @@ def fork_point(atlas: Atlas, regions: tuple[str, str]) -> AtlasPoint:
     >>> print(body.position(armpit).round(3))
     [ 0.154 -0.009  1.212]
     """
-    if isinstance(regions, str) or len(regions) != 2:
+    require_atlas(atlas)
+    given = regions if isinstance(regions, tuple | list) else ()
+    if len(given) != 2 or not all(isinstance(name, str) for name in given):
         raise InputError(
             f"the regions are {regions!r}; expected the beginnings of two regions' names, such as "
             "('torso', 'upper arm left')"

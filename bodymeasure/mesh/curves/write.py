@@ -7,7 +7,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
+from bodymeasure.arguments import file_path, shown
 from bodymeasure.atlas import Atlas
+from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.errors import InputError
 from bodymeasure.files import write_bytes
 from bodymeasure.geodesic import AtlasPath
@@ -70,7 +72,10 @@ def write_paths(
     ...     "B_SPLINE_CURVE_WITH_KNOTS('nape to bust'" in Path(folder, "paths.step").read_text()
     True
     """
-    path = Path(path)
+    path = file_path(path)
+    require_atlas(atlas)
+    if not isinstance(paths, Mapping):
+        raise InputError(f"paths are {shown(paths)}; expected paths by their names, as in a dict")
     require_path_suffix(path)
     curves = [curve_of(name, given, atlas.unit) for name, given in paths.items()]
     write_curves(path, atlas, curves)

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from bodymeasure.arguments import file_path, require_members
 from bodymeasure.atlas import Unit
 from bodymeasure.report.body.freesewing import to_freesewing
 from bodymeasure.report.body.from_chart import chart_document
@@ -82,6 +83,9 @@ def write_chart(
     >>> [file.name for file in files][-2:]
     ['anna.smis', 'freesewing.json']
     """
+    expected = "a Chart, as measure_chart returns it"
+    require_members(chart, ("atlas", "measured"), "the chart", expected)
+    file_path(folder, "the folder")
     document = chart_document(chart, unit)
     drawn = _drawn(chart) if pictures is True else pictures or None
     contents = {name.format(stem=stem): make(document) for name, make in OUTPUTS.items()}

@@ -3,6 +3,7 @@
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from bodymeasure.arguments import file_path, require_members
 from bodymeasure.atlas import Unit
 from bodymeasure.report.files import write_files
 from bodymeasure.report.patches.from_survey import survey_document
@@ -61,6 +62,9 @@ def write_report(
     >>> [file.name for file in files]
     ['report.html', 'measurements.json', 'measurements.csv', 'measurements.schema.json']
     """
+    expected = "a Survey, as measure_atlas returns it"
+    require_members(survey, ("atlas", "diagonals"), "the survey", expected)
+    file_path(folder, "the folder")
     document = survey_document(survey, unit)
     drawn = _drawn(survey, document) if pictures is True else pictures or None
     return write_files(
