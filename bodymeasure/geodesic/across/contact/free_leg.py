@@ -18,6 +18,10 @@ from bodymeasure.geodesic.contact.legs import Contact, End
 from bodymeasure.geodesic.contact.tangency import tangency_error
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 
+# Where Newton's method fails at this many degrees, there is no such leg, and it fails at the others
+# too, whose systems are far larger.
+MOST_FAILURES = 2
+
 
 def free_leg(
     atlas: Atlas, polygon: RefinedPath, part: FreePart, tolerance: float
@@ -29,11 +33,15 @@ def free_leg(
     """
     size, route = polygon.problem.size, free_route(polygon, part)
     epsilon = polygon.problem.epsilon
+    failures = 0
     for degree in DEGREES:
         space = polynomial_space(degree)
         problem = RouteProblem(atlas, route, space, size, part.slides, epsilon)
         leg = solve_leg(problem, _guess(polygon, part, problem))
         if leg is None:
+            failures += 1
+            if failures == MOST_FAILURES:
+                return None
             continue
         length, _ = route_length(leg)
         length = replace(length, error=length.error + size * _joint_error(leg, part))

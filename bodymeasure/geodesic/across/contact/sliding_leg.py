@@ -9,8 +9,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+import scipy
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.across.pieces.problem import RouteProblem
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, measured
@@ -63,26 +64,44 @@ class _System:
         return result
 
     def at(self, unknowns: Array) -> tuple[Array, Array]:
-        """Return the residuals of the equations and their derivatives."""
+        """Return the residuals of the equations and their derivatives, by diagonals.
+
+        Entry (b + i - j, j) is the derivative of equation i by the unknown j, where b is the number of
+        diagonals on either side: the form of `scipy.linalg.solve_banded`.
+        """
         here = self.problem.expand(unknowns)
-        count = self.problem.count
-        matrix = np.zeros((count, count))
-        for row in range(min(len(here.bands), count)):
-            below = np.arange(count - row)
-            matrix[below + row, below] = matrix[below, below + row] = here.bands[row, : count - row]
+        beside, count = min(len(here.bands), self.problem.count) - 1, self.problem.count
+        diagonals = np.zeros((2 * beside + 1, count))
+        for row in range(beside + 1):
+            part = here.bands[row, : count - row]
+            diagonals[beside + row, : count - row] = part
+            diagonals[beside - row, row:] = part
         residual = here.gradient.copy()
         for row, factors, added in self._tangencies:
-            residual[row], matrix[row] = factors @ unknowns + added, factors
-        idle = self.problem.idle
-        residual[idle], matrix[idle] = 0.0, np.eye(count)[idle]
-        return residual, matrix
+            residual[row] = factors @ unknowns + added
+            _set_row(diagonals, row, factors)
+        for row in np.flatnonzero(self.problem.idle).tolist():
+            residual[row] = 0.0
+            _set_row(diagonals, row, np.arange(count) == row)
+        return residual, diagonals
 
-    def direction(self, residual: Array, matrix: Array) -> Array:
+    def direction(self, residual: Array, diagonals: Array) -> Array:
         """Return Newton's direction; NaN if the system is singular."""
+        beside = len(diagonals) // 2
         try:
-            return np.asarray(np.linalg.solve(matrix, -residual))
+            way = scipy.linalg.solve_banded(
+                (beside, beside), diagonals, -residual, check_finite=False
+            )
         except np.linalg.LinAlgError:
             return np.full_like(residual, np.nan)
+        return np.asarray(way)
+
+
+def _set_row(diagonals: Array, row: int, values: Array | Bools) -> None:
+    """Replace a row of a matrix that is kept by its diagonals."""
+    beside = len(diagonals) // 2
+    column = np.arange(max(row - beside, 0), min(row + beside + 1, diagonals.shape[1]))
+    diagonals[beside + row - column, column] = values[column]
 
 
 def _in_place(problem: RouteProblem, unknowns: Array, iterations: int) -> RefinedPath:
