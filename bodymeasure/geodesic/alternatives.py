@@ -13,10 +13,10 @@ from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
 from bodymeasure.geodesic.across.poles.leg import leg_between
 from bodymeasure.geodesic.across.routes.graph import patch_graph
-from bodymeasure.geodesic.across.routes.reading import route_along
-from bodymeasure.geodesic.across.routes.straightened import along_way, pulled_way
+from bodymeasure.geodesic.across.routes.reading import route_of
 from bodymeasure.geodesic.across.routes.topology import topology
 from bodymeasure.geodesic.across.routes.via_pairs import via_pairs
+from bodymeasure.geodesic.across.routes.ways import along_way, way_through
 from bodymeasure.geodesic.across.search.ends import checked_points
 from bodymeasure.geodesic.across.search.leg import leg_along
 from bodymeasure.geodesic.across.search.search import SHORTER
@@ -69,8 +69,6 @@ def geodesic_alternatives(
         not a whole number above 0.
     ConvergenceError
         If there is no path whose length can be trusted.
-    MissingExtraError
-        If pygeodesic is not installed.
 
     Notes
     -----
@@ -131,7 +129,7 @@ def _search(
 
 def _ways(
     atlas: Atlas, ends: tuple[AtlasPoint, AtlasPoint]
-) -> Iterator[list[tuple[float, tuple[AtlasPoint, AtlasPoint]]]]:
+) -> Iterator[list[tuple[float, tuple[int, int]]]]:
     """The lengths of rough ways and the points they lead through, in wider and wider regions."""
     graph = patch_graph(atlas)
     to_start, to_end = (graph.distances(atlas, place) for place in ends)
@@ -140,10 +138,7 @@ def _ways(
     reach = FIRST_REACH * through.min()
     while True:
         pairs = via_pairs(graph, to_start, to_end, reach)
-        yield [
-            (length, (graph.places[first], graph.places[second]))
-            for length, first, second in pairs[:MOST_WAYS]
-        ]
+        yield [(length, (first, second)) for length, first, second in pairs[:MOST_WAYS]]
         if reach >= farthest:
             return
         reach *= FURTHER
@@ -153,21 +148,18 @@ def _path(
     atlas: Atlas,
     neighbors: Neighbors,
     points: tuple[AtlasPoint, AtlasPoint],
-    vias: tuple[AtlasPoint, AtlasPoint],
+    vias: tuple[int, int],
     known: list[AtlasPath],
 ) -> AtlasPath | None:
     """The shortest path near a way; None if there is none, or if it is plainly a known one."""
-    start, end = points
-    way = pulled_way(atlas, (start, *vias, end))
-    if way is None or not way.places:
+    way = way_through(atlas, points, vias)
+    if way is None:
         return None
-    course = along_way(way.points, PARTS)
+    mesh = patch_graph(atlas).mesh
+    course = along_way(way.points(mesh.surface), PARTS)
     if any(_apart(course, path.position(PARTS)) <= NEAR * path.length for path in known):
         return None
-    route = route_along(neighbors, (start, end), way.places)
-    if route is None:
-        return None
-    path = leg_along(atlas, neighbors, points, route)
+    path = leg_along(atlas, neighbors, points, [route_of(neighbors, mesh, points, way)])
     return path if path.converged else None
 
 

@@ -47,15 +47,14 @@ def geodesic_between(
         If a location is not on the atlas, or two are on parts that no seam joins.
     ConvergenceError
         If there is no length that can be trusted and `on_failure` is "raise".
-    MissingExtraError
-        If pygeodesic is not installed.
 
     Notes
     -----
-    The exact shortest path over a triangle mesh of the atlas determines which patches are crossed;
-    the shortest smooth path along that route is found by Newton's method, its crossings among the
-    unknowns. Where it presses against a corner or an edge, the routes on the other side are tried,
-    and what is shorter is kept. That no other route is shorter still is not proven.
+    Rough ways through a graph of the surface, pulled straight on a triangle mesh, determine which
+    patches may be crossed; the shortest smooth path along each of these routes is found by Newton's
+    method, its crossings among the unknowns. Where it presses against a corner or an edge, the
+    routes on the other side are tried, and the shortest of all is kept. That no other route is
+    shorter still is not proven.
 
     A path that passes close by a collapsed side, a pole, is cut at lines about it, with more cuts
     the closer it passes; one that passes right beside it, or begins there, is calculated from the
@@ -105,7 +104,7 @@ def geodesics_between(
     ------
     InputError
         As for `geodesic_between`, before anything is measured; the message names the pair.
-    ConvergenceError, MissingExtraError
+    ConvergenceError
         As for `geodesic_between`.
 
     Examples

@@ -110,7 +110,7 @@ def contracted_loop(
     neighbors = topology(atlas).neighbors
     positions = np.array([atlas.position(point) for point in points])
     size = float(np.linalg.norm(positions - np.roll(positions, 1, axis=0), axis=1).sum())
-    found = shortest_along(atlas, neighbors, route_through(neighbors, points), size)
+    found = shortest_along(atlas, neighbors, [route_through(neighbors, points)], size)
     assert found.kind is not None
     path = AtlasPath.of(atlas, points, found.part, found.status)
     path = ClosedPath(**vars(path), kind=found.kind)

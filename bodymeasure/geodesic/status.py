@@ -43,6 +43,11 @@ class Status(Enum):
         "The geodesic reaches a boundary of the surface before it is as long as asked, and ends "
         "there; its length is that of the way up to it."
     )
+    CUT_SHORT = (
+        "The path is a geodesic and its length holds to the stated error, but the search used up "
+        "its budget before all routes beside it were tried: a shorter way may lead over a "
+        "neighboring patch; measure to a point in between."
+    )
     LEAVES_PATCH = (
         "The geodesic between these points leaves the patch, so its length is not a length on the "
         "patch; measure across the neighboring patches, or take the mesh distance."
@@ -61,6 +66,10 @@ class Status(Enum):
         "No trial space met the tolerance; allow more functions, loosen the tolerance, or split "
         "the patch."
     )
+    OUT_OF_BUDGET = (
+        "The search used up its budget before any path met the tolerance; measure to a point in "
+        "between, or fit the surface with fewer and smoother patches."
+    )
     NO_ROUTE = (
         "No route over seams was found between the points: their parts meet in single points only, "
         "or the path passes a pole; join the patches along whole edges, or measure to a point in "
@@ -74,7 +83,12 @@ class Status(Enum):
     @property
     def has_length(self) -> bool:
         """Whether there is a length that can be trusted."""
-        return self in (Status.CONVERGED, Status.ON_BOUNDARY, Status.ENDS_AT_BOUNDARY)
+        return self in (
+            Status.CONVERGED,
+            Status.ON_BOUNDARY,
+            Status.ENDS_AT_BOUNDARY,
+            Status.CUT_SHORT,
+        )
 
     @property
     def sentence(self) -> str:

@@ -6,7 +6,8 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.geodesic import AtlasPath
-from bodymeasure.geodesic.across.routes.reading import mesh_segments
+from bodymeasure.geodesic.across.routes.graph import patch_graph
+from bodymeasure.geodesic.across.routes.ways import first_ways
 
 # The number of segments of the first string of a leg.
 SEGMENTS = 32
@@ -15,7 +16,7 @@ SEGMENTS = 32
 def first_strings(contact: AtlasPath) -> list[Array]:
     """Return evenly spaced points, shape (SEGMENTS + 1, 3), of each leg of a path along the skin.
 
-    Where no smooth path was found, they lie on the shortest path over a mesh of the atlas. The list
+    Where no smooth path was found, they lie on the shortest way over a mesh of the atlas. The list
     is empty if there is none either.
     """
     if contact.pieces:
@@ -25,10 +26,10 @@ def first_strings(contact: AtlasPath) -> list[Array]:
         ]
     legs = []
     for start, end in pairwise(contact.points):
-        found = mesh_segments(contact.atlas, start, end)
-        if found is None:
+        ways = first_ways(contact.atlas, start, end)
+        if not ways:
             return []
-        nodes = _evenly(found.points)
+        nodes = _evenly(ways[0].points(patch_graph(contact.atlas).mesh.surface))
         nodes[0], nodes[-1] = contact.atlas.position(start), contact.atlas.position(end)
         legs.append(nodes)
     return legs

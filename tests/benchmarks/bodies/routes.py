@@ -1,8 +1,8 @@
 """How often, how well and how fast the geodesic between two points of an atlas is found.
 
 On bodies, the pairs are random and uniform over the patches. Each is measured in both directions
-and on the body turned and moved. The best known path is the shortest of both and of starts from
-finer meshes, at degree 16. For pairs whose parameters are quarters, libigl's exact distance on
+and on the body turned and moved. The best known path is the shortest of both and of many more
+starts, at degree 16. For pairs whose parameters are quarters, libigl's exact distance on
 local submeshes is extrapolated, too, with its own uncertainty. On known surfaces, random pairs are
 measured on whole patches and on the same patches cut into 2, 4 and 64 parts, and into nine along
 curves that meet at kinks.
@@ -29,8 +29,10 @@ import bodymeasure as bm
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.geodesic.across.pieces.error import route_length
 from bodymeasure.geodesic.across.pieces.refine import refine
-from bodymeasure.geodesic.across.routes.reading import first_route
+from bodymeasure.geodesic.across.routes.graph import patch_graph
+from bodymeasure.geodesic.across.routes.reading import route_of
 from bodymeasure.geodesic.across.routes.topology import topology
+from bodymeasure.geodesic.across.routes.ways import Scope, first_ways
 from bodymeasure.geodesic.across.search.search import shortest_along
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
@@ -39,8 +41,9 @@ from helpers.oracles.body_oracle import LEVELS, mesh_distance, quarter_point
 from helpers.surfaces.cut_atlases import cut, on_cut, on_part, random_point, slant_cut
 from helpers.surfaces.surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID, PH_CYLINDER, PLANE
 
-# The finest degree of paths, and the segments of the meshes from which they start.
-DEGREE, SEGMENTS = 16, (4, 6, 8)
+# The finest degree of paths, and how widely ways are sought from which they start.
+DEGREE = 16
+WIDE = Scope(0.08, 0.02, (0.5, 0.3, 0.7, 0.15, 0.85), 0.035, 80)
 # Where libigl does not agree, it is asked again on these finer meshes; and the relative difference
 # that it can resolve at all.
 FINER = (8, 16, 24)
@@ -100,16 +103,15 @@ class Tally:
 def best_known(
     atlas: bm.Atlas, path: bm.AtlasPath, ends: tuple[AtlasPoint, AtlasPoint]
 ) -> tuple[float, float]:
-    """The shortest length from several starts at a high degree, and the time of one refinement."""
+    """The shortest length from many starts at a high degree, and the time of one refinement."""
     lengths, times = [], []
-    neighbors = topology(atlas).neighbors
-    for segments in SEGMENTS:
-        route = first_route(atlas, neighbors, ends, segments)
-        assert route is not None
+    neighbors, mesh = topology(atlas).neighbors, patch_graph(atlas).mesh
+    for way in first_ways(atlas, *ends, WIDE):
+        route = route_of(neighbors, mesh, ends, way)
         begin = time.thread_time()
         refine(atlas, route, 8, path.raw_length)
         times.append(time.thread_time() - begin)
-        found = shortest_along(atlas, neighbors, route, path.raw_length)
+        found = shortest_along(atlas, neighbors, [route], path.raw_length)
         fine = refine(atlas, found.refined.route, DEGREE, path.raw_length)
         lengths += [float(found.part.length.corrected), float(route_length(fine)[0].corrected)]
     return min(lengths), times[0]

@@ -13,9 +13,6 @@ import bodymeasure as bm
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 
-# There are no wheels of it for the latest versions of Python.
-pytest.importorskip("pygeodesic")
-
 
 def test_round_a_corner_of_the_boundary() -> None:
     # Three unit squares about the corner (1, 1), where the fourth is missing.

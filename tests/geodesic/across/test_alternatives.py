@@ -12,11 +12,8 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 from bodymeasure.bezier import bernstein
 from bodymeasure.geodesic.across.routes.graph import patch_graph
-from bodymeasure.geodesic.across.routes.straightened import along_way, pulled_way
 from bodymeasure.geodesic.across.routes.via_pairs import via_pairs
-
-# The latest versions of Python have no wheels of it.
-pytest.importorskip("pygeodesic")
+from bodymeasure.geodesic.across.routes.ways import along_way, way_through
 
 PARTS = np.linspace(0.0, 1.0, 33)
 
@@ -141,19 +138,21 @@ def test_ways_on_both_sides_of_a_tube_are_among_the_pairs() -> None:
 
 def test_a_way_is_pulled_straight_but_not_over_to_the_other_side() -> None:
     atlas, ring = tube((1.0, 1.0, 1.0, 1.0)), ring_length()
+    graph = patch_graph(atlas)
     # The points lead up and down the long way from patch 0 to patch 1.
-    places = [
-        AtlasPoint(0, 0.5, 0.5),
-        AtlasPoint(3, 0.5, 0.9),
-        AtlasPoint(2, 0.5, 0.1),
-        AtlasPoint(1, 0.5, 0.5),
-    ]
-    way = pulled_way(atlas, places)
+    places = AtlasPoint(3, 0.5, 0.75), AtlasPoint(2, 0.5, 0.25)
+    vertices = tuple(
+        int(np.argmin(np.linalg.norm(graph.vertices - atlas.position(place), axis=1)))
+        for place in places
+    )
+    ends = AtlasPoint(0, 0.5, 0.5), AtlasPoint(1, 0.5, 0.5)
+    way = way_through(atlas, ends, vertices)
     assert way is not None
-    steps = np.linalg.norm(np.diff(way.points, axis=0), axis=1)
+    points = way.points(graph.mesh.surface)
+    steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
     assert steps.sum() == pytest.approx(0.75 * ring, rel=0.02)
-    np.testing.assert_allclose(along_way(way.points, np.array([0.0, 1.0])), way.points[[0, -1]])
-    np.testing.assert_allclose(along_way(way.points, PARTS)[:, 2], 1.5, atol=0.1)
+    np.testing.assert_allclose(along_way(points, np.array([0.0, 1.0])), points[[0, -1]])
+    np.testing.assert_allclose(along_way(points, PARTS)[:, 2], 1.5, atol=0.1)
 
 
 @pytest.mark.parametrize(

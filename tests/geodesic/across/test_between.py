@@ -28,9 +28,6 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 from bodymeasure.bezier import evaluate
 
-# The latest versions of Python have no wheels of it.
-pytest.importorskip("pygeodesic")
-
 CUTS: dict[str, tuple[tuple[float, ...], tuple[float, ...]]] = {
     "whole": ((), ()),
     "in two": ((0.4,), ()),

@@ -8,9 +8,6 @@ from scipy.spatial.transform import Rotation
 
 import bodymeasure as bm
 
-# The latest versions of Python have no wheels of it.
-pytest.importorskip("pygeodesic")
-
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["female_average", "male_average"])

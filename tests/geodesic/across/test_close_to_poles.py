@@ -16,9 +16,6 @@ from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.geodesic.across.poles.fan import fan_at
 from bodymeasure.geodesic.across.poles.junction import PoleLeg, passage
 
-# The latest versions of Python have no wheels of it.
-pytest.importorskip("pygeodesic")
-
 TRIAXIAL = (1.0, 0.7, 0.4)
 # Two points of the sphere of eight octants. The first is half a great circle from the second when
 # seen from a pole, or nearly so, or one of them is beside a pole.

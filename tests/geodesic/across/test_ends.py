@@ -1,6 +1,5 @@
 """The ends of paths: points, landmarks and positions, and those that are refused."""
 
-import sys
 from dataclasses import replace
 
 import numpy as np
@@ -9,9 +8,6 @@ from helpers.surfaces.grids import grid_atlas
 
 import bodymeasure as bm
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
-
-# There are no wheels of it for the latest versions of Python.
-pytest.importorskip("pygeodesic")
 
 
 def two_parts() -> Atlas:
@@ -57,12 +53,6 @@ def test_parts_that_meet_in_a_corner_only_are_separate() -> None:
 def test_points_that_are_not_on_the_atlas(point: AtlasPoint, message: str) -> None:
     with pytest.raises(bm.InputError, match=message):
         bm.geodesic_between(two_parts(), AtlasPoint(0, 0.5, 0.5), point)
-
-
-def test_a_missing_package_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "pygeodesic.geodesic", None)
-    with pytest.raises(bm.MissingExtraError, match=r"bodymeasure\[routes\]"):
-        bm.geodesic_between(two_parts(), AtlasPoint(0, 0.5, 0.5), AtlasPoint(1, 0.5, 0.5))
 
 
 def test_other_mistakes() -> None:

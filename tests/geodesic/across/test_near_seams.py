@@ -14,9 +14,6 @@ import bodymeasure as bm
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.queries.closest import closest_points
 
-# There are no wheels of it for the latest versions of Python.
-pytest.importorskip("pygeodesic")
-
 # The quick tests take some of them, the slow ones the others.
 QUICK = (-16.0, -12.0, -9.0, -7.0)
 EXPONENTS = [

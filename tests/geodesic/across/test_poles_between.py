@@ -8,10 +8,6 @@ from helpers.surfaces.tubes import cone
 import bodymeasure as bm
 from bodymeasure.atlas import AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors
-from bodymeasure.geodesic.across.routes.mesh import at_weights, whole_mesh
-
-# The latest versions of Python have no wheels of it.
-pytest.importorskip("pygeodesic")
 
 
 def test_chords_of_a_flat_disc_of_four_patches_about_a_pole(rng: np.random.Generator) -> None:
@@ -67,16 +63,3 @@ def test_all_places_of_a_tip_are_one_point() -> None:
     assert {len(way) for way in neighbors.ways(tip, AtlasPoint(3, 0.0, 0.8))} == {2}
     path = bm.geodesic_between(atlas, tip, AtlasPoint(3, 0.0, 0.8))
     assert (path.length, path.status) == (0.0, bm.Status.CONVERGED)
-
-
-def test_beside_a_tip_the_parameter_along_it_is_that_of_the_other_corners() -> None:
-    atlas = cone(1.0)
-    mesh = whole_mesh(atlas, 4)
-    face = int(np.flatnonzero(mesh.face_free.any(axis=(1, 2)))[0])
-    (corner,) = np.flatnonzero(mesh.face_free[face].any(axis=1))
-    weights = np.full(3, 0.25)
-    weights[corner] = 0.5
-    others = np.delete(mesh.face_parameters[face], corner, axis=0)
-    u, v = at_weights(mesh, face, weights)
-    assert v == pytest.approx(others[:, 1].mean(), abs=1e-15)
-    assert u == pytest.approx(0.5 * others[:, 0].mean(), abs=1e-15)

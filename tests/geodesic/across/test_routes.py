@@ -4,24 +4,23 @@ import numpy as np
 import pytest
 from helpers.surfaces.cut_atlases import random_point, wavy_plane
 from helpers.surfaces.grids import grid_atlas
+from helpers.surfaces.tubes import cone
 
 from bodymeasure._typing import Array
-from bodymeasure.atlas import Atlas, AtlasPoint, tessellate
+from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.geodesic.across.pieces.problem import RouteProblem
 from bodymeasure.geodesic.across.pieces.refine import refine
-from bodymeasure.geodesic.across.routes.mesh import RouteMesh, inserted
-from bodymeasure.geodesic.across.routes.polyhedral import polyhedral_path
-from bodymeasure.geodesic.across.routes.reading import first_route
+from bodymeasure.geodesic.across.routes.graph import patch_graph
+from bodymeasure.geodesic.across.routes.mesh import RouteMesh
+from bodymeasure.geodesic.across.routes.reading import route_of
 from bodymeasure.geodesic.across.routes.route import Route
+from bodymeasure.geodesic.across.routes.ways import first_ways
 from bodymeasure.geodesic.across.search.repair import other_routes
 from bodymeasure.geodesic.across.search.search import shortest_along
 from bodymeasure.geodesic.numerics.banded import banded_product, solve_free
 from bodymeasure.geodesic.numerics.box_newton import SecondOrder, minimize_in_box
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
-
-# The latest versions of Python have no wheels of it.
-pytest.importorskip("pygeodesic")
 
 
 def place_of(point: AtlasPoint) -> AtlasPoint:
@@ -29,63 +28,91 @@ def place_of(point: AtlasPoint) -> AtlasPoint:
 
 
 @pytest.mark.parametrize(
-    ("place", "faces"),
+    "place",
     [
-        (AtlasPoint(4, 0.5, 0.5), 0),  # a vertex
-        (AtlasPoint(4, 1.0, 0.25), 0),  # one on a seam
-        (AtlasPoint(4, 0.3, 0.1), 2),  # within a face
-        (AtlasPoint(4, 0.3, 0.3), 2),  # on the diagonal between two
-        (AtlasPoint(4, 1.0, 0.6), 2),  # on a seam
-        (AtlasPoint(1, 0.0, 0.6), 1),  # on the boundary
+        AtlasPoint(4, 0.5, 0.5),  # a vertex
+        AtlasPoint(4, 1.0, 0.25),  # one on a seam
+        AtlasPoint(4, 0.3, 0.1),  # within a face
+        AtlasPoint(4, 0.3, 0.3),  # on the diagonal between two
+        AtlasPoint(4, 1.0, 0.6),  # on a seam
+        AtlasPoint(1, 0.0, 0.6),  # on the boundary
+        AtlasPoint(0, 0.0, 0.0),  # in a corner
+        AtlasPoint(8, 1.0, 1.0),
     ],
 )
-def test_points_are_inserted_by_splitting_faces(
-    place: AtlasPoint, faces: int, rng: np.random.Generator
-) -> None:
-    atlas = wavy_plane(rng)
-    whole = RouteMesh.of(atlas, tessellate(atlas, 4))
-    mesh, number = inserted(whole, atlas, place)
-    assert len(mesh.faces) == len(whole.faces) + faces
-    np.testing.assert_allclose(mesh.vertices[number], atlas.position(place), atol=1e-14)
-    # After a split along a curved edge the faces still cover the plane, and none is turned over.
-    a, b, c = np.moveaxis(mesh.vertices[mesh.faces], 1, 0)
-    area = 0.5 * np.cross(b - a, c - a)[:, 2]
-    assert area.min() > 0.0
-    assert area.sum() == pytest.approx(9.0, rel=1e-12)
-    # Wherever the vertex is used, its parameters are those of its point.
-    uses = mesh.faces == number
-    for patch, uv in zip(np.nonzero(uses)[0], mesh.face_parameters[uses], strict=True):
-        there = atlas.position(AtlasPoint(int(mesh.face_patch[patch]), *uv.tolist()))
-        np.testing.assert_allclose(there, mesh.vertices[number], atol=1e-14)
+def test_points_are_found_on_faces_of_the_mesh(place: AtlasPoint, rng: np.random.Generator) -> None:
+    mesh = RouteMesh.of(wavy_plane(rng), 4)
+    face, weights = mesh.holding(place)
+    assert mesh.patch[face] == place.patch
+    assert min(weights) >= -1e-15
+    assert sum(weights) == pytest.approx(1.0, abs=1e-15)
+    there = np.array(weights) @ mesh.parameters[face]
+    np.testing.assert_allclose(there, place[1:], atol=1e-15)
 
 
-def test_the_path_over_the_mesh_of_a_plane_is_nearly_straight(rng: np.random.Generator) -> None:
+def test_beside_a_tip_a_face_is_a_whole_cell() -> None:
+    mesh = RouteMesh.of(cone(1.0), 4)
+    face, weights = mesh.holding(AtlasPoint(1, 0.1, 0.3))
+    (tip,) = np.flatnonzero(mesh.free[face].any(axis=1))
+    # A tenth of the way from the tip is 0.4 of the first cell.
+    assert np.array(weights)[tip] == pytest.approx(0.6, abs=1e-15)
+    others = np.delete(mesh.parameters[face], tip, axis=0)[:, 1]
+    share = np.delete(weights, tip)
+    assert share @ others / share.sum() == pytest.approx(0.3, abs=1e-15)
+
+
+def test_ways_over_the_mesh_of_a_plane_are_straight(rng: np.random.Generator) -> None:
     atlas = wavy_plane(rng)
-    for _ in range(10):
+    surface = patch_graph(atlas).mesh.surface
+    for _ in range(20):
         start, end = place_of(random_point(rng, atlas)), place_of(random_point(rng, atlas))
-        found = polyhedral_path(atlas, start, end)
-        assert found is not None
-        mesh, points, first = found
-        np.testing.assert_array_equal(points[0], mesh.vertices[first])
+        way, *_ = first_ways(atlas, start, end)
+        points = way.points(surface)
         length = np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
-        chord = np.linalg.norm(points[-1] - points[0])
-        # The package's algorithm drops small windows: mostly right to rounding, it is at times off
-        # by some 1e-4, whatever part of the mesh it is given.
-        assert chord * (1.0 - 1e-12) <= length < chord * (1.0 + 1e-3)
+        assert length == pytest.approx(way.length, rel=1e-12)
+        assert length == pytest.approx(np.linalg.norm(points[-1] - points[0]), rel=1e-12)
+
+
+def test_a_way_is_led_round_vertices_but_not_over_a_hole() -> None:
+    square = grid_atlas(3, 3)
+    ring = Atlas(square.points, np.delete(square.index, 4, axis=0), square.unit)
+    # From (0.2, 1.4) to (2.8, 1.4), past the hole [1, 2] x [1, 2].
+    way, *_ = first_ways(ring, AtlasPoint(1, 0.2, 0.4), AtlasPoint(6, 0.8, 0.4))
+    assert way.length == pytest.approx(2.0 * np.hypot(0.8, 0.4) + 1.0, rel=1e-12)
+
+
+def test_the_ways_on_both_sides_of_an_obstacle_are_found() -> None:
+    def hill(x: Array, y: Array) -> Array:
+        return np.stack([x, y, 2.5 * np.exp(-2.0 * ((x - 2.0) ** 2 + (y - 2.0) ** 2))], axis=-1)
+
+    atlas = grid_atlas(4, 4, hill)
+    start, end = AtlasPoint(8, 0.02, 0.01), AtlasPoint(11, 0.02, 0.99)
+    mesh = patch_graph(atlas).mesh.surface
+    middles = [way.points(mesh)[len(way.strip) // 2, 0] for way in first_ways(atlas, start, end)]
+    assert min(middles) < 2.0 < max(middles)
 
 
 def test_routes_read_off_the_mesh_hang_together(rng: np.random.Generator) -> None:
     atlas = wavy_plane(rng)
     neighbors = Neighbors(atlas)
+    mesh = patch_graph(atlas).mesh
     for _ in range(20):
         ends = place_of(random_point(rng, atlas)), place_of(random_point(rng, atlas))
-        route = first_route(atlas, neighbors, ends)
-        assert route is not None
+        way, *_ = first_ways(atlas, *ends)
+        route = route_of(neighbors, mesh, ends, way)
         assert route.ends == ends
         for number, crossing in enumerate(route.crossings):
             assert crossing in neighbors.over[route.patches[number], crossing.from_side]
             leave, enter = route.crossed[number]
             np.testing.assert_allclose(atlas.position(leave), atlas.position(enter), atol=1e-13)
+
+
+def test_a_route_begins_beyond_the_seam_on_which_its_start_lies() -> None:
+    atlas = grid_atlas(2, 1)
+    ends = AtlasPoint(0, 1.0, 0.2), AtlasPoint(1, 0.7, 0.9)
+    way, *_ = first_ways(atlas, *ends)
+    route = route_of(Neighbors(atlas), patch_graph(atlas).mesh, ends, way)
+    assert route == Route((AtlasPoint(1, 0.0, 0.2), ends[1]))
 
 
 @pytest.fixture
@@ -196,7 +223,7 @@ def test_a_route_on_the_wrong_side_of_a_corner_is_repaired() -> None:
     pressed = refine(atlas, wrong, 8, 1.0)
     assert pressed.length > np.hypot(0.6, 0.9) * (1.0 + 1e-3)
     assert (1, 3) in {route.patches[1:] for route in other_routes(neighbors, pressed)}
-    found = shortest_along(atlas, neighbors, wrong, 1.0)
+    found = shortest_along(atlas, neighbors, [wrong], 1.0)
     assert found.refined.route.patches == (0, 1, 3)
     assert found.part.length.corrected == pytest.approx(np.hypot(0.6, 0.9), rel=1e-9)
 
@@ -207,7 +234,7 @@ def test_needless_crossings_are_taken_back_and_missing_ones_found() -> None:
     (there,) = neighbors.over[0, 1]
     (back,) = neighbors.over[1, 0]
     needless = Route((AtlasPoint(0, 0.5, 0.1), AtlasPoint(0, 0.6, 0.9)), (there, back), (0.3, 0.6))
-    found = shortest_along(atlas, neighbors, needless, 1.0)
+    found = shortest_along(atlas, neighbors, [needless], 1.0)
     assert found.refined.route.patches == (0,)
     assert found.part.length.corrected == pytest.approx(np.hypot(0.1, 0.8), rel=1e-12)
 
@@ -223,7 +250,7 @@ def test_a_neighbor_that_a_path_needs_is_found() -> None:
     chord = np.linalg.norm(atlas.position(end) - atlas.position(start))
     alone = Route((start, end))
     assert refine(atlas, alone, 8, 1.0).length > chord * (1.0 + 1e-3)
-    found = shortest_along(atlas, neighbors, alone, 1.0)
+    found = shortest_along(atlas, neighbors, [alone], 1.0)
     assert found.refined.route.patches == (0, 1, 0)
     assert found.part.length.corrected == pytest.approx(chord, rel=1e-9)
 
@@ -236,7 +263,7 @@ def test_a_first_piece_without_length_is_trimmed() -> None:
         (AtlasPoint(0, 1.0, 0.2), AtlasPoint(1, 0.7, 0.9), 0.6),
         (AtlasPoint(0, 0.3, 0.2), AtlasPoint(1, 0.0, 0.9), 0.4),
     ):
-        found = shortest_along(atlas, neighbors, Route((start, end), (there,), (along,)), 1.0)
+        found = shortest_along(atlas, neighbors, [Route((start, end), (there,), (along,))], 1.0)
         assert len(found.refined.route.patches) == 1
         chord = np.linalg.norm(atlas.position(end) - atlas.position(start))
         assert found.part.length.corrected == pytest.approx(chord, rel=1e-12)

@@ -46,7 +46,6 @@ def near_the_equator(rng: np.random.Generator) -> bm.AtlasPoint:
 def test_great_circles_over_the_seams_of_a_whole_sphere(
     rng: np.random.Generator,
 ) -> None:
-    pytest.importorskip("pygeodesic")
     sphere = joined(sphere_nets())
     for _ in range(20):
         ends = [near_the_equator(rng) for _ in range(2)]
@@ -60,7 +59,6 @@ def test_great_circles_over_the_seams_of_a_whole_sphere(
 
 @pytest.mark.parametrize("degree", [3, 4, 5])
 def test_a_meridian_from_the_pole_is_left_in_any_direction(degree: int) -> None:
-    pytest.importorskip("pygeodesic")
     sphere = joined(sphere_nets(), degree)
     # The pole is given at another longitude than that of the path from it.
     pole, end = bm.AtlasPoint(0, 0.2, 1.0), bm.AtlasPoint(0, 0.7, 0.3)
@@ -70,7 +68,6 @@ def test_a_meridian_from_the_pole_is_left_in_any_direction(degree: int) -> None:
 
 @pytest.mark.slow
 def test_great_circles_past_the_poles(rng: np.random.Generator) -> None:
-    pytest.importorskip("pygeodesic")
     sphere = joined(sphere_nets())
     converged = 0
     for _ in range(60):
@@ -152,7 +149,6 @@ def test_the_length_on_a_torus_by_clairauts_integrals() -> None:
 
 def test_karneys_geodesic_on_the_earths_ellipsoid() -> None:
     """Agree with C. Karney, Algorithms for geodesics, J. Geodesy 87 (2013), table 2, on WGS84."""
-    pytest.importorskip("pygeodesic")
     semi_major, flattening = 6378137.0, 1.0 / 298.257223563
     semi_minor = semi_major * (1.0 - flattening)
     earth = joined(stretched(sphere_nets(), (1.0, 1.0, 1.0 - flattening)))

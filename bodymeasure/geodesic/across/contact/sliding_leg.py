@@ -66,8 +66,8 @@ class _System:
     def at(self, unknowns: Array) -> tuple[Array, Array]:
         """Return the residuals of the equations and their derivatives, by diagonals.
 
-        Entry (b + i - j, j) is the derivative of equation i by the unknown j, where b is the number of
-        diagonals on either side: the form of `scipy.linalg.solve_banded`.
+        Entry (b + i - j, j) is the derivative of equation i by the unknown j, where b is the number
+        of diagonals on either side: the form of `scipy.linalg.solve_banded`.
         """
         here = self.problem.expand(unknowns)
         beside, count = min(len(here.bands), self.problem.count) - 1, self.problem.count

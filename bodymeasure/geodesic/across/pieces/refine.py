@@ -38,6 +38,8 @@ class RefinedPath:
         (u, v) at the nodes of all pieces.
     lengths : ndarray, shape (pieces,)
         The length of each piece, as a part of the problem's size.
+    steps : int
+        Newton's steps in all.
     """
 
     problem: RouteProblem
@@ -45,6 +47,7 @@ class RefinedPath:
     route: Route
     values: Array
     lengths: Array
+    steps: int
 
     @property
     def length(self) -> float:
@@ -101,9 +104,10 @@ def refine(
     place = np.where(corners, np.round(minimum.unknowns), minimum.unknowns)
     pinned = minimize_in_box(problem.expand, place, problem.idle | corners)
     through = measured(problem, replace(pinned, held=pinned.held | corners))
+    steps = refined.steps + through.steps
     if through.length < refined.length:
-        return sharpened(through, problem.idle | corners)
-    return sharpened(refined, problem.idle)
+        return sharpened(replace(through, steps=steps), problem.idle | corners)
+    return sharpened(replace(refined, steps=steps), problem.idle)
 
 
 def sharpened(refined: RefinedPath, idle: Bools) -> RefinedPath:
@@ -116,7 +120,8 @@ def sharpened(refined: RefinedPath, idle: Bools) -> RefinedPath:
         problem = copy(problem)
         problem.epsilon *= SHARPER**2
         minimum = minimize_in_box(problem.expand, refined.minimum.unknowns, idle)
-        refined = measured(problem, replace(minimum, held=minimum.held | (held & idle)))
+        sharper = measured(problem, replace(minimum, held=minimum.held | (held & idle)))
+        refined = replace(sharper, steps=refined.steps + sharper.steps)
     return refined
 
 
@@ -128,7 +133,8 @@ def measured(problem: RouteProblem, minimum: BoxMinimum) -> RefinedPath:
     _, s_u, s_v = problem.surface.jet((values @ place.T).transpose(0, 2, 1), 1)
     speed = np.linalg.norm(s_u * du + s_v * dv, axis=0)
     lengths = speed @ problem.space.quadrature.weights
-    return RefinedPath(problem, minimum, problem.at(minimum.unknowns), values, lengths)
+    route, steps = problem.at(minimum.unknowns), minimum.iterations
+    return RefinedPath(problem, minimum, route, values, lengths, steps)
 
 
 def _corners(refined: RefinedPath) -> Bools:

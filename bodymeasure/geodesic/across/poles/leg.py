@@ -4,7 +4,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors, on_side
@@ -16,10 +15,10 @@ from bodymeasure.geodesic.across.poles.course import Course, course_along, cours
 from bodymeasure.geodesic.across.poles.fan import Poles, fan_at, poles_of
 from bodymeasure.geodesic.across.poles.graded import graded_path
 from bodymeasure.geodesic.across.poles.layout import past_pole
-from bodymeasure.geodesic.across.routes.reading import first_route, mesh_segments
 from bodymeasure.geodesic.across.routes.route import Route
-from bodymeasure.geodesic.across.search.leg import leg_along, shortest_leg
-from bodymeasure.geodesic.across.search.search import GOOD_ENOUGH, repaired
+from bodymeasure.geodesic.across.search.budget import PATH, Budget
+from bodymeasure.geodesic.across.search.leg import first_routes, leg_along, shortest_leg
+from bodymeasure.geodesic.across.search.search import GOOD_ENOUGH, Search, repaired
 from bodymeasure.geodesic.lengths.length import TRUSTED_CORRECTION
 
 # A path passes close by a pole if it is nearer to it than this part of its length, or of the width
@@ -56,22 +55,34 @@ def _between(atlas: Atlas, neighbors: Neighbors, ends: Ends, depth: int) -> Atla
     beside = beside_pole(atlas, neighbors, ends)
     if beside is not None:
         return beside
-    route = first_route(atlas, neighbors, ends)
-    rough = None if route is None else _rough(atlas, route)
-    if rough is not None:
-        pieces = course_along(rough).pieces
-        points = np.vstack([evaluate(atlas.control_points[patch], x) for patch, x in pieces])
-    else:
-        segments = mesh_segments(atlas, *ends)
-        points = np.empty((0, 3)) if segments is None else segments.points
-    pole = _close_pole(atlas, neighbors, ends, points)
-    past = None if pole is None else _past(atlas, neighbors, ends, (pole, rough), depth)
+    found: list[AtlasPath] = []
+    far: list[Route] = []
+    for route in first_routes(atlas, neighbors, ends):
+        rough = _rough(atlas, route)
+        pole = None if rough is None else _close_pole(atlas, neighbors, ends, rough)
+        if rough is None or pole is None:
+            far.append(route)
+        else:
+            found.append(_by_pole(atlas, neighbors, ends, (pole, rough), depth))
+    if far or not found:
+        found.append(
+            leg_along(atlas, neighbors, ends, far) if far else shortest_leg(atlas, neighbors, *ends)
+        )
+    return min(found, key=lambda path: (not path.converged, path.length))
+
+
+def _by_pole(
+    atlas: Atlas,
+    neighbors: Neighbors,
+    ends: Ends,
+    near: tuple[AtlasPoint, RefinedPath],
+    depth: int,
+) -> AtlasPath:
+    """Return the shortest path along a route that leads close by a pole."""
+    past = _past(atlas, neighbors, ends, near, depth)
     if past is not None and past.path is not None:
         return past.path
-    if route is None:
-        plain = shortest_leg(atlas, neighbors, *ends)
-    else:
-        plain = leg_along(atlas, neighbors, ends, route)
+    plain = leg_along(atlas, neighbors, ends, [near[1].problem.route])
     composed = None if past is None else past.composed
     if composed is None or plain.converged:
         return plain
@@ -85,8 +96,12 @@ def _rough(atlas: Atlas, route: Route) -> RefinedPath | None:
     return refine(atlas, route, ROUGH, size) if size > 0.0 else None
 
 
-def _close_pole(atlas: Atlas, neighbors: Neighbors, ends: Ends, points: Array) -> AtlasPoint | None:
+def _close_pole(
+    atlas: Atlas, neighbors: Neighbors, ends: Ends, rough: RefinedPath
+) -> AtlasPoint | None:
     """Return a place of the pole to which a path is closest; None if it is close to none."""
+    pieces = course_along(rough).pieces
+    points = np.vstack([evaluate(atlas.control_points[patch], x) for patch, x in pieces])
     poles, length = poles_of(atlas), np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
     if not length > 0.0:
         return None
@@ -127,7 +142,7 @@ def _past(
     atlas: Atlas,
     neighbors: Neighbors,
     ends: Ends,
-    near: tuple[AtlasPoint, RefinedPath | None],
+    near: tuple[AtlasPoint, RefinedPath],
     depth: int,
 ) -> _Past | None:
     """Return the path close by a pole; None if the legs have no good lengths."""
@@ -161,11 +176,11 @@ def _past(
         if path is not None and gained.away < CLOSE * min(first.length, second.length):
             return _Past(path, composed)
         good.append(path)
-    if rough is not None:
-        good.append(graded_path(atlas, neighbors, ends, course_along(rough)))
-        shortest = min((path.length for path in good if path), default=np.inf)
-        if good[-1] is None and shortest > rough.length:
-            best, _, _ = repaired(atlas, neighbors, rough, {rough.route.key})
-            good.append(graded_path(atlas, neighbors, ends, course_along(best)))
+    good.append(graded_path(atlas, neighbors, ends, course_along(rough)))
+    shortest = min((path.length for path in good if path), default=np.inf)
+    if good[-1] is None and shortest > rough.length:
+        search = Search(atlas, neighbors, rough.problem.size, Budget(PATH))
+        best, _, _ = repaired(search, rough, {rough.route.key})
+        good.append(graded_path(atlas, neighbors, ends, course_along(best)))
     path = min((path for path in good if path), key=lambda path: path.length, default=None)
     return _Past(path, composed)

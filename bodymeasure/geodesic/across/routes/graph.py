@@ -1,7 +1,10 @@
 """A graph over an atlas whose shortest ways are roughly the distances between its points."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 import scipy
@@ -10,13 +13,32 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.bezier import evaluate
-from bodymeasure.geodesic.across.routes.mesh import whole_mesh
+from bodymeasure.geodesic.across.routes.mesh import RouteMesh, whole_mesh
 from bodymeasure.geodesic.numerics.grid_steps import SHORTEST, grid_steps
 
 # Steps along each patch edge: the first number that makes this many points, or else the last.
-SEGMENTS, ENOUGH = (4, 6, 8, 12, 16), 2000
+SEGMENTS, ENOUGH = (2, 4, 6, 8, 12, 16), 1000
+# Where patches are many, they are small, and graphs of more points than this only take longer.
+MOST = 20_000
 # A point is joined to the grid points this many steps away, in u and v.
 REACH = 1.5
+
+
+class Reach(NamedTuple):
+    """The rough distances of all vertices from a point, and how they are reached.
+
+    Parameters
+    ----------
+    place : AtlasPoint
+    distances : ndarray, shape (n,)
+        Infinite on other parts.
+    before : ndarray of int, shape (n,)
+        The vertex from which each one is reached; n where that is the point itself.
+    """
+
+    place: AtlasPoint
+    distances: Array
+    before: Ints
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,23 +47,42 @@ class PatchGraph:
 
     Parameters
     ----------
+    mesh : RouteMesh
+        The mesh with the same vertices.
     number : ndarray of int, shape (patches, k + 1, k + 1)
         The number of the vertex at each grid point; -1 where there is none.
-    vertices : ndarray, shape (n, 3)
     places : tuple of AtlasPoint
         A point of the atlas at each vertex.
     steps : sparse array, shape (n, n)
         The lengths of the steps, in both directions.
+    grid : ndarray of int, shape (steps, 5)
+        The patch of each step, and the lines of its grid on which it begins and ends: those of u,
+        then of v.
     """
 
+    mesh: RouteMesh
     number: Ints
-    vertices: Array
     places: tuple[AtlasPoint, ...]
     steps: scipy.sparse.csr_array
+    grid: Ints
+
+    @property
+    def vertices(self) -> Array:
+        """The positions of the vertices, shape (n, 3)."""
+        return self.mesh.surface.vertices
+
+    @property
+    def segments(self) -> int:
+        """The number of steps along a patch's edge."""
+        return int(self.number.shape[1]) - 1
 
     def distances(self, atlas: Atlas, place: AtlasPoint) -> Array:
         """Return the rough distances of all vertices from a point; infinite on other parts."""
-        segments = self.number.shape[1] - 1
+        return self.reach(atlas, place).distances
+
+    def reach(self, atlas: Atlas, place: AtlasPoint) -> Reach:
+        """Return the rough distances of all vertices from a point, and how they are reached."""
+        segments = self.segments
         grid = np.arange(segments + 1)
         near = np.abs(grid - segments * place.u) <= REACH
         beside = np.abs(grid - segments * place.v) <= REACH
@@ -59,7 +100,60 @@ class PatchGraph:
             ),
             shape=(count + 1, count + 1),
         )
-        return np.asarray(scipy.sparse.csgraph.dijkstra(graph, indices=count)[:count])
+        distances, before = scipy.sparse.csgraph.dijkstra(
+            graph, indices=count, return_predecessors=True
+        )
+        return Reach(place, distances[:count], before[:count].astype(np.int64))
+
+    def way(self, reach: Reach, vertex: int) -> list[int]:
+        """Return the vertices of a shortest way from a point to a vertex, along the mesh's edges.
+
+        The first one is a corner of the face that holds the point.
+        """
+        back = [vertex]
+        while reach.before[back[-1]] < len(self.vertices):
+            back.append(int(reach.before[back[-1]]))
+        result = self._to_first(reach.place, back[-1])
+        for here, there in pairwise(back[::-1]):
+            result += self.edges_between(here, there)
+        return result
+
+    def edges_between(self, vertex: int, other: int) -> list[int]:
+        """Return the vertices along edges of the mesh on which a step leads to another vertex."""
+        begin, end = self.steps.indptr[vertex : vertex + 2]
+        step = begin + int(np.flatnonzero(self.steps.indices[begin:end] == other)[0])
+        return self._between(*self.grid[step].tolist())
+
+    def _to_first(self, place: AtlasPoint, vertex: int) -> list[int]:
+        """The vertices from a corner of the face that holds a point to one that it is joined to."""
+        face, weights = self.mesh.holding(place)
+        corners = self.mesh.surface.faces[face]
+        if vertex in corners:
+            return [vertex]
+        corner = corners[int(np.argmax(weights))]
+        grid = self.number[place.patch]
+        here, there = (np.argwhere(grid == each)[0].tolist() for each in (corner, vertex))
+        return self._between(place.patch, here[0], there[0], here[1], there[1])
+
+    def _between(self, patch: int, i: int, to_i: int, j: int, to_j: int) -> list[int]:
+        """The vertices of a patch along edges of the mesh between two lines of its grid."""
+        result = [int(self.number[patch, i, j])]
+        for a, b in _unit_steps(to_i - i, to_j - j):
+            result.append(int(self.number[patch, i + a, j + b]))
+        return [each for each in result if each >= 0]
+
+
+def _unit_steps(rows: int, columns: int) -> Iterator[tuple[int, int]]:
+    """Yield the places of steps along lines of a grid or along its diagonals to a place."""
+    steps = max(abs(rows), abs(columns))
+    last = (0, 0)
+    for number in range(1, steps + 1):
+        i, j = ((2 * each * number + steps) // (2 * steps) for each in (rows, columns))
+        # Cells are cut along one diagonal only.
+        if (i - last[0]) * (j - last[1]) < 0:
+            yield i, last[1]
+        yield i, j
+        last = i, j
 
 
 @lru_cache(maxsize=4)
@@ -67,33 +161,48 @@ def patch_graph(atlas: Atlas) -> PatchGraph:
     """Return the graph of an atlas, which is kept for the next path."""
     enough = (k for k in SEGMENTS if len(atlas) * k * k >= ENOUGH)
     segments = next(enough, SEGMENTS[-1])
+    if len(atlas) * segments**2 > MOST:
+        segments = 1
     mesh = whole_mesh(atlas, segments)
+    vertices, faces = mesh.surface.vertices, np.array(mesh.surface.faces)
     number = np.full((len(atlas), segments + 1, segments + 1), -1)
-    row, column = np.moveaxis(np.rint(segments * mesh.face_parameters).astype(np.int64), -1, 0)
-    number[mesh.face_patch[:, None], row, column] = mesh.faces
-    first, last = _steps(number)
-    count = len(mesh.vertices)
-    # Steps along a seam are found on both its patches; a sparse matrix would add them up.
+    row, column = np.moveaxis(np.rint(segments * mesh.parameters).astype(np.int64), -1, 0)
+    number[np.array(mesh.patch)[:, None], row, column] = faces
+    first, last, grid = _steps(number)
+    count = len(vertices)
+    # Steps along a seam are found on both its patches.
     _, once = np.unique(
         np.minimum(first, last) * count + np.maximum(first, last), return_index=True
     )
-    first, last = first[once], last[once]
-    length = np.linalg.norm(mesh.vertices[first] - mesh.vertices[last], axis=1)
-    steps = scipy.sparse.csr_array((length, (first, last)), shape=(count, count))
+    first, last, grid = first[once], last[once], grid[once]
+    back = grid[:, [0, 2, 1, 4, 3]]
+    first, last = np.concatenate([first, last]), np.concatenate([last, first])
+    order = np.lexsort((last, first))
+    first, last = first[order], last[order]
+    length = np.linalg.norm(vertices[first] - vertices[last], axis=1)
+    begins = np.searchsorted(first, np.arange(count + 1))
+    steps = scipy.sparse.csr_array(
+        (np.maximum(length, SHORTEST), last, begins), shape=(count, count)
+    )
     places: list[AtlasPoint] = [AtlasPoint(0, 0.0, 0.0)] * count
     for patch, i, j in np.argwhere(number >= 0).tolist():
         places[number[patch, i, j]] = AtlasPoint(patch, i / segments, j / segments)
-    return PatchGraph(number, mesh.vertices, tuple(places), (steps + steps.T).tocsr())
+    return PatchGraph(mesh, number, tuple(places), steps, np.concatenate([grid, back])[order])
 
 
-def _steps(number: Ints) -> tuple[Ints, Ints]:
-    """The first and the last vertex of every step within a patch, in one direction."""
+def _steps(number: Ints) -> tuple[Ints, Ints, Ints]:
+    """The first and the last vertex of every step within a patch, and its place in the grid."""
     lines = number.shape[1]
-    first, last = [], []
+    first, last, grid = [], [], []
+    place = np.indices(number.shape)
     for i, j in grid_steps():
+        if max(abs(i), abs(j)) >= lines:
+            continue
         low, high = max(0, -j), lines - max(0, j)
         first.append(number[:, : lines - i, low:high].ravel())
         last.append(number[:, i:, low + j : high + j].ravel())
+        a, b, c = place[:, :, : lines - i, low:high].reshape(3, -1)
+        grid.append(np.stack([a, b, b + i, c, c + j], axis=1))
     a, b = np.concatenate(first), np.concatenate(last)
     proper = (a >= 0) & (b >= 0) & (a != b)
-    return a[proper], b[proper]
+    return a[proper], b[proper], np.concatenate(grid)[proper]

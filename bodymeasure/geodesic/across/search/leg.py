@@ -1,5 +1,6 @@
 """Legs of paths over an atlas, each the geodesic between two points."""
 
+from collections.abc import Sequence
 from itertools import product
 
 import numpy as np
@@ -10,8 +11,10 @@ from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.across.pieces.part import PathPart, PathPiece
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
-from bodymeasure.geodesic.across.routes.reading import first_route
+from bodymeasure.geodesic.across.routes.graph import patch_graph
+from bodymeasure.geodesic.across.routes.reading import route_of
 from bodymeasure.geodesic.across.routes.route import Route
+from bodymeasure.geodesic.across.routes.ways import first_ways
 from bodymeasure.geodesic.across.search.search import shortest_along
 from bodymeasure.geodesic.lengths.length import UNKNOWN, Length
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
@@ -31,25 +34,41 @@ def shortest_leg(
     """Return the shortest path between two points that was found."""
     if neighbors.are_same(start, end):
         return _standstill(atlas, neighbors, start, end)
-    route = first_route(atlas, neighbors, (start, end))
-    if route is not None:
-        return leg_along(atlas, neighbors, (start, end), route)
+    routes = first_routes(atlas, neighbors, (start, end))
+    if routes:
+        return leg_along(atlas, neighbors, (start, end), routes)
     none = Length(*map(np.asarray, (np.nan, 0.0, np.inf, 0.0, UNKNOWN, False)))
     return AtlasPath.of(atlas, (start, end), PathPart((), (), none), Status.NO_ROUTE)
 
 
+def first_routes(
+    atlas: Atlas, neighbors: Neighbors, ends: tuple[AtlasPoint, AtlasPoint]
+) -> list[Route]:
+    """Return the routes along which the shortest path may lead, the likeliest first.
+
+    There are none if no seams join the points.
+    """
+    mesh = patch_graph(atlas).mesh
+    routes = (route_of(neighbors, mesh, ends, way) for way in first_ways(atlas, *ends))
+    # Different ways may lead along one route.
+    return list({route.key: route for route in routes}.values())
+
+
 def leg_along(
-    atlas: Atlas, neighbors: Neighbors, points: tuple[AtlasPoint, AtlasPoint], route: Route
+    atlas: Atlas,
+    neighbors: Neighbors,
+    points: tuple[AtlasPoint, AtlasPoint],
+    routes: Sequence[Route],
 ) -> AtlasPath:
-    """Return the shortest path along a route, or along others that it leads to."""
+    """Return the shortest path along one of some routes, or along others that they lead to."""
     # The length of the path that is straight in (u, v) on each patch.
     t = np.linspace(0.0, 1.0, SAMPLES)[:, None]
-    start, stop = np.array(route.pieces)[:, :, None, 1:].swapaxes(0, 1)
-    samples = evaluate(atlas.control_points[list(route.patches)], (1.0 - t) * start + t * stop)
+    start, stop = np.array(routes[0].pieces)[:, :, None, 1:].swapaxes(0, 1)
+    samples = evaluate(atlas.control_points[list(routes[0].patches)], (1.0 - t) * start + t * stop)
     size = float(np.linalg.norm(np.diff(samples, axis=1), axis=2).sum())
     if size == 0.0:
         return _standstill(atlas, neighbors, *points)
-    found = shortest_along(atlas, neighbors, route, size)
+    found = shortest_along(atlas, neighbors, routes, size)
     return AtlasPath.of(atlas, points, found.part, found.status)
 
 

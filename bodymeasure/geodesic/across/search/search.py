@@ -1,7 +1,8 @@
 """The search for the shortest path or loop: refine one, look for a shorter route, and refine it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from bodymeasure.geodesic.across.pieces.error import LoopKind, route_length
 from bodymeasure.geodesic.across.pieces.part import PathPart
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
 from bodymeasure.geodesic.across.routes.route import Route, RouteKey
+from bodymeasure.geodesic.across.search.budget import LOOP, PATH, Budget
 from bodymeasure.geodesic.across.search.repair import detours, other_loops, other_routes
 from bodymeasure.geodesic.status import Status
 from bodymeasure.trust import NEGLIGIBLE
@@ -33,9 +35,12 @@ TOLERANCE, GOOD_ENOUGH = 1e-9, 1e-6
 # Which edges hold a path is read off at degrees up to this: where it cannot be, it hardly can at
 # higher ones.
 HIGHEST_READ = 12
-# The number of routes that are refined at most, for a path in all and for a loop at each degree:
-# from the hip to the waist it takes some twenty.
-MOST_ROUTES, MOST_LOOPS = 60, 400
+# A route whose path is longer by this part than the shortest so far is not repaired: that makes a
+# path shorter by less.
+HOPELESS = 5e-3
+# Paths that are longer at the lowest degree by up to this part of the shortest may be shorter yet,
+# but not one that is within rounding of another: mostly it is the same. So many are taken further.
+CLOSE, SAME, MOST_RIVALS = 1e-4, 1e-9, 3
 # A route is better if its path is shorter by this part of it: smaller differences are errors of the
 # trial space. One with fewer crossings is better if it is not longer by more than rounding.
 SHORTER, ROUNDING = 1e-9, 1e-12
@@ -72,14 +77,20 @@ class SearchResult:
     status: Status
 
 
-def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float) -> SearchResult:
-    """Return the shortest path or loop along a route, or along others that it leads to.
+def shortest_along(
+    atlas: Atlas, neighbors: Neighbors, routes: Sequence[Route], size: float
+) -> SearchResult:
+    """Return the shortest path or loop along one of several routes, or along others beside them.
+
+    All routes are refined and repaired at the lowest degree. The shortest path goes on to higher
+    degrees, and so do those that may yet turn out to be shorter.
 
     Parameters
     ----------
     atlas : Atlas
     neighbors : Neighbors
-    route : Route
+    routes : sequence of Route
+        At least one; the likeliest first.
     size : float
         About the length of the path.
 
@@ -88,22 +99,97 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
     InputError
         If a loop contracts to a point.
     """
-    if route.closed and not route.crossings:
+    closed = routes[0].closed
+    if closed and not all(route.crossings for route in routes):
         raise InputError(NO_LOOP)
-    degrees = (SLIDING, *DEGREES) if route.closed else DEGREES
+    search = Search(atlas, neighbors, size, Budget(LOOP if closed else PATH))
+    begun: list[_Begun] = []
+    for route in routes:
+        if begun and search.budget.has_run_out():
+            break
+        shortest = min((other.best.length for other in begun), default=np.inf)
+        first = _begun(search, route, shortest)
+        if first is not None:
+            begun.append(first)
+    found: list[SearchResult] = []
+    for rival in _rivals(begun):
+        if not found or not search.budget.has_run_out():
+            found.append(_along(search, rival))
+    return min(found, key=_preference)
+
+
+class Search(NamedTuple):
+    """What all steps of a search need: `size` is about the length of the path."""
+
+    atlas: Atlas
+    neighbors: Neighbors
+    size: float
+    budget: Budget
+
+    def refined(self, route: Route, degree: int, before: RefinedPath | None = None) -> RefinedPath:
+        """Return the path along a route; the work is counted."""
+        result = refine(self.atlas, route, degree, self.size, before)
+        self.budget.spend(result)
+        return result
+
+
+class _Begun(NamedTuple):
+    """A path at the lowest degree, the routes that were tried, and the rest as in `repaired`."""
+
+    best: RefinedPath
+    tried: set[RouteKey]
+    missed: float
+    held: PathPart | None
+
+
+def _begun(search: Search, route: Route, shortest: float) -> _Begun | None:
+    """Begin a search along a route; None if its path is plainly longer than the shortest."""
+    best = search.refined(route, SLIDING if route.closed else DEGREES[0])
+    if best.length > (1.0 + HOPELESS) * shortest:
+        return None
+    tried = {route.key}
+    best, missed, held = repaired(search, best, tried)
+    return _Begun(best, tried, missed, held)
+
+
+def _rivals(begun: Sequence[_Begun]) -> list[_Begun]:
+    """The paths of which each may be the shortest; those that are as good as one are left out."""
+    ordered = sorted(begun, key=lambda each: each.best.length)
+    result = ordered[:1]
+    for each in ordered[1:]:
+        length = each.best.length
+        apart = min(length - other.best.length for other in result)
+        if SAME * length < apart and length <= (1.0 + CLOSE) * result[0].best.length:
+            result.append(each)
+    return result[:MOST_RIVALS]
+
+
+def _preference(found: SearchResult) -> tuple[bool, float]:
+    """A key by which results with a length come first, then the shorter ones."""
+    return not found.status.has_length, float(found.part.length.corrected)
+
+
+def _along(search: Search, begun: _Begun) -> SearchResult:
+    """Return the result of a search that has begun, at the degree that its path needs."""
+    best, tried, missed, held = begun
+    neighbors, closed = search.neighbors, best.problem.route.closed
+    degrees = (SLIDING, *DEGREES) if closed else DEGREES
     # Between points on both sides of a seam and beside it, rounding is much of what is measured.
-    negligible = NEGLIGIBLE * float(np.ptp(atlas.points, axis=0).max())
-    best = refine(atlas, route, degrees[0], size)
-    tried: set[RouteKey] = set()
+    negligible = NEGLIGIBLE * float(np.ptp(search.atlas.points, axis=0).max())
     history: list[float] = []
+    good = False
     for degree in degrees:
         if degree > degrees[0]:
-            best = refine(atlas, best.route, degree, size, best)
-        # At a low degree, a loop may be shorter over a neighbor only because it consists of two
-        # polynomials there. So routes of loops are tried again at the next degree.
-        tried = {best.problem.route.key} if route.closed else tried | {route.key}
-        best, missed, held = repaired(atlas, neighbors, best, tried)
-        if route.closed and best.length < COLLAPSED * size:
+            if search.budget.left <= 0.0:
+                # A length that is good enough does not need the next degree.
+                search.budget.cut_short |= not good
+                break
+            best = search.refined(best.route, degree, best)
+            # At a low degree, a loop may be shorter over a neighbor only because it consists of two
+            # polynomials there. So routes of loops are tried again at the next degree.
+            tried = {best.problem.route.key} if closed else tried
+            best, missed, held = repaired(search, best, tried)
+        if closed and best.length < COLLAPSED * search.size:
             raise InputError(NO_LOOP)
         contact = _on_boundary(neighbors, best)
         if held is not None:
@@ -129,32 +215,32 @@ def shortest_along(atlas: Atlas, neighbors: Neighbors, route: Route, size: float
         exact = not contact and length.error <= enough
         if good and degree > SLIDING and (exact or degree >= ORDINARY):
             break
-        if degree == ORDINARY and not (contact or route.closed):
-            cut, known = cut_until_known(atlas, best, TOLERANCE)
+        if degree == ORDINARY and not (contact or closed):
+            cut, known = cut_until_known(search.atlas, best, TOLERANCE)
+            search.budget.spend(cut)
             if cut.minimum.converged and known.is_known_to(GOOD_ENOUGH):
                 best, length, good = cut, replace(known, error=known.error + missed), True
                 break
     part = held or PathPart.of(best, length)
     if not good:
-        status = Status.NOT_CONVERGED
-    elif contact:
-        status = Status.ON_BOUNDARY
-    elif kind is LoopKind.SADDLE or (kind is None and not part.length.minimal):
+        status = Status.OUT_OF_BUDGET if search.budget.cut_short else Status.NOT_CONVERGED
+    elif kind is LoopKind.SADDLE or not (contact or kind is not None or part.length.minimal):
         status = Status.NOT_A_MINIMUM
+    elif search.budget.cut_short:
+        status = Status.CUT_SHORT
     else:
-        status = Status.CONVERGED
+        status = Status.ON_BOUNDARY if contact else Status.CONVERGED
     return SearchResult(best, part, kind, status)
 
 
 def repaired(
-    atlas: Atlas, neighbors: Neighbors, best: RefinedPath, tried: set[RouteKey]
+    search: Search, best: RefinedPath, tried: set[RouteKey]
 ) -> tuple[RefinedPath, float, PathPart | None]:
     """Try other routes as long as the path gets shorter.
 
     Parameters
     ----------
-    atlas : Atlas
-    neighbors : Neighbors
+    search : Search
     best : RefinedPath
         The best path so far.
     tried : set of RouteKey
@@ -172,16 +258,17 @@ def repaired(
     degree, missed, improved = best.problem.space.size, 0.0, True
     while improved:
         improved = False
-        for route in _wanted(atlas, neighbors, best):
+        for route in _wanted(search, best):
             if isinstance(route, PathPart):
                 return best, missed, route
             if route.closed and not route.crossings:
                 raise InputError(NO_LOOP)
-            most = MOST_LOOPS if route.closed else MOST_ROUTES
-            if route.key in tried or len(tried) >= most:
+            if route.key in tried:
                 continue
+            if search.budget.has_run_out():
+                return best, missed, None
             tried.add(route.key)
-            other = refine(atlas, route, degree, best.problem.size)
+            other = search.refined(route, degree)
             simpler = len(route.crossings) < len(best.problem.route.crossings)
             margin = 1.0 + ROUNDING if simpler else 1.0 - SHORTER
             if other.length < best.length * margin:
@@ -191,13 +278,15 @@ def repaired(
     return best, missed, None
 
 
-def _wanted(atlas: Atlas, neighbors: Neighbors, best: RefinedPath) -> Iterator[Route | PathPart]:
+def _wanted(search: Search, best: RefinedPath) -> Iterator[Route | PathPart]:
     """Routes that may be shorter, and among them the path itself where edges hold it."""
+    atlas, neighbors = search.atlas, search.neighbors
     if best.problem.route.closed:
         yield from other_loops(neighbors, best)
         return
     yield from other_routes(neighbors, best)
     if best.held_nodes.any() and best.problem.space.size <= HIGHEST_READ:
+        search.budget.spend_held(best)
         held = held_path(atlas, neighbors, best, TOLERANCE)
         if held is not None:
             yield held

@@ -40,10 +40,12 @@ class SeamRun(NamedTuple):
 
 
 def seam_runs(neighbors: Neighbors, refined: RefinedPath) -> list[SeamRun]:
-    """Return all runs of several pieces; pieces of no length, in corners, do not end a run."""
+    """Return all runs of several pieces; pieces that stay in a corner do not end a run."""
     runs: list[SeamRun] = []
     goes_on = False
-    for piece in np.flatnonzero(refined.lengths > 0.0).tolist():
+    # Within a corner a piece is beside two seams, whichever it runs along.
+    moved = np.ptp(refined.values, axis=2).max(axis=1)
+    for piece in np.flatnonzero((refined.lengths > 0.0) & (moved > ALONG_SEAM)).tolist():
         side = _seam(neighbors, refined, piece)
         if side is not None:
             first, sides = runs.pop()[::2] if goes_on else (piece, [])

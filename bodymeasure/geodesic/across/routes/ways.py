@@ -1,0 +1,173 @@
+"""Rough ways between two points: those among which the shortest path is likely to lie.
+
+Half of a shortest path leads from its start to its middle, and half from there to its end, each
+the shortest. So the shortest ways of a graph through the points halfway, of which no neighboring
+point has a shorter one, hold one near the shortest path. As the graph's ways are too long by some
+parts in a hundred, that may be another one than the shortest of them.
+"""
+
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from bodymeasure._typing import Array, Ints
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.geodesic.across.routes.graph import PatchGraph, Reach, patch_graph
+from bodymeasure.geodesic.across.routes.strips import StraightWay, straight_way
+
+# Ways that are nowhere farther apart than this part of their length, at these parts of it, lead to
+# the same path.
+NEAR, COURSE = 0.01, np.linspace(0.0, 1.0, 33)
+
+
+class Scope(NamedTuple):
+    """How widely ways are sought.
+
+    Parameters
+    ----------
+    longer : float
+        Ways of the graph that are longer than its shortest by more than this part of it are left
+        out. They are too long by some parts in a hundred, by different amounts.
+    still_longer : float
+        So are ways that are longer than the shortest by this part once they are pulled straight.
+    parts : tuple of float
+        The parts of the length at which the points are picked through which ways lead.
+    spread : float
+        Points that are picked there are farther apart than this part of the length.
+    most : int
+        The number of ways that are pulled straight, at most.
+    """
+
+    longer: float = 0.06
+    still_longer: float = 0.012
+    parts: tuple[float, ...] = (0.5, 0.25, 0.75)
+    spread: float = 0.07
+    most: int = 24
+
+
+USUAL = Scope()
+
+
+def first_ways(
+    atlas: Atlas, start: AtlasPoint, end: AtlasPoint, scope: Scope = USUAL
+) -> list[StraightWay]:
+    """Return different ways between two points, pulled straight on the mesh; the shortest first.
+
+    There are none if no seams join the points.
+    """
+    graph = patch_graph(atlas)
+    reaches = graph.reach(atlas, start), graph.reach(atlas, end)
+    ends = graph.mesh.holding(start), graph.mesh.holding(end)
+    begun: set[tuple[int, ...]] = set()
+    found: dict[tuple[int, ...], StraightWay] = {}
+    for vertices in _rough_ways(graph, *reaches, scope):
+        if vertices in begun or len(begun) == scope.most:
+            continue
+        begun.add(vertices)
+        way = straight_way(graph.mesh.surface, ends, vertices)
+        if way is not None:
+            found.setdefault(tuple(way.strip), way)
+    ways = sorted(found.values(), key=lambda way: way.length)
+    different: list[StraightWay] = []
+    courses: list[Array] = []
+    for way in ways:
+        if way.length > (1.0 + scope.still_longer) * ways[0].length:
+            break
+        course = along_way(way.points(graph.mesh.surface), COURSE)
+        if all(np.abs(course - other).max() > NEAR * way.length for other in courses):
+            different.append(way)
+            courses.append(course)
+    return different
+
+
+def way_through(
+    atlas: Atlas, ends: tuple[AtlasPoint, AtlasPoint], vertices: tuple[int, ...]
+) -> StraightWay | None:
+    """Return the way that leads through vertices of the graph at first, pulled straight."""
+    graph = patch_graph(atlas)
+    whole: list[int] = []
+    start = ends[0]
+    for vertex in vertices:
+        whole += graph.way(graph.reach(atlas, start), vertex)
+        start = graph.places[vertex]
+    whole += reversed(graph.way(graph.reach(atlas, ends[1]), vertices[-1]))
+    first, last = (graph.mesh.holding(end) for end in ends)
+    return straight_way(graph.mesh.surface, (first, last), _once(whole))
+
+
+def along_way(points: Array, parts: Array) -> Array:
+    """Return the points of a polygon at parts of its length, shape (len(parts), 3)."""
+    steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    bounds = np.concatenate([[0.0], np.cumsum(steps)])
+    return np.stack([np.interp(parts * bounds[-1], bounds, axis) for axis in points.T], axis=-1)
+
+
+def _once(vertices: list[int]) -> list[int]:
+    """The vertices without those that are repeated at once."""
+    return [vertices[0], *(there for here, there in pairwise(vertices) if here != there)]
+
+
+def _rough_ways(
+    graph: PatchGraph, begin: Reach, finish: Reach, scope: Scope
+) -> Iterator[tuple[int, ...]]:
+    """Yield the vertices of rough ways along the edges of the mesh, the likeliest first."""
+    through = begin.distances + finish.distances
+    if not np.isfinite(through).any():
+        return
+    only = int(np.argmin(through))
+    ways = [(float(through[only]), only, only)]
+    most = (1.0 + scope.longer) * float(through[only])
+    for part in scope.parts:
+        level = _over_level(graph, (begin, finish), part, most)
+        ways += _spread(graph, level, scope.spread * float(through[only]))
+    for _, first, last in sorted(ways):
+        vertices = graph.way(begin, first)
+        if first != last:
+            vertices += graph.edges_between(first, last)
+        yield tuple(_once([*vertices, *reversed(graph.way(finish, last))]))
+
+
+def _over_level(
+    graph: PatchGraph, reaches: tuple[Reach, Reach], part: float, most: float
+) -> list[tuple[float, int, int]]:
+    """The steps over which ways pass a part of their length, those of the shortest ways first.
+
+    Returns the length of the way, which is `most` at most, and the vertices of the step.
+    """
+    ahead, back = (reach.distances for reach in reaches)
+    near = np.flatnonzero(ahead + back <= most)
+    # It is positive beyond that part of the length.
+    beyond = np.full(len(ahead), -np.inf)
+    beyond[near] = (1.0 - part) * ahead[near] - part * back[near]
+    first, step = _steps_from(graph, near[beyond[near] <= 0.0])
+    last = graph.steps.indices[step]
+    whole = ahead[first] + graph.steps.data[step] + back[last]
+    rows = np.flatnonzero((beyond[last] > 0.0) & (whole <= most))
+    rows = rows[np.argsort(whole[rows], kind="stable")]
+    return list(zip(*(each[rows].tolist() for each in (whole, first, last)), strict=True))
+
+
+def _spread(
+    graph: PatchGraph, steps: list[tuple[float, int, int]], apart: float
+) -> list[tuple[float, int, int]]:
+    """The steps each of which begins farther than a distance from those before it."""
+    places = graph.vertices[[first for _, first, _ in steps]]
+    free = np.ones(len(steps), bool)
+    picked = []
+    while free.any():
+        row = int(np.argmax(free))
+        picked.append(steps[row])
+        free &= np.linalg.norm(places - places[row], axis=1) > apart
+    return picked
+
+
+def _steps_from(graph: PatchGraph, vertices: Ints) -> tuple[Ints, Ints]:
+    """The steps from some vertices: the vertex of each, and its number."""
+    begins, ends = graph.steps.indptr[vertices], graph.steps.indptr[vertices + 1]
+    count = ends - begins
+    first = np.repeat(vertices, count)
+    step = np.arange(count.sum()) + np.repeat(begins - np.cumsum(count) + count, count)
+    return first, step
