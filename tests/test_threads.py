@@ -21,7 +21,7 @@ from bodymeasure.threads import one_blas_thread
 WITHOUT = {
     *("homogeneous", "load_definitions", "load_sample", "path_to_trimesh", "sample_names"),
     *("read_atlas", "read_population", "write_atlas", "write_chart", "write_glb"),
-    *("write_population", "write_report"),
+    *("write_paths", "write_population", "write_report"),
 }
 MANY = 3
 # What a process does, and whether a thread of its libraries was awake meanwhile: threads that sleep

@@ -18,6 +18,7 @@ from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure, checked_status
 from bodymeasure.geodesic.tracing.motion import Run
 from bodymeasure.geodesic.tracing.trace import NEAR_POLE, Patches, Trace, apart, runs_of, traced
+from bodymeasure.threads import one_blas_thread
 
 # The relative tolerances of a step. The second, coarser trace tells what the first is worth: that
 # its error is smaller than their difference is certain enough.
@@ -71,6 +72,7 @@ class DirectedPath(AtlasPath):
         return self.points[-1]
 
 
+@one_blas_thread()
 def geodesic_from(
     atlas: Atlas,
     start: Location,

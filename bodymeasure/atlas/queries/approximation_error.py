@@ -12,11 +12,13 @@ from bodymeasure.atlas.approximation import extent
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError
+from bodymeasure.threads import one_blas_thread
 
 # Samples along a side of each patch, inside it, that tell which patch a position lies on.
 SAMPLES = 6
 
 
+@one_blas_thread()
 def approximation_error(atlas: Atlas, positions: ArrayLike) -> float:
     """Return a bound on the error of a curve's length that comes from the atlas's approximation.
 

@@ -12,6 +12,7 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint, on_edges
 from bodymeasure.bezier import derivatives, evaluate, project
 from bodymeasure.errors import InputError
+from bodymeasure.threads import one_blas_thread
 
 # Samples along a side of each patch. Every local minimum of the sampled distance starts a search,
 # so that the grid only has to separate neighboring minima; a bicubic patch bends too little to need
@@ -89,6 +90,7 @@ def closest_points(atlas: Atlas, positions: ArrayLike) -> tuple[tuple[AtlasPoint
     return tuple(points), distances
 
 
+@one_blas_thread()
 def closest_point(atlas: Atlas, position: ArrayLike) -> tuple[AtlasPoint, float]:
     """Return the point of the smooth atlas that is closest to a position, and its distance.
 
