@@ -7,7 +7,7 @@ from helpers.surfaces.flawed_atlases import (
     only,
 )
 from helpers.surfaces.grids import grid_atlas
-from hypothesis import assume, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from bodymeasure.atlas import (
@@ -16,6 +16,11 @@ from bodymeasure.atlas import (
     Severity,
     check_atlas,
 )
+from bodymeasure.atlas.check.folds import FINEST_LEVEL
+
+# The points of a grid of 129 along a side of a finest cell of the check, the last one left to the
+# next cell.
+CELL = 128 >> FINEST_LEVEL
 
 
 @given(
@@ -54,6 +59,8 @@ def test_a_corner_turned_inside_out_is_a_fold_however_small() -> None:
 
 
 @given(st.integers(0, 2**32 - 1))
+# The tangents at a corner are parallel but for half a degree, and it is turned over there.
+@example(12097545)
 def test_flat_patches_are_folded_exactly_where_their_area_changes_sign(seed: int) -> None:
     rng = np.random.default_rng(seed)
     net = grid_atlas(1, 1).control_points[0] + 0.4 * rng.normal(size=(4, 4, 3)) * [1, 1, 0]
@@ -63,9 +70,16 @@ def test_flat_patches_are_folded_exactly_where_their_area_changes_sign(seed: int
     x_u, y_u, _ = np.moveaxis(np.einsum("ai,bj,ijc->abc", slope, basis, net), -1, 0)
     x_v, y_v, _ = np.moveaxis(np.einsum("ai,bj,ijc->abc", basis, slope, net), -1, 0)
     area = x_u * y_v - x_v * y_u
+    findings = check_atlas(Atlas.from_control_points(net, "cm"))
+    # A corner with nearly parallel tangents is a finding of its own, whichever way they are turned
+    # (`test_parallel_tangents_at_a_corner_are_a_warning`): no fold is sought in its finest cell.
+    for corner in (rf"({i}, {j})" for i in (0, 1) for j in (0, 1)):
+        if any(f"corner (u, v) = {corner}" in finding.message for finding in findings):
+            own = tuple(slice(None, CELL) if k == "0" else slice(-CELL, None) for k in corner[1::3])
+            area[own] = np.nan
     # Differences are off by 1e-3; patches this close to the limit are left out.
-    assume(area.min() * area.max() < 0 or abs(area).min() > 0.02)
-    assume(min(-area.min(), area.max()) > 0.02 or abs(area).min() > 0.02)
-    folded = area.min() * area.max() < 0
-    kinds = {finding.kind for finding in check_atlas(Atlas.from_control_points(net, "cm"))}
+    assume(np.nanmin(area) * np.nanmax(area) < 0 or np.nanmin(abs(area)) > 0.02)
+    assume(min(-np.nanmin(area), np.nanmax(area)) > 0.02 or np.nanmin(abs(area)) > 0.02)
+    folded = np.nanmin(area) * np.nanmax(area) < 0
+    kinds = {finding.kind for finding in findings}
     assert (FindingKind.FOLDED_PATCH in kinds) == folded
