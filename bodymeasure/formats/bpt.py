@@ -7,9 +7,10 @@ a remark.
 
 import numpy as np
 
-from bodymeasure.atlas import Atlas
+from bodymeasure.atlas import LARGEST_DEGREE, Atlas
 from bodymeasure.errors import InputError
 from bodymeasure.formats.patches import ReadPatches
+from bodymeasure.formats.spline_patches import notes_of_refused
 from bodymeasure.formats.text import TextFile, Words, whole_number, written
 
 _Line = tuple[int, list[bytes]]
@@ -40,7 +41,17 @@ def read(content: bytes, source: str) -> ReadPatches:
     blocks = zip(np.split(points, ends[:-1]), shapes, strict=True)
     # u runs fastest in the file, and is the first axis of a net.
     nets = [block.reshape(*shape, 3).transpose(1, 0, 2) for block, shape in blocks]
-    return ReadPatches(nets, places=places)
+    refused = [
+        f"{place}: patch {number} has the degrees {shape[1] - 1} and {shape[0] - 1}; only "
+        f"degrees up to {LARGEST_DEGREE} can be read; reduce the degree where it was made"
+        for number, (place, shape) in enumerate(zip(places, shapes, strict=True))
+        if max(shape) - 1 > LARGEST_DEGREE
+    ]
+    kept = [number for number in range(count) if max(shapes[number]) - 1 <= LARGEST_DEGREE]
+    notes = notes_of_refused(refused, source, any_read=bool(kept))
+    return ReadPatches(
+        [nets[number] for number in kept], places=[places[number] for number in kept], notes=notes
+    )
 
 
 def _count(header: _Line, file: TextFile) -> int:

@@ -2,13 +2,15 @@
 
 import json
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from helpers.files.format_atlases import TEXT, body_like, read, write
 
-from bodymeasure import InputError
+from bodymeasure import InputError, read_atlas
+from bodymeasure.errors import ReadWarning
 
 BPT = write(body_like(1, 2), "bpt").decode().splitlines()
 BEZ = write(body_like(1, 2), "bez").decode().splitlines()
@@ -213,3 +215,19 @@ def test_a_degree_beyond_the_largest_is_refused() -> None:
     points = "\n".join(f"{x} {y} 0" for y in side for x in side)
     with pytest.raises(InputError, match=r"^file, line 2: patch 0 has the degrees 10 and 10; only"):
         read(f"1\n10 10\n{points}\n".encode(), "bpt")
+
+
+def test_bpt_patches_of_high_degree_are_left_out_by_name(tmp_path: Path) -> None:
+    def patch(degree: int, shift: int) -> str:
+        rows = [f"{u + shift} {v} 0" for v in range(degree + 1) for u in range(degree + 1)]
+        return "\n".join([f"{degree} {degree}", *rows])
+
+    path = tmp_path / "high.bpt"
+    path.write_text("\n".join(["2", patch(10, 0), patch(3, 20)]))
+    with pytest.warns(ReadWarning, match=r"line 2: patch 0 has the degrees 10 and 10.*left out"):
+        atlas = read_atlas(path, unit="cm")
+    assert len(atlas) == 1
+    assert atlas.points[:, 0].min() == 20.0
+    path.write_text("\n".join(["1", patch(10, 0)]))
+    with pytest.raises(InputError, match=r"high.bpt, line 2: patch 0 has the degrees 10 and 10"):
+        read_atlas(path, unit="cm")
