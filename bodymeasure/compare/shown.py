@@ -3,7 +3,7 @@
 from collections import Counter
 from statistics import median
 
-from bodymeasure.compare.records import VERDICTS, Agreement, Comparison, Difference
+from bodymeasure.compare.records import Agreement, Comparison, Difference
 from bodymeasure.report.body.tape import small_text
 from bodymeasure.report.numbers import MINUS, NONE, SPACE
 from bodymeasure.report.units import DEGREES, TAPE_DECIMALS
@@ -11,6 +11,13 @@ from bodymeasure.wording import counted
 
 # One decimal more than a tape shows, since differences are means of many readings.
 EXTRA_DECIMALS = 1
+# The verdicts as a sentence counts them.
+OUTCOMES = {
+    "within": "within what is allowed",
+    "exceeds": "beyond it",
+    "too few subjects": "with too few subjects to tell",
+    "no class": "without a class",
+}
 
 
 def signed(value: float | None, unit: str) -> str:
@@ -50,7 +57,9 @@ def summary(comparison: Comparison) -> list[str]:
     else:
         verdicts: Counter[str] = Counter(each.verdict for each in agreements)
         said = ", ".join(
-            f"{verdicts[verdict]} {verdict}" for verdict in VERDICTS if verdicts[verdict]
+            f"{verdicts[verdict]} {words}"
+            for verdict, words in OUTCOMES.items()
+            if verdicts[verdict]
         )
         sentences.append(f"{count} of {len(comparison.subjects)} subjects compared: {said}.")
     if lengths:

@@ -13,6 +13,7 @@ from scipy.stats import t as student
 
 from bodymeasure.compare import (
     MINIMUM_SUBJECTS,
+    VERDICTS,
     Comparison,
     Known,
     Reading,
@@ -23,7 +24,7 @@ from bodymeasure.compare import (
     render_comparison,
 )
 from bodymeasure.compare.iso20685 import confidence_interval
-from bodymeasure.compare.shown import summary
+from bodymeasure.compare.shown import OUTCOMES, summary
 from bodymeasure.errors import InputError
 from bodymeasure.report.body import chart_document
 from bodymeasure.report.serial import json_schema, to_json
@@ -246,6 +247,10 @@ def test_what_several_subjects_lack_is_told_once() -> None:
     ]
 
 
+def test_each_verdict_is_counted_in_words() -> None:
+    assert set(OUTCOMES) == set(VERDICTS)
+
+
 def test_a_comparison_is_summed_up() -> None:
     single = compare(
         readings("A", reading("bust_girth", 91.0), reading("neck_girth", 35.0)),
@@ -259,7 +264,7 @@ def test_a_comparison_is_summed_up() -> None:
         "1 of 2 differences are larger than ISO 20685-1 allows for the mean of many subjects.",
     ]
     several = of_subjects(np.full(MINIMUM_SUBJECTS, 0.2))
-    assert summary(several)[0] == "1 measurement of 40 subjects compared: 1 within."
+    assert summary(several)[0] == "1 measurement of 40 subjects compared: 1 within what is allowed."
 
 
 def test_a_class_is_within_if_all_its_measurements_are() -> None:

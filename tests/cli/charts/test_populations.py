@@ -64,7 +64,7 @@ def test_several_files_are_a_row_each(run: Run, bodies: Path, tmp_path: Path) ->
     for other in ("measurements.csv", "measurements.json"):
         ran = run("compare", out / "measurements.json", out / other)
         assert ran.code == 0
-        assert "4 measurements of 2 subjects compared: 3 too few subjects, 1 no class." in ran.out
+        assert "2 subjects compared: 3 with too few subjects to tell, 1 without a class." in ran.out
 
 
 def test_a_folder_and_a_file_of_many_are_several_bodies(
