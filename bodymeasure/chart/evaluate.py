@@ -22,7 +22,7 @@ from bodymeasure.measure import package_versions
 from bodymeasure.threads import one_blas_thread
 
 # Packages whose versions can change a number of a chart.
-PACKAGES = ("bodymeasure", "numpy", "scipy", "pygeodesic")
+PACKAGES = ("bodymeasure", "numpy", "scipy")
 
 
 @one_blas_thread()
@@ -64,8 +64,6 @@ def measure_chart(
         If the landmarks contradict the axes, the sides or the size (`check_atlas` says how), unless
         `despite_errors` is true; if `only` names what the set does not have; if rules for landmarks
         need one another in a circle; or if two measurements have one key.
-    MissingExtraError
-        If paths are asked for and pygeodesic is not installed.
 
     Notes
     -----

@@ -35,7 +35,6 @@ EXIT_CODES = (
 COMPARISON = ("the comparison (--no-cross-check leaves it out)", "igl", "libigl", "oracle")
 PICTURES = ("drawing (--no-pictures leaves it out)", "matplotlib", "matplotlib", "report")
 PAGE = ("the HTML report", "jinja2", "jinja2", "report")
-ROUTES = ("a chart of measurements", "pygeodesic", "pygeodesic", "chart")
 CHART_PAGE = ("the page of measurements", "jinja2", "jinja2", "chart")
 CHART_PICTURES = ("drawing (--no-pictures leaves it out)", "matplotlib", "matplotlib", "chart")
 BENCHMARK = (

@@ -126,8 +126,6 @@ def taut_tape(
         be determined, or `contact` leads through other points or over another atlas.
     ConvergenceError
         If there is no length that can be trusted and `on_failure` is "raise".
-    MissingExtraError
-        If pygeodesic is not installed, and `contact` is not given.
 
     Notes
     -----

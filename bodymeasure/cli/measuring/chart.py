@@ -24,7 +24,6 @@ from bodymeasure.cli.options import (
     CHART_PICTURES,
     DEFAULT_SAMPLE,
     EXIT_CODES,
-    ROUTES,
     definitions_option,
     despite_errors_option,
     folder_option,
@@ -132,7 +131,6 @@ def chart(
     begin = time.perf_counter()
     pictures_wanted = output is not None and not no_pictures
     require(
-        ROUTES,
         *((CHART_PAGE,) if output is not None else ()),
         *((CHART_PICTURES,) if pictures_wanted else ()),
     )

@@ -16,7 +16,6 @@ from bodymeasure.cli.measuring.subjects import Subject, charts_of, subjects_of
 from bodymeasure.cli.options import (
     CHART_PAGE,
     EXIT_CODES,
-    ROUTES,
     definitions_option,
     despite_errors_option,
     file_options,
@@ -95,8 +94,6 @@ def compare(
     95 % confidence interval has to lie within the maximum allowable error.
     """
     writer = _writer(output)
-    if any(not _is_file_of_values(name) for name in (first, second)):
-        require(ROUTES)
     # Slow imports, which `--help` does not need.
     from bodymeasure.chart import both_sides, load_definitions
     from bodymeasure.compare import compare as compared

@@ -12,7 +12,6 @@ from bodymeasure.cli.measuring.chart import measured_chart
 from bodymeasure.cli.options import (
     COMPARISON,
     EXIT_CODES,
-    ROUTES,
     VIEWER,
     VIEWER_COLORS,
     definitions_option,
@@ -76,8 +75,8 @@ def view(
     """
     if not with_chart and (key is not None or definitions is not None):
         raise click.UsageError("--measure and --set are about measurements; add --chart.")
-    need = ROUTES if with_chart else COMPARISON
-    require(VIEWER, VIEWER_COLORS, *(() if no_cross_check and not with_chart else (need,)))
+    compared = not (with_chart or no_cross_check)
+    require(VIEWER, VIEWER_COLORS, *((COMPARISON,) if compared else ()))
     viewer, chart_viewer = _viewers()
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
     if screenshot is None:
