@@ -51,6 +51,11 @@ class BridgedLoop:
         """Error of the length: at most that of the whole section curve."""
         return self.arcs[0].error_estimate
 
+    @property
+    def approximation_error(self) -> float:
+        """A bound on the difference from the length on the surface that the patches approximate."""
+        return sum(arc.approximation_error for arc in self.arcs)
+
     @cached_property
     def length_by_region(self) -> dict[str, float]:
         """Length of the arcs inside each body region."""

@@ -48,6 +48,16 @@ class SectionLoop:
         return float(self.piece_length.sum())
 
     @property
+    def approximation_error(self) -> float:
+        """A bound on the difference from the length on the surface that the patches approximate.
+
+        It is 0 on an atlas that approximates nothing; see `bodymeasure.approximation_error`.
+        """
+        if self.surface.stretch is None:
+            return 0.0
+        return float(self.surface.stretch[self.pieces.patch] @ self.piece_length)
+
+    @property
     def plane(self) -> Plane:
         """The plane that cuts."""
         return self.surface.plane

@@ -67,11 +67,14 @@ class CutSurface:
     plane : Plane
     poles : ndarray of bool, shape (patches, 4)
         The collapsed sides that lie in the plane.
+    stretch : ndarray, shape (patches,), optional
+        That of the atlas's approximation, if it has one.
     """
 
     control_points: Array
     plane: Plane
     poles: Bools
+    stretch: Array | None = None
 
     def distances(self, patch: Ints) -> Array:
         """Return the distances of patches from the plane in Bernstein form, divided about poles."""

@@ -109,13 +109,15 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
     table = edge_table(atlas.index)
     poles = poles_in(atlas.points, table, plane, size)
     table, pole = opened(table, poles.sides)
+    approximation = atlas.approximation
+    stretch = None if approximation is None else approximation.stretch
     missed = False
     for move in MOVES:
         # A plane through poles is turned about them.
         here = plane.moved(move * size)
         if len(poles.points):
             here = turned_about(plane, poles.points, move)
-        surface = CutSurface(nets, here, poles.sides)
+        surface = CutSurface(nets, here, poles.sides, stretch)
         # Patches beside the plane do not belong to the section, but share edges with those that do.
         distances = surface.distances(np.arange(len(nets)))
         near = np.flatnonzero(

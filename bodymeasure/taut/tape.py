@@ -8,6 +8,7 @@ import numpy as np
 from bodymeasure._typing import Array, Bools
 from bodymeasure.arguments import require_kind
 from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.queries.approximation_error import approximation_error
 from bodymeasure.atlas.queries.locations import Location, listed
 from bodymeasure.atlas.queries.outside import Outside
 from bodymeasure.atlas.units import Unit
@@ -68,6 +69,11 @@ class TautTape:
         kind, unit, status = "TautTape", self.unit, self.status.name
         lengths = {"length": self.length, "chord": self.chord}
         return result_line(kind, unit, self.error_estimate, outcome=status, **lengths)
+
+    @property
+    def approximation_error(self) -> float:
+        """A bound on the difference from the length on the surface that the patches approximate."""
+        return approximation_error(self.contact.atlas, self.points)
 
     @property
     def gap(self) -> float:

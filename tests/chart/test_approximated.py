@@ -11,10 +11,13 @@ from bodymeasure import (
     Atlas,
     Chart,
     Definitions,
+    Plane,
     approximation_error,
     geodesics_between,
     measure_atlas,
     measure_chart,
+    plane_girth,
+    taut_tape,
 )
 from bodymeasure._typing import Array
 from bodymeasure.atlas.approximation import extent
@@ -92,6 +95,20 @@ def test_records_hold_it() -> None:
         assert record.length
         stretch = approximation.stretch[record.patch_number]
         assert record.approximation_error == pytest.approx(stretch * record.length)
+
+
+def test_girths_and_tapes_in_python_have_it() -> None:
+    fine, plane = read(obj_text(CUBE).encode(), "obj"), Plane(ENDS[0], np.array([1.0, 0.2, 0.1]))
+    girth, true = (plane_girth(atlas, plane, ENDS[0]) for atlas in (CHART.atlas, fine))
+    error = abs(girth.contact - true.contact)
+    assert girth.error_estimate < error < girth.approximation_error
+    curve = np.concatenate([girth.loop.positions, girth.loop.positions[:1]])
+    bound = approximation_error(CHART.atlas, curve)
+    assert girth.approximation_error == pytest.approx(bound, rel=0.1)
+    exact = replace(CHART.atlas, approximation=None)
+    assert plane_girth(exact, plane, ENDS[0]).approximation_error == 0.0
+    tape = taut_tape(CHART.atlas, "a", "b")
+    assert tape.approximation_error == pytest.approx(CHART["ab"].approximation_error, rel=0.05)
 
 
 def limits(mesh: PolygonMesh, count: int, rng: np.random.Generator) -> Array:

@@ -73,6 +73,11 @@ class Drop:
         return bool(is_known(self.contact, self.error_estimate, self.contact))
 
     @property
+    def approximation_error(self) -> float:
+        """A bound on the difference from the length on the surface that the patches approximate."""
+        return self.arc.approximation_error
+
+    @property
     def gap(self) -> float:
         """The length that the taut tape saves over the one that follows the skin."""
         return self.contact - self.taut

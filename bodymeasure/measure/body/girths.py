@@ -74,6 +74,11 @@ class Girth:
         return bool(is_known(self.contact, self.error_estimate, self.contact))
 
     @property
+    def approximation_error(self) -> float:
+        """A bound on the difference from the length on the surface that the patches approximate."""
+        return self.tape.approximation_error
+
+    @property
     def gap(self) -> float:
         """The length that the taut tape saves over the one that follows the skin."""
         return self.contact - self.taut
