@@ -26,6 +26,9 @@ from bodymeasure.geodesic.status import Status
 BESIDE, SHORT = 1e-7, 0.05
 # A leg comes to rest where its length changes by this part of it.
 LOOSE = 1e-14
+# A path has the largest error of its direction at its ends: so many times that which its length has
+# on the whole.
+SLOPES = 10.0
 
 Ends = tuple[AtlasPoint, AtlasPoint]
 
@@ -58,7 +61,7 @@ def _pole_leg(fan: Fan, leg: AtlasPath, other: AtlasPoint, turned: bool) -> Pole
     direction = fan.direction(pieces[-1].end(0 if turned else -1))
     # Its length says how far it is from straight, to the second order.
     doubt = abs(leg.raw_length - leg.length) + leg.error_estimate + LOOSE * leg.length
-    unsure = np.sqrt(2.0 * doubt / leg.length)
+    unsure = SLOPES * np.sqrt(2.0 * doubt / leg.length)
     straight = fan.chord_direction(other) if leg.length * fan.curvature < SHORT else None
     rounding = ROUNDING * float(np.abs(fan.atlas.points).max()) / leg.length
     bent = rounding + (leg.length * fan.curvature) ** 2

@@ -36,15 +36,15 @@ FIRST, FACTOR = 1.4, 3.0
 # No cut lies closer to the end of a piece than this part of its distance from the pole, and none
 # beyond the middle of a patch, from where another pole may be nearer.
 END, FAR = 0.7, 0.5
-# A piece of less than this part of the path's length counts for its length from the start (see
-# `problem.EPSILON`).
-SMALL = 1e-2
+# What smooths the length (see `problem.EPSILON`) is below this part of the length of the shortest
+# part, whose ends it would move.
+SMALL = 1e-4
 
 
 # Cuts that are within this factor of where they would be put stay where they are.
 FITS = 1.7
 # A part beside a cut has no length if it is below this part of the distance from the pole.
-HELD = 1e-2
+HELD = 5e-2
 
 
 class Cut(NamedTuple):
@@ -70,11 +70,16 @@ class Cut(NamedTuple):
         It then has a part of no length between two of them, or between one and a seam.
         """
         for number, crossing in enumerate(self.route.crossings):
-            if crossing.within is not None:
-                away = min(crossing.within, 1.0 - crossing.within)
-                for part in (number, number + 1):
-                    if np.ptp(refined.values[part], axis=1).max() < HELD * away:
-                        return True
+            if crossing.within is None:
+                continue
+            # The same place of the line, and of the pole.
+            axis, along = EDGES[crossing.from_side].fixed_axis, refined.route.along[number]
+            places = np.full((2, 2), along)
+            places[:, axis] = crossing.within, np.round(crossing.within)
+            surface = refined.problem.surface.take(np.array([number]))
+            away = np.linalg.norm(np.subtract(*surface.positions(places[None])[0]))
+            if refined.lengths[[number, number + 1]].min() < HELD * away:
+                return True
         return False
 
     def fits(self, other: "Cut") -> bool:

@@ -45,7 +45,7 @@ def graded_path(atlas: Atlas, neighbors: Neighbors, ends: Ends, course: Course) 
         if length.error <= TOLERANCE * length.raw:
             break
     held = (refined.minimum.held & ~refined.problem.idle).any()
-    if held or _runs_into_corner(neighbors, refined):
+    if held or cuts.hold(refined) or _runs_into_corner(neighbors, refined):
         return None
     if not (length.is_known_to(GOOD_ENOUGH) and refined.minimum.converged):
         return None

@@ -15,6 +15,7 @@ from bodymeasure.geodesic.across.poles.course import Course, course_along, cours
 from bodymeasure.geodesic.across.poles.fan import Poles, fan_at, poles_of
 from bodymeasure.geodesic.across.poles.graded import graded_path
 from bodymeasure.geodesic.across.poles.layout import past_pole
+from bodymeasure.geodesic.across.poles.pole_to_pole import between_poles
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.budget import PATH, Budget
 from bodymeasure.geodesic.across.search.leg import first_routes, leg_along, shortest_leg
@@ -36,6 +37,8 @@ EXACT = 1e-10
 TINY = 1e-5
 # Poles are sought close to the legs of a path past a pole, too, but no deeper.
 DEPTH = 2
+# The most routes close by poles that are tried, by depth: all have the same legs to a pole.
+MOST_CLOSE = (0, 1, 2)
 
 
 def leg_between(
@@ -46,7 +49,12 @@ def leg_between(
     A path that passes close by a pole is composed of the geodesics to the pole and from it, if it
     is so close that no more is needed (`junction`); else it is cut about the pole (`cuts`).
     """
-    return _between(atlas, neighbors, (start, end), DEPTH)
+    path = _between(atlas, neighbors, (start, end), DEPTH)
+    other = between_poles(atlas, neighbors, (start, end)) if len(poles_of(atlas).patch) else None
+    if other is None or not other.converged:
+        return path
+    shorter = other.length + other.error_estimate < path.length - path.error_estimate
+    return other if shorter or not path.converged else path
 
 
 def _between(atlas: Atlas, neighbors: Neighbors, ends: Ends, depth: int) -> AtlasPath:
@@ -62,7 +70,7 @@ def _between(atlas: Atlas, neighbors: Neighbors, ends: Ends, depth: int) -> Atla
         pole = None if rough is None else _close_pole(atlas, neighbors, ends, rough)
         if rough is None or pole is None:
             far.append(route)
-        else:
+        elif len(found) < MOST_CLOSE[depth]:
             found.append(_by_pole(atlas, neighbors, ends, (pole, rough), depth))
     if far or not found:
         found.append(

@@ -1,0 +1,77 @@
+"""Paths between two points of which each is close to a pole.
+
+Several geodesics of nearly equal lengths may join two poles, as on an ellipsoid with three axes.
+Which of them the shortest path between points beside the poles follows, their directions tell.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from bodymeasure.atlas.atlas import Atlas
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.topology.neighbors import Neighbors, on_side
+from bodymeasure.geodesic.across.pieces.path import AtlasPath
+from bodymeasure.geodesic.across.poles.composed import Ends, composed_path, radial
+from bodymeasure.geodesic.across.poles.fan import Fan, fan_at, poles_of
+from bodymeasure.geodesic.across.routes.route import Route
+from bodymeasure.geodesic.across.search.leg import first_routes, leg_along, shortest_leg
+
+# Both ends are within this part of the patches' widths from their poles.
+CLOSE = 1e-2
+# A geodesic between the poles is sought from the middle of each sector, so far along it.
+AWAY = 0.3
+
+
+def between_poles(atlas: Atlas, neighbors: Neighbors, ends: Ends) -> AtlasPath | None:
+    """Return the shortest path over the geodesics between two poles, close to which its ends are.
+
+    None if the ends are not close to two poles, or their legs have no lengths.
+    """
+    poles = [_pole_beside(atlas, end) for end in ends]
+    if poles[0] is None or poles[1] is None or neighbors.are_same(poles[0], poles[1]):
+        return None
+    near, far = fan_at(atlas, poles[0]), fan_at(atlas, poles[1])
+    if near is None or far is None:
+        return None
+    outer = (near, (ends[0], poles[0])), (far, (poles[1], ends[1]))
+    legs = [radial(fan, leg) or shortest_leg(atlas, neighbors, *leg) for fan, leg in outer]
+    if not all(leg.converged and leg.length > 0.0 for leg in legs):
+        return None
+    found = []
+    for middle in _geodesics(atlas, neighbors, near, poles[1]):
+        first = composed_path((ends[0], poles[1]), near, (legs[0], middle))
+        whole = None if first is None else composed_path(ends, far, (first[0], legs[1]))
+        if first is not None and whole is not None and not first[1].conjugate:
+            found.append(whole[0])
+    return min(found, key=lambda path: path.length, default=None)
+
+
+def _pole_beside(atlas: Atlas, place: AtlasPoint) -> AtlasPoint | None:
+    """Return a place of the pole close to a point, on the same patch; None if there is none."""
+    poles = poles_of(atlas)
+    for number in np.flatnonzero(poles.patch == place.patch).tolist():
+        away = np.linalg.norm(atlas.position(place) - poles.positions[number])
+        if 0.0 < away < CLOSE * poles.widths[number]:
+            side = int(poles.side[number])
+            return AtlasPoint(place.patch, *on_side(side, place[2 - EDGES[side].fixed_axis]))
+    return None
+
+
+def _geodesics(
+    atlas: Atlas, neighbors: Neighbors, fan: Fan, end: AtlasPoint
+) -> Iterator[AtlasPath]:
+    """Yield geodesics from a pole, one for each sector; several may be the same."""
+    poles = poles_of(atlas)
+    for number, sector in enumerate(fan.sectors):
+        on = (poles.patch == sector.patch) & (poles.side == sector.side)
+        middle = np.array([0.5 * sector.angle]), AWAY * poles.widths[on]
+        place = AtlasPoint(sector.patch, *fan.places(number, *middle)[0].tolist())
+        pole = AtlasPoint(sector.patch, *on_side(sector.side, 0.5))
+        for route in first_routes(atlas, neighbors, (place, end))[:1]:
+            assert route.ends is not None
+            ends = pole, route.ends[1]
+            path = leg_along(atlas, neighbors, ends, [Route(ends, route.crossings, route.along)])
+            if path.converged:
+                yield path
