@@ -20,9 +20,8 @@ from bodymeasure.threads import one_blas_thread
 # The number of heights at which the common stretch of two parts is cut first: some two centimeters
 # apart.
 LEVELS = 16
-# The number of steps in which loops are followed from the lower place to the top of the body: some
-# two centimeters each.
-FOLLOWED = 40
+# The number of heights of a body at which loops are followed: some two centimeters apart.
+FOLLOWED = 80
 # The height of the fork is enclosed to within this part of the stretch before the saddle of the
 # surface is looked for. Two saddles closer together than this are not distinguished.
 ENCLOSED = 1e-5
@@ -130,11 +129,13 @@ def fork_between(atlas: Atlas, places: tuple[Location, Location]) -> AtlasPoint:
     up = atlas.axes.up_vector
     positions = sorted((position_of(atlas, place) for place in places), key=lambda x: float(x @ up))
     low, start = (float(position @ up) for position in positions)
-    top = float((atlas.points @ up).max())
-    step = (top - low) / FOLLOWED
+    extent = atlas.points @ up
+    bottom, top = float(extent.min()), float(extent.max())
+    # The heights are the same for both armpits of a body, so that each section is found once.
+    levels = bottom + (top - bottom) * (np.arange(FOLLOWED) + 0.5) / FOLLOWED
     loop = _section(atlas, low).nearest(positions[0])
     # The lower one is followed to the height of the other.
-    for height in np.arange(low + step, start, step).tolist():
+    for height in levels[(levels > low) & (levels < start)].tolist():
         loop = _continued(_section(atlas, height), loop)
     section = _section(atlas, start)
     first = _Level(start, (_continued(section, loop), section.nearest(positions[1])))
@@ -149,8 +150,7 @@ def fork_between(atlas: Atlas, places: tuple[Location, Location]) -> AtlasPoint:
         one, other = (_continued(section, each) for each in (below or first).loops)
         return _Level(height, (one, other))
 
-    heights = np.append(np.arange(start, top, step), top - 0.5 * step)
-    enclosed = _enclosed(level, heights)
+    enclosed = _enclosed(level, np.append(start, levels[levels > start]))
     if enclosed is None:
         raise InputError("the horizontal loops of the two places join nowhere; choose other places")
     return _saddle(atlas, enclosed, ("the one place", "the other"))
@@ -200,7 +200,7 @@ def _enclosed(
             break
     if above is None or below is None:
         return None
-    least = ENCLOSED * LEVELS * float(heights[1] - heights[0])
+    least = ENCLOSED * LEVELS * float(heights[-1] - heights[-2])
     while above.height - below.height > least:
         middle = level_at(0.5 * (above.height + below.height), below)
         if middle is None:
