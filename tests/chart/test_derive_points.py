@@ -209,7 +209,6 @@ def test_prominent_tells_what_it_cannot_find() -> None:
 
 
 def test_hollow_is_deepest_below_the_chord() -> None:
-    pytest.importorskip("pygeodesic")
     atlas = given(tube(WAISTED), low=LOW, high=HIGH)
     found = place(atlas, Hollow(name="waist", start="low", end="high"))
     profile = np.polynomial.Polynomial(_powers(WAISTED))
@@ -221,7 +220,6 @@ def test_hollow_is_deepest_below_the_chord() -> None:
 
 @pytest.mark.parametrize("flipped", [False, True])
 def test_a_path_over_a_bulge_has_no_hollow(flipped: bool) -> None:
-    pytest.importorskip("pygeodesic")
     atlas = tube([1.0, 1.2, 1.2, 1.0])
     if flipped:
         # The patches face inwards: the outside is found from the volume, not from u and v.
@@ -242,7 +240,6 @@ def test_a_path_over_a_bulge_has_no_hollow(flipped: bool) -> None:
 
 
 def test_a_dent_that_is_too_shallow_is_no_hollow() -> None:
-    pytest.importorskip("pygeodesic")
     atlas = given(tube(WAISTED), low=LOW, high=HIGH)
     deepest, halfway = (
         place(atlas, Hollow(name="w", start="low", end="high", least=least, otherwise=0.5))
@@ -273,7 +270,6 @@ def test_the_farthest_of_several_landmarks() -> None:
 
 
 def test_between_is_a_part_of_the_way(rng: np.random.Generator) -> None:
-    pytest.importorskip("pygeodesic")
     atlas = given(wavy_plane(rng), start=AtlasPoint(0, 0.2, 0.3), end=AtlasPoint(8, 0.6, 0.9))
     start, end = (atlas.position(atlas.landmarks[name]) for name in ("start", "end"))
     for fraction in (0.0, 0.25, 1.0):
@@ -285,7 +281,6 @@ def test_between_is_a_part_of_the_way(rng: np.random.Generator) -> None:
 
 
 def test_between_parts_that_no_seam_joins_is_told() -> None:
-    pytest.importorskip("pygeodesic")
     atlas = joined([tube([1.0] * 4), tube([1.0] * 4, (5.0, 0.0))], ("a", "b"))
     atlas = given(atlas, a=AtlasPoint(0, 0.5, 0.5), b=AtlasPoint(4, 0.5, 0.5))
     assert "no seams join" in reason(atlas, Between(name="m", start="a", end="b"))

@@ -61,11 +61,6 @@ def definitions(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.fixture(autouse=True)
-def _routes() -> None:
-    pytest.importorskip("pygeodesic")
-
-
 def test_all_files_are_written(run: Run, definitions: Path, tmp_path: Path) -> None:
     folder = tmp_path / "new" / "chart"
     ran = run("chart", "--set", definitions, "-o", folder, "--no-pictures", "--unit", "inch")

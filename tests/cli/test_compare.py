@@ -127,7 +127,6 @@ def test_bad_input_is_told_and_nothing_written(
 @pytest.fixture
 def one_height(tmp_path: Path) -> Path:
     """A set of definitions with one measurement."""
-    pytest.importorskip("pygeodesic")
     path = tmp_path / "set.toml"
     path.write_text(
         'format = "bodymeasure measurements"\nversion = 1\nname = "One"\n[[measurement]]\n'

@@ -14,9 +14,6 @@ from bodymeasure.atlas.queries.closest import closest_points
 from bodymeasure.bezier import elevate, project
 from bodymeasure.taut import TautStatus
 
-# The latest versions of Python have no wheels of it.
-pytest.importorskip("pygeodesic")
-
 # The distance along y from start to end.
 WAYS = pytest.mark.parametrize("along", [0.0, 0.3, 2.2])
 # Estimates hold down to this: below it, rounding and the steps of the takeoffs dominate.

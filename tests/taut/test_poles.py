@@ -9,9 +9,6 @@ from helpers.surfaces.quadrics import joined, sphere_nets, stretched
 import bodymeasure as bm
 from bodymeasure.taut.skin import Skin
 
-# The latest versions of Python have no wheels of it.
-pytest.importorskip("pygeodesic")
-
 SPHERE = joined(sphere_nets())
 PAIRS = [
     # The string lost its feet near the pole.

@@ -6,9 +6,6 @@ from helpers.oracles.extruded_hulls import ProfileCase, random_profile
 
 import bodymeasure as bm
 
-# The latest versions of Python have no wheels of it.
-pytest.importorskip("pygeodesic")
-
 # The arc length of the hull is known to this.
 KNOWN = 1e-10
 KINKED = ProfileCase(

@@ -11,9 +11,6 @@ from bodymeasure.taut import starts, string
 from bodymeasure.taut.skin import skin_of
 from bodymeasure.taut.solve import draw_taut
 
-# The latest versions of Python have no wheels of it.
-pytest.importorskip("pygeodesic")
-
 SIDES = ("left", "right")
 
 

@@ -78,7 +78,6 @@ def test_landmarks_are_symmetric_and_move_along_with_the_body() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", BODIES)
 def test_the_default_landmarks_move_along_with_the_body(name: str) -> None:
-    pytest.importorskip("pygeodesic")
     atlas, rules = load_sample(name), load_definitions().landmark
     derived = derive_landmarks(atlas, rules)
     known = ("cannot be trusted", "it has no hollow")
@@ -90,7 +89,6 @@ def test_the_default_landmarks_move_along_with_the_body(name: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["male_average"])
 def test_the_default_landmarks_need_no_regions_but_one(name: str) -> None:
-    pytest.importorskip("pygeodesic")
     atlas, rules = load_sample(name), load_definitions().landmark
     bare = replace(atlas, regions=())
     named, nameless = (derive_landmarks(body, rules, strict=False) for body in (atlas, bare))
