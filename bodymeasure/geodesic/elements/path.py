@@ -49,6 +49,12 @@ class ElementPath:
         on_bound = (self.values == 0.0) | (self.values == 1.0)
         return np.asarray((on_bound & (self.values == self.values[:, :, :1])).all(axis=2))
 
+    @property
+    def reach(self) -> float:
+        """How far the path leaves the patch between its nodes, in u or v."""
+        between = polynomial_space(DEGREE).between_nodes @ self.values.transpose(0, 2, 1)
+        return max(float(np.abs(between - 0.5).max()) - 0.5, 0.0)
+
     def by_element(self, nodes: NDArray[Any]) -> NDArray[Any]:
         """Return unknowns, or what belongs to them, as shape (elements, 2, DEGREE + 1)."""
         rows = np.arange(len(self.widths))[:, None] * DEGREE + np.arange(DEGREE + 1)
