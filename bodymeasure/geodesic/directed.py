@@ -16,8 +16,9 @@ from bodymeasure.geodesic.across.search.ends import checked_points
 from bodymeasure.geodesic.lengths.path_geometry import path_geometry
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure, checked_status
-from bodymeasure.geodesic.tracing.motion import Run
-from bodymeasure.geodesic.tracing.trace import NEAR_POLE, Patches, Trace, apart, runs_of, traced
+from bodymeasure.geodesic.tracing.motion import Run, State
+from bodymeasure.geodesic.tracing.patches import NEAR_POLE, Patches
+from bodymeasure.geodesic.tracing.trace import Trace, apart, runs_of, traced
 from bodymeasure.threads import one_blas_thread
 
 # The relative tolerances of a step. The second, coarser trace tells what the first is worth: that
@@ -136,13 +137,21 @@ def geodesic_from(
     error = (
         apart(atlas, fine, coarse)
         + abs(fine.length - coarse.length)
-        + (ROUNDING + AT_POLE * fine.poles) * asked
+        + (ROUNDING + AT_POLE * fine.poles + _beside_a_pole(patches, point)) * asked
         + move
     )
     path = _path(patches, point, fine, error)
     if on_failure == "raise" and not path.converged:
         raise ConvergenceError(path.status.sentence)
     return path
+
+
+def _beside_a_pole(patches: Patches, point: AtlasPoint) -> float:
+    """Return how well rounding lets directions be known at a point beside a pole, in radians."""
+    near = patches.pole_beside(State(point.patch, np.array([point.u, point.v]), np.zeros(2)))
+    if near is None or near.distance < NEAR_POLE:
+        return 0.0
+    return float(np.finfo(np.float64).eps / near.distance)
 
 
 def _checked_direction(direction: ArrayLike) -> Array:

@@ -50,6 +50,14 @@ def test_great_circles_through_a_pole_and_close_by(off: float, rng: np.random.Ge
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("off", [1e-11, 1e-8, 3e-6, 2e-5])
+def test_great_circles_from_beside_a_pole(off: float, rng: np.random.Generator) -> None:
+    start = AtlasPoint(1, 0.3, 1.0 - off)
+    for direction in ((1.0, 0.5, 0.0), rng.standard_normal(3)):
+        assert misses_its_great_circle(start, np.array(direction), 0.7) < 2e-5
+
+
+@pytest.mark.slow
 def test_great_circles_through_both_poles_and_from_one() -> None:
     start = AtlasPoint(0, 0.3, 0.6)
     assert misses_its_great_circle(start, np.array([0.0, 0.0, -1.0]), 6.0) < 1e-11

@@ -178,7 +178,11 @@ def followed(surface: Surfaces, start: State, length: float, pole: Pole | None, 
     side = int(outside.argmax())
     if pole is not None and away(at, last) < 0.0:
         # A step has led past a pole: the geodesic goes through it.
-        at = float(brentq(lambda s: away(s, found.sol(s)), float(found.t[-2]), at, xtol=1e-15))
+        before = float(found.t[-2])
+        if away(before, found.sol(before)) > 0.0:
+            at = float(brentq(lambda s: away(s, found.sol(s)), before, at, xtol=1e-15))
+        else:
+            at = before
         last = found.sol(at)
         return Run(start, State(start.patch, last[:2], last[2:]), at, course, at_pole=True)
     edge = EDGES[side]

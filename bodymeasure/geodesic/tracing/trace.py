@@ -1,34 +1,27 @@
 """A geodesic from a point in a direction, patch by patch."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import dataclass
 
 import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.topology.neighbors import Neighbors
+from bodymeasure.atlas.seams import EDGES
 from bodymeasure.bezier import evaluate
-from bodymeasure.geodesic.across.routes.topology import topology
-from bodymeasure.geodesic.surfaces.rational import surfaces_of
 from bodymeasure.geodesic.tracing.crossing import left_side, over_seam
 from bodymeasure.geodesic.tracing.motion import (
     LostError,
-    Pole,
     Run,
     State,
-    Surfaces,
     followed,
     jet_at,
     velocity_along,
 )
+from bodymeasure.geodesic.tracing.patches import NEAR_POLE, Patches, PoleBeside
 from bodymeasure.geodesic.tracing.pole import beside_pole, place_on_side, pole_normal
 
-# Part of the size of a patch at which a geodesic goes through its pole along the tangent plane. The
-# error of its direction is of the order of the square of this, and of rounding divided by it.
-NEAR_POLE = 1e-5
 # Runs over patches, and of those in a row that have no length, as where a path goes through a
 # corner.
 MOST_RUNS = 5_000
@@ -63,55 +56,6 @@ class Trace:
     poles: int = 0
     at_boundary: bool = False
     lost: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class Patches:
-    """The patches of an atlas, each scaled to about size 1, and their poles."""
-
-    atlas: Atlas
-    _surfaces: dict[int, Surfaces] = field(default_factory=dict)
-
-    @cached_property
-    def neighbors(self) -> Neighbors:
-        """The steps over the seams."""
-        return topology(self.atlas).neighbors
-
-    @cached_property
-    def sizes(self) -> Array:
-        """The sizes of the patches, shape (patches,)."""
-        points = self.atlas.points[self.atlas.index].reshape(len(self.atlas), -1, 3)
-        return np.asarray(np.ptp(points, axis=1).max(axis=1))
-
-    def surface(self, patch: int) -> Surfaces:
-        """Return the one patch, of size 1."""
-        if patch not in self._surfaces:
-            nets = self.atlas.control_points[[patch]].copy()
-            nets[..., :3] /= self.sizes[patch]
-            self._surfaces[patch] = surfaces_of(nets)
-        return self._surfaces[patch]
-
-    def pole_near(self, state: State) -> tuple[int, Pole] | None:
-        """Return the collapsed side of a patch that a geodesic nears, and the pole there."""
-        found = []
-        for side in np.flatnonzero(self.neighbors.collapsed[state.patch]).tolist():
-            place = place_on_side(state.patch, side, 0.0)
-            position = self.atlas.position(place) / self.sizes[state.patch]
-            here = self.surface(state.patch).positions(state.parameters[None, None])[0, 0]
-            found.append((float(np.linalg.norm(here - position)), side, Pole(position, NEAR_POLE)))
-        return min(found)[1:] if found else None
-
-    def around(self, patch: int, side: int, size: float) -> list[tuple[int, Surfaces, int]]:
-        """Return the patches around a pole, each as a surface of one scale and with its side."""
-        places = self.neighbors.same(place_on_side(patch, side, 0.0))
-        result = []
-        for place in places:
-            other = self.neighbors.pole_side(place)
-            if other is not None:
-                nets = self.atlas.control_points[[place.patch]].copy()
-                nets[..., :3] /= size
-                result.append((place.patch, surfaces_of(nets), other))
-        return result
 
 
 def traced(
@@ -173,18 +117,44 @@ class _Tracing:
         return self.left <= 0.0 or self.at_boundary
 
     def begin(self, start: AtlasPoint, direction: Array) -> None:
-        """Put the point on its start, or beside it if that is a pole."""
+        """Put the point on its start, or on the other side of a pole if it is that or beside it."""
         side = self.patches.neighbors.pole_side(start)
-        surface = self.patches.surface(start.patch)
-        if side is None:
-            parameters = np.array([start.u, start.v])
-            velocity = velocity_along(surface, parameters, direction)
-            self.state = State(start.patch, parameters, velocity)
+        state = State(start.patch, np.array([start.u, start.v]), np.zeros(2))
+        near = self.patches.pole_beside(state) if side is None else None
+        if side is None and (near is None or near.distance >= NEAR_POLE):
+            surface = self.patches.surface(start.patch)
+            velocity = velocity_along(surface, state.parameters, direction)
+            self.state = state._replace(velocity=velocity)
             return
-        around = self.patches.around(start.patch, side, self.patches.sizes[start.patch])
-        normal = pole_normal([(surface, side) for _, surface, side in around])
-        flat = direction - (direction @ normal) * normal
-        self._through(start.patch, side, np.zeros(3), flat / np.linalg.norm(flat))
+        pole_side = side if near is None else near.side
+        assert pole_side is not None
+        around = self.patches.around(start.patch, pole_side, self.patches.sizes[start.patch])
+        normal = pole_normal([(surface, each) for _, surface, each in around])
+        flat, offset = direction, np.zeros(3)
+        if near is not None:
+            offset = near.offset - (near.offset @ normal) * normal
+            flat = self._along_surface(state, near, normal, direction)
+        flat = flat - (flat @ normal) * normal
+        flat = flat / np.linalg.norm(flat)
+        self._through(start.patch, pole_side, offset, flat, from_state=near and state)
+
+    def _along_surface(
+        self, state: State, near: PoleBeside, normal: Array, direction: Array
+    ) -> Array:
+        """Return the part of a direction along the surface right beside a pole.
+
+        Tangents there are little more than rounding. The normal is taken in proportion between that
+        of the pole and one that is farther away on the same patch.
+        """
+        farther = state.parameters.copy()
+        axis = EDGES[near.side].fixed_axis
+        value = EDGES[near.side].fixed_value
+        part = near.distance / NEAR_POLE
+        farther[axis] = np.clip(value + (farther[axis] - value) / part, 0.0, 1.0)
+        there = np.cross(*jet_at(self.patches.surface(state.patch), farther)[1:3])
+        there = there / (np.linalg.norm(there) * np.sign(there @ normal))
+        here = normal + part * (there - normal)
+        return np.asarray(direction - (direction @ here) / (here @ here) * here)
 
     def step(self) -> None:
         """Follow the geodesic over one patch, and over the seam or through the pole there."""
@@ -252,7 +222,9 @@ class _Tracing:
         size = float(self.patches.sizes[patch])
         around = self.patches.around(patch, side, size)
         pole_normal([(surface, each) for _, surface, each in around])
-        way = NEAR_POLE if from_state is None else -2.0 * float(offset @ direction)
+        # As far as the circle round the pole, inside of which geodesics are taken for straight.
+        nearing = -float(offset @ direction)
+        way = nearing + max(nearing**2 + NEAR_POLE**2 - float(offset @ offset), 0.0) ** 0.5
         way = min(max(way, 0.0), self.left / size)
         pole = self.patches.atlas.position(place_on_side(patch, side, 0.0)) / size
         state = beside_pole(around, pole, offset + way * direction, direction)
