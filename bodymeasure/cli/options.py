@@ -152,8 +152,19 @@ processes_option = click.option(
 
 
 def names_in_list(text: str | None) -> tuple[str, ...]:
-    """Return the names in a list with commas."""
-    return tuple(name for name in map(str.strip, (text or "").split(",")) if name)
+    """Return the names in a list with commas; an option that was not given has none.
+
+    Raises
+    ------
+    click.BadParameter
+        If the list is there, but has no name in it.
+    """
+    names = tuple(name for name in map(str.strip, (text or "").split(",")) if name)
+    if text is not None and not names:
+        raise click.BadParameter(
+            f"{text!r} names nothing; expected names with commas between them."
+        )
+    return names
 
 
 def length_unit(unit: str, atlas: Atlas) -> str:

@@ -153,6 +153,9 @@ def test_only_some_measurements_are_taken(run: Run) -> None:
     assert "has no measurement and no preset 'knee_hight'; did you mean 'knee_height'" in ran.err
     # A body without a head has a preset without its stature, but not if that is asked for by name.
     assert run("chart", "--only", "stature").code == 1
+    nothing = run("chart", "--only", ",")
+    assert nothing.code == 2
+    assert "',' names nothing" in nothing.err
 
 
 def test_what_a_landmark_that_lies_elsewhere_changes(run: Run) -> None:

@@ -213,6 +213,8 @@ def test_what_an_approximation_costs_is_said_and_kept(run: Run, tmp_path: Path) 
     described = " ".join(run("info", target).out.split())
     assert "approximation The patches approximate" in described
     assert "they lie within 0.86 mm of it" in described
+    # The mesh is no longer there to be interpolated.
+    assert run("convert", target, "-o", tmp_path / "again.atlas", "--unit", "m").err == ""
     ran = run("convert", mesh, *options, "--deviation", "0.01")
     assert ran.out.startswith(f"{target}: 24 patches,")
     ran = run("convert", mesh, "--file-unit", "cm", "-o", tmp_path / "cube.bpt")

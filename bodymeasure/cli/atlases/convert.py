@@ -14,7 +14,7 @@ from bodymeasure.atlas import (
     summarize,
 )
 from bodymeasure.cli.console import RESULTS, print_note
-from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas
+from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, path_of_atlas
 from bodymeasure.files import require_writable
 from bodymeasure.formats import FORMATS, format_of, write_atlas
 from bodymeasure.wording import counted
@@ -117,6 +117,8 @@ def convert(
         format=source_format,
     )
     sentences = approximation_sentences(loaded)
+    # An approximation that its own file states was made when the mesh was first read.
+    from_mesh = "approximation" not in format_of(path_of_atlas(atlas), source_format).keeps
     if unit is not None:
         loaded = loaded.converted(unit)
     if upright:
@@ -133,7 +135,12 @@ def convert(
     for sentence in sentences:
         RESULTS.print(Text(sentence), soft_wrap=True)
     found = loaded.approximation
-    if found and found.kind is ApproximationKind.SMOOTHED and found.mesh_lengths > SHRUNK:
+    shrunk = (
+        found is not None
+        and found.kind is ApproximationKind.SMOOTHED
+        and found.mesh_lengths > SHRUNK
+    )
+    if from_mesh and shrunk:
         print_note("--interpolate lets the surface run through the vertices of the mesh instead.")
     lost = _lost(loaded, target.keeps)
     if lost:
