@@ -36,6 +36,8 @@ PAIRS = [
     # Cuts about the pole hold these, until they are farther away from it.
     (AtlasPoint(1, 0.0792931602, 0.4187681245), AtlasPoint(3, 0.0663445959, 0.1042526927)),
     (AtlasPoint(3, 0.1749041940, 0.8515784172), AtlasPoint(1, 0.1738268557, 0.3178371659)),
+    # The way from the first to the seam beside it is shorter than 1e-9, but counts.
+    (AtlasPoint(6, 0.5511719558, 1.0 - 1e-9), AtlasPoint(1, 0.3736243928, 0.7913229003)),
 ]
 # Points beside both poles of a triaxial ellipsoid, which two geodesics of one length join.
 BESIDE_BOTH = [

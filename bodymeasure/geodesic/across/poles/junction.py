@@ -67,7 +67,7 @@ class PoleLeg(NamedTuple):
 
 
 class Passage(NamedTuple):
-    """What a path past a pole gains on the way through it.
+    """The length that a path past a pole gains on the way through it.
 
     Parameters
     ----------

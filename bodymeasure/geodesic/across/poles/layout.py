@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bodymeasure._typing import Array
+from bodymeasure.atlas.point import ON_EDGE
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import Crossing, on_side
 from bodymeasure.bezier import evaluate
@@ -143,4 +144,4 @@ def _without_empty_ends(course: Course) -> Course:
 
 
 def _is_point(points: Array) -> bool:
-    return bool(np.ptp(points, axis=0).max() <= ROUNDING)
+    return bool(np.ptp(points, axis=0).max() <= ON_EDGE)
