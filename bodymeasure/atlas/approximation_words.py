@@ -1,4 +1,4 @@
-"""What an atlas approximates, in sentences."""
+"""Sentences that say what an atlas approximates, and how well."""
 
 import numpy as np
 

@@ -173,7 +173,7 @@ def _unit_normal(su: Array, sv: Array) -> tuple[Array, Array]:
 def _bend(s: Array, normal: Array, regular: Bools) -> Array:
     """Second derivatives of the distance to the surface, 0 where there is no tangent plane."""
     tangents = np.stack([s[:, 1, 0], s[:, 0, 1]], axis=2)
-    # Of unit tangents the metric is well-conditioned, unless they are parallel.
+    # The metric of unit tangents is well-conditioned, unless they are parallel.
     speed = np.linalg.norm(tangents, axis=1)
     speed[~regular] = 1.0
     tangents = tangents / speed[:, None]

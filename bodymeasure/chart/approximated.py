@@ -1,4 +1,4 @@
-"""What the approximation of an atlas makes of a measurement."""
+"""The error that the approximation of an atlas adds to a measurement."""
 
 from dataclasses import replace
 

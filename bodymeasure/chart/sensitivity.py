@@ -1,4 +1,4 @@
-"""By how much a value changes if a landmark lies elsewhere."""
+"""The change of a value if a landmark lies elsewhere."""
 
 from dataclasses import replace
 

@@ -261,7 +261,7 @@ def test_the_farthest_of_several_landmarks() -> None:
     for direction, name in (("up", "high"), ("down", "low"), ("right", "right")):
         found = place(atlas, Farthest(name="f", of=every, direction=direction))  # type: ignore[arg-type]
         np.testing.assert_array_equal(found, atlas.position(atlas.landmarks[name]))
-    # Of two that are equally far, it is the left one.
+    # If two are equally far, the left one is taken.
     found = place(atlas, Farthest(name="f", of=("right", "left"), direction="down"))
     np.testing.assert_array_equal(found, atlas.position(left))
     assert "of needs two landmarks or more" in reason(
