@@ -31,8 +31,8 @@ LAYERS = (
 # The same within a package: a name is a folder or a module. What is not named stands on top, and
 # groups do not import from there.
 ORDERS = {
-    "atlas": "approximation, axes, components, normals, point, seams, size, units · tessellation ·"
-    " atlas · topology · queries · check · approximation_words, summary",
+    "atlas": "approximation, axes, components, normals, point, seams, size, units ·"
+    " faces, tessellation · atlas · topology · queries · check · approximation_words, summary",
     "bench": "problems · entrants · size · records · timing · summary · figure",
     "chart": "accuracy, formula, landmarks/choice, landmarks/names, picks, tapes · entry,"
     " landmarks/paths, landmarks/places · body, sides · kinds, landmarks/rules · approximated,"

@@ -7,6 +7,7 @@ from bodymeasure.atlas.axes import Axes
 from bodymeasure.atlas.check.check import check_atlas
 from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
 from bodymeasure.atlas.check.weld import weld
+from bodymeasure.atlas.faces import FileFaces
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.queries.approximation_error import approximation_error
 from bodymeasure.atlas.queries.closest import closest_point
@@ -28,6 +29,7 @@ __all__ = [
     "Axes",
     "Edge",
     "EdgeTable",
+    "FileFaces",
     "Finding",
     "FindingKind",
     "Location",

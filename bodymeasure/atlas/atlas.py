@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.approximation import Approximation
 from bodymeasure.atlas.axes import Axes
+from bodymeasure.atlas.faces import FileFaces
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES, edge_table, sides_of, weights_differ
 from bodymeasure.atlas.tessellation import tessellate
@@ -61,6 +62,8 @@ class Atlas:
         edge that two patches share, the weights of one are a multiple of the other's.
     approximation : Approximation, optional
         What the patches approximate, and how well, if they are not the surface itself.
+    faces : FileFaces, optional
+        The faces of the file that the atlas was read from, for `parameters`.
 
     Raises
     ------
@@ -80,6 +83,7 @@ class Atlas:
     provenance: Mapping[str, str] = field(default_factory=dict)
     weights: Array | None = None
     approximation: Approximation | None = None
+    faces: FileFaces | None = None
 
     def __repr__(self) -> str:
         patches = counted(len(self), "patch", "patches")
@@ -109,6 +113,11 @@ class Atlas:
             raise InputError(
                 f"the approximation has {len(self.approximation.distance)} numbers for {count} "
                 "patches; expected one each"
+            )
+        if self.faces is not None and len(self.faces.names) != count:
+            raise InputError(
+                f"there are {len(self.faces.names)} names of faces for {count} patches; expected "
+                "one each"
             )
 
     @classmethod
@@ -212,6 +221,58 @@ class Atlas:
         """
         point = self.landmark(point) if isinstance(point, str) else point
         return evaluate(self.control_points[point.patch], (point.u, point.v))
+
+    def parameters(self, face: str, s: float, t: float) -> AtlasPoint:
+        r"""Return the point at the parameters (s, t) of a face of the file that was read.
+
+        Parameters
+        ----------
+        face : str
+            The name that notes and errors on the file have for it: ``face 3`` of a STEP or IGES
+            file or of a mesh, counted from 1; ``line 7``, in which a surface of an OBJ file
+            begins; ``object 0`` or ``object 2, face 1`` of a Rhino file, and ``surface 0`` of
+            geomdl's JSON, with their names. `faces` lists them.
+        s, t : float
+            On a NURBS surface, its own parameters, in the range of its knots. On a quad of a mesh
+            they run from 0 to 1: s from its first vertex to its second, t from its first to its
+            last. Another polygon has parameters at each of its corners, as ``face 3 corner 1``: s
+            runs from 0 at the corner to 1 at the middle of the side to the next, t to the middle
+            of the side to the last, and (1, 1) is the middle of the face.
+
+        Returns
+        -------
+        AtlasPoint
+            On a side that patches share, it is on the first of them.
+
+        Raises
+        ------
+        InputError
+            If the atlas was not read from such a file, it has no such face, the face has no
+            parameters (it is left out, or its surface is of a kind that is converted, as a
+            sphere), or (s, t) is outside its range.
+
+        Examples
+        --------
+        >>> from pathlib import Path
+        >>> from tempfile import TemporaryDirectory
+        >>> import bodymeasure as bm
+        >>> with TemporaryDirectory() as folder:
+        ...     file = Path(folder, "square.obj")
+        ...     _ = file.write_text(
+        ...         "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 2 2 0\ncstype bezier\ndeg 1\n"
+        ...         "surf 0 10 0 1 1 2 3 4\nparm u 0 10\nparm v 0 1\nend\n"
+        ...     )
+        ...     atlas = bm.read_atlas(file, unit="m")
+        >>> atlas.parameters("line 7", 2.5, 0.5)
+        AtlasPoint(patch=0, u=0.25, v=0.5)
+        """
+        if self.faces is None:
+            raise InputError(
+                "the atlas has no faces with parameters of their own, which are read from NURBS "
+                "surfaces and meshes (STEP, IGES, 3dm, OBJ, geomdl's JSON) and kept in .atlas and "
+                ".npz files; expected such a file, or name the place by AtlasPoint(patch, u, v)"
+            )
+        return self.faces.point(face, s, t)
 
     def landmark(self, name: str) -> AtlasPoint:
         """The landmark of a name.

@@ -17,6 +17,7 @@ from bodymeasure.atlas import (
     Atlas,
     AtlasPoint,
     Axes,
+    FileFaces,
     Unit,
 )
 from bodymeasure.errors import InputError
@@ -27,6 +28,7 @@ VERSION = 1
 
 _Number = Annotated[int, msgspec.Meta(ge=0, le=2**31 - 1)]
 _Point = tuple[float, float, float]
+_Pair = tuple[float, float]
 
 
 class _PatchRecord(msgspec.Struct, forbid_unknown_fields=True):
@@ -36,6 +38,8 @@ class _PatchRecord(msgspec.Struct, forbid_unknown_fields=True):
     weights: list[list[float]] | None = None
     distance: float = 0.0
     stretch: float = 0.0
+    face: str = ""
+    corners: tuple[_Pair, _Pair, _Pair] | None = None
 
 
 class _ApproximationRecord(msgspec.Struct, forbid_unknown_fields=True):
@@ -68,6 +72,7 @@ class _AtlasRecord(msgspec.Struct, forbid_unknown_fields=True):
     landmarks: dict[str, _LandmarkRecord] = {}
     degree: int = LEAST_DEGREE
     approximation: _ApproximationRecord | None = None
+    faces_without_parameters: dict[str, str] = {}
 
 
 class _Header(msgspec.Struct):
@@ -116,6 +121,11 @@ def write(atlas: Atlas) -> bytes:
             for patch, value in zip(patches, getattr(approximation, key).tolist(), strict=True):
                 if value:
                     patch[key] = value
+    faces = atlas.faces
+    if faces is not None:
+        for patch, face, corners in zip(patches, faces.names, faces.corners.tolist(), strict=True):
+            if face:
+                patch |= {"face": face, "corners": corners}
     landmarks = [
         f"{_line(name)}: "
         + _line({"patch": atlas.patch_names[point.patch], "u": point.u, "v": point.v})
@@ -130,6 +140,11 @@ def write(atlas: Atlas) -> bytes:
         "unit": _line(atlas.unit.value),
         "axes": _line({"up": atlas.axes.up, "front": atlas.axes.front}),
         **({} if approximation is None else {"approximation": _line(_summary(approximation))}),
+        **(
+            {"faces_without_parameters": _line(faces.without)}
+            if faces is not None and faces.without
+            else {}
+        ),
         "provenance": json.dumps(dict(atlas.provenance), ensure_ascii=False, indent=1),
         "landmarks": _block("{}", landmarks),
         "patches": _block("[]", [_line(patch) for patch in patches]),
@@ -186,6 +201,7 @@ def _atlas(record: _AtlasRecord) -> Atlas:
         provenance=record.provenance,
         weights=_weights(record),
         approximation=_approximation(record),
+        faces=_faces(record),
     )
 
 
@@ -222,6 +238,21 @@ def _approximation(record: _AtlasRecord) -> Approximation | None:
         summary.mesh_rms,
         summary.mesh_lengths,
     )
+
+
+def _faces(record: _AtlasRecord) -> FileFaces | None:
+    """Return the faces of patches; None if none has one."""
+    for patch in record.patches:
+        if bool(patch.face) != (patch.corners is not None):
+            raise InputError(
+                f"patch {patch.name!r} has a face without its corners there, or corners without "
+                "their face; expected both, or neither"
+            )
+    without = record.faces_without_parameters
+    if not without and not any(patch.face for patch in record.patches):
+        return None
+    corners = [patch.corners or ((0.0, 0.0),) * 3 for patch in record.patches]
+    return FileFaces(tuple(patch.face for patch in record.patches), np.array(corners), without)
 
 
 def _squares(record: _AtlasRecord, what: str, values: list[Any]) -> Array:

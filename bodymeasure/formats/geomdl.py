@@ -15,7 +15,13 @@ from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError
 from bodymeasure.formats.json_faults import place_of_fault
 from bodymeasure.formats.patches import ReadPatches
-from bodymeasure.formats.spline_patches import DegreeError, notes_of_refused, spline_patches
+from bodymeasure.formats.spline_patches import (
+    DegreeError,
+    SplinePatches,
+    faces_of_surfaces,
+    notes_of_refused,
+    spline_patches,
+)
 
 
 class _ControlPoints(msgspec.Struct):
@@ -87,25 +93,30 @@ def read(content: bytes, source: str) -> ReadPatches:
     names: list[str] = []
     places: list[str] = []
     refused: list[str] = []
+    corners: list[Array] = []
+    without: dict[str, str] = {}
     for number, surface in enumerate(shape.data):
         place = f"surface {number}" + (f" ({surface.name!r})" if surface.name else "")
         try:
-            surface_nets, surface_weights = _patches(surface)
+            own = _patches(surface)
         except DegreeError as error:
             refused.append(f"{place}: {error}")
+            without[place] = f"it is left out, since it {error}"
             continue
         except InputError as error:
             raise InputError(f"{source}, {place}: {error}") from None
-        nets += surface_nets
-        weights += surface_weights
-        names += [surface.name] * len(surface_nets)
-        places += [place] * len(surface_nets)
+        nets += own.nets
+        weights += own.weights
+        corners.append(own.corners)
+        names += [surface.name] * len(own.nets)
+        places += [place] * len(own.nets)
     notes = notes_of_refused(refused, source, any_read=bool(nets))
-    return ReadPatches(nets, weights, names, places=places, notes=notes)
+    faces = faces_of_surfaces(places, corners, without)
+    return ReadPatches(nets, weights, names, places=places, notes=notes, faces=faces)
 
 
-def _patches(surface: _Surface) -> tuple[list[Array], list[Array]]:
-    """Control points and weights of a surface's patches."""
+def _patches(surface: _Surface) -> SplinePatches:
+    """Return the patches of a surface."""
     if surface.type != "spline" or surface.dimension != 3:
         raise InputError(
             f"is a {surface.type} of dimension {surface.dimension}; expected a spline of "

@@ -67,4 +67,5 @@ def select_groups(atlas: Atlas, groups: Sequence[str]) -> Atlas:
             if point.patch in new_number
         },
         approximation=approximation,
+        faces=None if atlas.faces is None else atlas.faces.part(np.array(chosen)),
     )

@@ -2,7 +2,8 @@
 
 The arrays are `points`, shape (n, 3) or (bodies, n, 3); `index`, shape (patches, 4, 4); `weights`
 of rational patches, of the same shape; `distance` and `stretch` of an approximation, shape
-(patches,); and `header`, a text with everything else in JSON. Nothing is unpickled.
+(patches,); `corners` of patches on the faces of the file that they were read from, shape
+(patches, 3, 2); and `header`, a text with everything else in JSON. Nothing is unpickled.
 """
 
 import ast
@@ -18,7 +19,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
-from bodymeasure.atlas import Approximation, ApproximationKind, Atlas, AtlasPoint, Axes, Unit
+from bodymeasure.atlas import (
+    Approximation,
+    ApproximationKind,
+    Atlas,
+    AtlasPoint,
+    Axes,
+    FileFaces,
+    Unit,
+)
 from bodymeasure.errors import InputError
 
 FORMAT = "bodymeasure atlas"
@@ -36,10 +45,13 @@ _KINDS = {
     "weights": "f",
     "distance": "f",
     "stretch": "f",
+    "corners": "f",
 }
-# The arrays that some files lack: weights, and the deviation of an approximation.
+# The arrays that some files lack: weights, the deviation of an approximation, and the parameters of
+# faces.
 _DEVIATION = ("distance", "stretch")
-_OPTIONAL = {"weights", *_DEVIATION}
+_LAST = (*_DEVIATION, "corners")
+_OPTIONAL = {"weights", *_LAST}
 
 
 class _Header(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
@@ -55,6 +67,9 @@ class _Header(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
     provenance: dict[str, str]
     # The kind of an approximation and its numbers on the mesh, in the order of `Approximation`.
     approximation: tuple[ApproximationKind, float, float, float] | None = None
+    # The face of each patch, and faces without parameters.
+    faces: list[str] | None = None
+    faces_without_parameters: dict[str, str] = {}
 
 
 def read(content: bytes, source: str) -> Atlas:
@@ -97,6 +112,7 @@ def read_bodies(content: bytes, source: str) -> tuple[Atlas, ...]:
             header.provenance,
             arrays.get("weights"),
             _approximation(header, arrays),
+            _faces(header, arrays),
         )
         rest = zip(bodies[1:], header.names[1:], strict=True)
         return (first, *(replace(first, points=each, name=name) for each, name in rest))
@@ -137,6 +153,11 @@ def write_bodies(atlases: Sequence[Atlas]) -> bytes:
                 f"atlas {number} ({atlas.name!r}) approximates its surface in another way than the "
                 "first; expected the same numbers in all; write it to its own file"
             )
+        if not _same_faces(atlas.faces, first.faces):
+            raise InputError(
+                f"atlas {number} ({atlas.name!r}) has other faces of a file than the first; "
+                "expected the same in all; write it to its own file"
+            )
     header = _Header(
         FORMAT,
         VERSION,
@@ -149,6 +170,8 @@ def write_bodies(atlases: Sequence[Atlas]) -> bytes:
         [atlas.name for atlas in atlases],
         dict(first.provenance),
         _summary(first.approximation),
+        None if first.faces is None else list(first.faces.names),
+        {} if first.faces is None else dict(first.faces.without),
     )
     try:
         text = msgspec.json.encode(header).decode()
@@ -167,6 +190,8 @@ def write_bodies(atlases: Sequence[Atlas]) -> bytes:
     if first.approximation is not None:
         arrays["distance"] = first.approximation.distance
         arrays["stretch"] = first.approximation.stretch
+    if first.faces is not None:
+        arrays["corners"] = first.faces.corners
     np.savez_compressed(buffer, **arrays)
     return buffer.getvalue()
 
@@ -178,6 +203,10 @@ def _same(first: Array | None, second: Array | None) -> bool:
 
 
 def _same_approximation(first: Approximation | None, second: Approximation | None) -> bool:
+    return first is second if first is None else first.is_same(second)
+
+
+def _same_faces(first: FileFaces | None, second: FileFaces | None) -> bool:
     return first is second if first is None else first.is_same(second)
 
 
@@ -200,6 +229,14 @@ def _approximation(header: _Header, arrays: dict[str, NDArray[Any]]) -> Approxim
     return Approximation(kind, arrays["distance"], arrays["stretch"], *numbers)
 
 
+def _faces(header: _Header, arrays: dict[str, NDArray[Any]]) -> FileFaces | None:
+    if header.faces is None and "corners" not in arrays:
+        return None
+    if header.faces is None or "corners" not in arrays:
+        raise InputError("holds a part of the parameters of faces; expected all of it, or none")
+    return FileFaces(tuple(header.faces), arrays["corners"], header.faces_without_parameters)
+
+
 def _arrays(content: bytes, source: str) -> dict[str, NDArray[Any]]:
     """The arrays of a file, none of them larger than the file can hold."""
     try:
@@ -209,7 +246,7 @@ def _arrays(content: bytes, source: str) -> dict[str, NDArray[Any]]:
             if len(there) != len(archive.infolist()) or not there >= _KINDS.keys() - _OPTIONAL:
                 raise InputError(
                     f"{source}: holds {', '.join(sorted(sizes)) or 'nothing'}; expected the arrays "
-                    f"{', '.join((*sorted(_KINDS.keys() - {*_DEVIATION}), *_DEVIATION))}"
+                    f"{', '.join((*sorted(_KINDS.keys() - {*_LAST}), *_LAST))}"
                 )
             if sum(sizes.values()) > MOST_EXPANSION * len(content) + _SMALL:
                 raise InputError(

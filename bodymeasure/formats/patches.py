@@ -8,7 +8,7 @@ from itertools import count
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.atlas import LARGEST_DEGREE, LEAST_DEGREE, Atlas, Axes, Unit, weld
+from bodymeasure.atlas import LARGEST_DEGREE, LEAST_DEGREE, Atlas, Axes, FileFaces, Unit, weld
 from bodymeasure.bezier import elevate, homogeneous, project
 from bodymeasure.errors import InputError
 
@@ -31,6 +31,8 @@ class ReadPatches:
         The unit, if the file has one.
     notes : sequence of str
         What a user should know about the reading, such as what was left out.
+    faces : FileFaces, optional
+        The parameters of the surfaces that the patches are cut from.
     """
 
     nets: Sequence[Array]
@@ -40,6 +42,7 @@ class ReadPatches:
     places: Sequence[str] = ()
     unit: Unit | None = None
     notes: Sequence[str] = ()
+    faces: FileFaces | None = None
 
     def place(self, number: int) -> str:
         """The words by which an error names a patch."""
@@ -88,6 +91,7 @@ def assemble(
             regions=tuple(patches.groups),
             axes=axes,
             weights=weights,
+            faces=patches.faces,
         )
     except InputError as error:
         raise InputError(f"{source}: {error}") from None

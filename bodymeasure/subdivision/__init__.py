@@ -11,7 +11,7 @@ from bodymeasure.subdivision.patches.flat import (
     flat_places,
     mesh_deviation,
 )
-from bodymeasure.subdivision.patches.irregular import irregular_quads, neighborhood
+from bodymeasure.subdivision.patches.irregular import children_places, irregular_quads, neighborhood
 from bodymeasure.subdivision.patches.loop_schaefer import PatchNets, loop_schaefer
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh
 from bodymeasure.subdivision.polygons import quads_of, refined
@@ -24,6 +24,7 @@ __all__ = [
     "PolygonMesh",
     "QuadMesh",
     "children",
+    "children_places",
     "face_distances",
     "fill_pinches",
     "fitted",

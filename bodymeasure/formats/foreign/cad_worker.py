@@ -13,6 +13,9 @@ from bodymeasure._typing import Array
 ON_BORDER = 1e-6
 # The number of points along an edge at which its distance to the border is taken.
 ALONG = 9
+# A B-spline that is this close to the surface that it was made from, as a part of the coordinates,
+# at equal parameters has the surface's own.
+SAME = 1e-9
 
 
 def main(file: str, result: str) -> int:
@@ -27,19 +30,31 @@ def main(file: str, result: str) -> int:
     arrays: dict[str, Any] = {}
     faces: list[dict[str, Any]] = []
     notes: list[str] = []
+    without: dict[str, str] = {}
     for number, face in enumerate(_faces(shape)):
         place = f"face {number + 1}"
         try:
             surface, own_notes = _surface(face)
             own = _arrays(surface, face)
+            has_own = _has_own_parameters(surface, face)
         except Exception as error:  # whatever Open CASCADE stumbles over
             notes.append(f"{place} cannot be made a B-spline ({error}); it is left out")
+            without[place] = f"it is left out, since it cannot be made a B-spline ({error})"
             continue
         notes += [f"{place} {note}" for note in own_notes]
         arrays |= {f"{name} {len(faces)}": array for name, array in own.items()}
         degrees = [surface.UDegree(), surface.VDegree()]
-        faces.append({"name": place, "group": "", "place": place, "degrees": degrees})
-    document = {"unit": "mm", "notes": notes, "faces": faces}
+        faces.append(
+            {
+                "name": place,
+                "group": "",
+                "place": place,
+                "degrees": degrees,
+                "own": has_own,
+                "mirrored": _is_reversed(face),
+            }
+        )
+    document = {"unit": "mm", "notes": notes, "without": without, "faces": faces}
     np.savez(result, document=np.array(json.dumps(document)), **arrays)
     return 0
 
@@ -100,6 +115,30 @@ def _surface(face: Any) -> tuple[Any, list[str]]:
     return spline, notes
 
 
+def _has_own_parameters(spline: Any, face: Any) -> bool:
+    """Whether the B-spline has the same points as the surface of a face at equal parameters.
+
+    One that a cylinder or a sphere is converted to has others.
+    """
+    from OCP.BRep import BRep_Tool
+
+    surface = _static(BRep_Tool, "Surface")(face)
+    first_s, last_s, first_t, last_t = spline.Bounds()
+    for s in np.linspace(first_s, last_s, ALONG):
+        for t in np.linspace(first_t, last_t, ALONG):
+            there, here = surface.Value(s, t), spline.Value(s, t)
+            size = max(abs(there.X()), abs(there.Y()), abs(there.Z()), 1.0)
+            if not there.Distance(here) <= SAME * size:
+                return False
+    return True
+
+
+def _is_reversed(face: Any) -> bool:
+    from OCP.TopAbs import TopAbs_Orientation
+
+    return bool(face.Orientation() == TopAbs_Orientation.TopAbs_REVERSED)
+
+
 def _covered(surface: Any, bounds: tuple[float, ...]) -> tuple[Array, float]:
     """A face's range in u and v on its surface, and the part of it by which the face overhangs.
 
@@ -144,8 +183,6 @@ def _is_trimmed(face: Any, bounds: tuple[float, ...]) -> bool:
 
 
 def _arrays(surface: Any, face: Any) -> dict[str, Array]:
-    from OCP.TopAbs import TopAbs_Orientation
-
     rows, columns = surface.NbUPoles(), surface.NbVPoles()
     points = np.empty((rows, columns, 3))
     weights = np.empty((rows, columns))
@@ -157,7 +194,7 @@ def _arrays(surface: Any, face: Any) -> dict[str, Array]:
     knots_u = _knots(surface.UKnot, surface.UMultiplicity, surface.NbUKnots())
     knots_v = _knots(surface.VKnot, surface.VMultiplicity, surface.NbVKnots())
     # Patches face the way the solid does.
-    if face.Orientation() == TopAbs_Orientation.TopAbs_REVERSED:
+    if _is_reversed(face):
         points, weights = points[::-1], weights[::-1]
         knots_u = knots_u[-1] + knots_u[0] - knots_u[::-1]
     return {"points": points, "weights": weights, "knots u": knots_u, "knots v": knots_v}

@@ -4,6 +4,7 @@ import json
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -14,7 +15,11 @@ from numpy.typing import NDArray
 from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.formats.patches import ReadPatches
-from bodymeasure.formats.spline_patches import notes_of_refused, spline_patches
+from bodymeasure.formats.spline_patches import (
+    faces_of_surfaces,
+    notes_of_refused,
+    spline_patches,
+)
 
 # Bytes that a reader gets through in some seconds. A broken file may keep it busy forever.
 CHUNK = 2_000_000
@@ -92,6 +97,9 @@ def _patches(arrays: Mapping[str, NDArray[Any]], source: str) -> tuple[str, Read
     places: list[str] = []
     notes: list[str] = document["notes"]
     refused: list[str] = []
+    corners: list[Array] = []
+    without: dict[str, str] = document["without"]
+    times = Counter(face["place"] for face in document["faces"])
     for number, face in enumerate(document["faces"]):
         try:
             own_weights = arrays[f"weights {number}"]
@@ -100,7 +108,7 @@ def _patches(arrays: Mapping[str, NDArray[Any]], source: str) -> tuple[str, Read
                 raise InputError(
                     "has weights that are not positive, with which a surface has poles"
                 )
-            own_nets, cut_weights = spline_patches(
+            own = spline_patches(
                 arrays[f"points {number}"],
                 own_weights,
                 tuple(face["degrees"]),
@@ -108,17 +116,31 @@ def _patches(arrays: Mapping[str, NDArray[Any]], source: str) -> tuple[str, Read
             )
         except InputError as error:
             refused.append(f"{face['place']}: {error}")
+            without[face["place"]] = f"it is left out, since it {error}"
             continue
-        nets += own_nets
-        weights += cut_weights
-        names += [face["name"]] * len(own_nets)
-        groups += [face["group"]] * len(own_nets)
-        places += [face["place"]] * len(own_nets)
+        corners.append(own.corners)
+        if face["mirrored"]:
+            # The worker has turned the control points and the knots in u around.
+            knots = arrays[f"knots u {number}"]
+            s, t = own.corners[..., 0], own.corners[..., 1]
+            corners[-1] = np.stack([knots[-1] + knots[0] - s, t], axis=-1)
+        if times[face["place"]] > 1:
+            without[face["place"]] = "it is in the file several times, as a part of blocks"
+        elif not face["own"]:
+            without[face["place"]] = (
+                "its surface was converted to a B-spline, whose parameters are others"
+            )
+        nets += own.nets
+        weights += own.weights
+        names += [face["name"]] * len(own.nets)
+        groups += [face["group"]] * len(own.nets)
+        places += [face["place"]] * len(own.nets)
     if notes and not nets and not refused:
         more = f" and {len(notes) - _QUOTED} more" if len(notes) > _QUOTED else ""
         raise InputError(
             f"{source}: holds no patch; expected at least one: {'; '.join(notes[:_QUOTED])}{more}"
         )
     notes += notes_of_refused(refused, source, any_read=bool(nets))
-    found = ReadPatches(nets, weights, names, groups, places, notes=notes)
+    faces = faces_of_surfaces(places, corners, without)
+    found = ReadPatches(nets, weights, names, groups, places, notes=notes, faces=faces)
     return document["unit"], found

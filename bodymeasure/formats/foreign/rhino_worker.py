@@ -15,19 +15,23 @@ MEMORY = 4 * 2**30
 ALONG = 5
 # Segments of a surface's sides for that; their sag on a half circle is 1e-4 of its radius.
 SEGMENTS = 256
+# NURBS that are this close to the surface that they were made from at equal parameters, as a part
+# of the coordinates, have the surface's own.
+SAME = 1e-9
 # A face whose edges run this close to its surface's sides, as a part of the surface's size, is not
 # trimmed. Rhino's own edges follow the sides within 1e-5 or so.
 ON_SIDE = 1e-3
 
 
 class _Found(NamedTuple):
-    """One surface of a file, and whether its face covers only a part of it."""
+    """One surface of a file, whether its face covers only a part of it, and has its parameters."""
 
     place: str
     layer: str
     surface: Any
     reversed: bool
     trimmed: bool
+    own: bool = True
 
 
 def main(file: str, result: str) -> int:
@@ -40,6 +44,7 @@ def main(file: str, result: str) -> int:
         return 1
     arrays: dict[str, Any] = {}
     faces: list[dict[str, Any]] = []
+    without: dict[str, str] = {}
     objects, notes = seen_objects(model)
     surfaces: dict[int, list[_Found]] = {}
     for number, item, name, transform in objects:
@@ -51,14 +56,25 @@ def main(file: str, result: str) -> int:
             except Exception as error:  # whatever rhino3dm stumbles over
                 surfaces[number] = []
                 notes.append(f"{place} cannot be made NURBS surfaces ({error}); it is left out")
+                without[place] = f"it is left out, since it cannot be made NURBS ({error})"
         for one in surfaces[number]:
             own = _arrays(one, transform)
             arrays |= {f"{key} {len(faces)}": array for key, array in own.items()}
             degrees = [one.surface.OrderU - 1, one.surface.OrderV - 1]
-            faces.append({"name": name, "group": one.layer, "place": one.place, "degrees": degrees})
+            faces.append(
+                {
+                    "name": name,
+                    "group": one.layer,
+                    "place": one.place,
+                    "degrees": degrees,
+                    "own": one.own,
+                    "mirrored": _is_turned(one, transform),
+                }
+            )
     document = {
         "unit": model.Settings.ModelUnitSystem.name,
         "notes": notes,
+        "without": without,
         "faces": faces,
     }
     np.savez(result, document=np.array(json.dumps(document)), **arrays)
@@ -105,13 +121,32 @@ def _surfaces(file: Any, item: Any, place: str) -> list[_Found]:
                 surfaces[number],
                 bool(faces[number].OrientationIsReversed),
                 not geometry.IsSurface and _is_trimmed(geometry, faces[number], surfaces[number]),
+                _has_own_parameters(faces[number], surfaces[number]),
             )
             for number in kept
         ]
     if isinstance(geometry, rhino3dm.Surface):
         surface = geometry.ToNurbsSurface()
-        return [] if surface is None else [_Found(place, layer, surface, False, False)]
+        own = surface is not None and _has_own_parameters(geometry, surface)
+        return [] if surface is None else [_Found(place, layer, surface, False, False, own)]
     return []
+
+
+def _has_own_parameters(surface: Any, nurbs: Any) -> bool:
+    """Whether NURBS have the same points as a surface at equal parameters."""
+    domains = [(each.T0, each.T1) for each in (nurbs.Domain(0), nurbs.Domain(1))]
+    for s in np.linspace(*domains[0], 2 * ALONG - 1):
+        for t in np.linspace(*domains[1], 2 * ALONG - 1):
+            pair = surface.PointAt(s, t), nurbs.PointAt(s, t)
+            there, here = (np.array([p.X, p.Y, p.Z]) for p in pair)
+            if not np.abs(there - here).max() <= SAME * max(1.0, np.abs(there).max()):
+                return False
+    return True
+
+
+def _is_turned(found: _Found, transform: Array) -> bool:
+    """Whether a face is turned around, so that a mirrored solid still faces outwards."""
+    return bool(found.reversed != (np.linalg.det(transform[:3, :3]) < 0.0))
 
 
 def _layer(file: Any, index: int) -> str:
@@ -163,8 +198,7 @@ def _arrays(found: _Found, transform: Array) -> dict[str, Array]:
     net = np.array([[p.X, p.Y, p.Z, p.W] for p in points]).reshape(*shape, 4)
     if transform is not UNMOVED:
         net = net @ transform.T
-    # A mirrored solid still faces outwards.
-    turned = found.reversed != (np.linalg.det(transform[:3, :3]) < 0.0)
+    turned = _is_turned(found, transform)
     if turned:
         net = net[::-1]
     knots = []

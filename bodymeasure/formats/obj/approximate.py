@@ -11,6 +11,7 @@ from bodymeasure.errors import InputError
 from bodymeasure.subdivision import (
     PatchNets,
     PolygonMesh,
+    children_places,
     face_distances,
     fitted,
     flat_places,
@@ -43,11 +44,17 @@ class Approximated(NamedTuple):
     nets : PatchNets
     face : ndarray of int, shape (patches,)
         The face that each comes from.
+    at_corner : ndarray of int, shape (patches,)
+        The corner of the face, if that is no quad.
+    corners : ndarray, shape (patches, 3, 2)
+        The parameters on the face, or at its corner, at (u, v) = (0, 0), (1, 0) and (0, 1).
     approximation : Approximation
     """
 
     nets: PatchNets
     face: Ints
+    at_corner: Ints
+    corners: Array
     approximation: Approximation
 
 
@@ -77,6 +84,7 @@ def approximate(
         )
     most = FEW if deviation is None else MANY
     places, face = mesh.vertices, np.arange(len(mesh.sizes))
+    at_corner, squares = _first_squares(mesh)
     if interpolate:
         mesh = _through_vertices(mesh)
     if not (mesh.sizes == 4).all():
@@ -88,6 +96,7 @@ def approximate(
         if largest <= wanted or _out_of_reach(largest / wanted, most / len(face)):
             break
         mesh, places, face = _refined(mesh, places, face)
+        at_corner, squares = np.repeat(at_corner, 4), children_places(squares)
     if deviation is not None and largest > deviation:
         raise InputError(
             f"{len(face)} patches still deviate by {largest:.2g} from the surface of the mesh, and "
@@ -100,6 +109,8 @@ def approximate(
     return Approximated(
         chosen,
         face[kept],
+        at_corner[kept],
+        squares[kept][:, [0, 1, 3]],
         Approximation(
             ApproximationKind.INTERPOLATED if interpolate else ApproximationKind.SMOOTHED,
             _short(found.distance[kept] / size),
@@ -120,6 +131,21 @@ def _out_of_reach(factor: float, more: float) -> bool:
 def _refined(mesh: PolygonMesh, places: Array, face: Ints) -> tuple[PolygonMesh, Array, Ints]:
     """Return the mesh after a step, with places on the original faces and the face of each quad."""
     return refined(mesh), flat_places(mesh, places), face[mesh.face]
+
+
+def _first_squares(mesh: PolygonMesh) -> tuple[Ints, Array]:
+    """Return the corner of its face for each first quad of a mesh, and the (s, t) of its corners.
+
+    If there are other polygons than quads, each face becomes a quad for each of its corners.
+    """
+    square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    if (mesh.sizes == 4).all():
+        count = len(mesh.sizes)
+        return np.zeros(count, dtype=np.int64), np.broadcast_to(square, (count, 4, 2))
+    first = np.cumsum(mesh.sizes) - mesh.sizes
+    at_corner = np.arange(len(mesh.corners)) - first[mesh.face]
+    of_quads = children_places(square[None])[at_corner % 4]
+    return at_corner, np.where((mesh.sizes == 4)[mesh.face][:, None, None], of_quads, square)
 
 
 def _through_vertices(mesh: PolygonMesh) -> PolygonMesh:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Bools, Ints
-from bodymeasure.atlas import Atlas, Axes, Unit
+from bodymeasure.atlas import Atlas, Axes, FileFaces, Unit
 from bodymeasure.atlas.size import require_size
 from bodymeasure.errors import InputError
 from bodymeasure.formats.obj.approximate import Approximated
@@ -106,7 +106,26 @@ def assemble(faces: Faces, patches: Approximated, *, unit: Unit, axes: Axes) -> 
         regions=tuple(_each(faces.groups, face)),
         axes=axes,
         approximation=patches.approximation,
+        faces=_file_faces(faces, patches),
     )
+
+
+def _file_faces(faces: Faces, patches: Approximated) -> FileFaces:
+    """Return the faces by their numbers, and those of other polygons at each of their corners."""
+    sizes = faces.mesh.sizes.tolist()
+    names = [
+        f"face {face + 1}" if sizes[face] == 4 else f"face {face + 1} corner {corner + 1}"
+        for face, corner in zip(patches.face.tolist(), patches.at_corner.tolist(), strict=True)
+    ]
+    without = {
+        f"face {face + 1}": f"it has {size} corners, and parameters at each of them, as "
+        f"'face {face + 1} corner 1'"
+        for face, size in enumerate(sizes)
+        if size != 4
+    }
+    for face in np.flatnonzero(faces.holes).tolist():
+        without[f"face {face + 1}"] = "the tags make it a hole"
+    return FileFaces(tuple(names), patches.corners, without)
 
 
 def _each(texts: list[str], numbers: Ints) -> list[str]:

@@ -27,7 +27,9 @@ from bodymeasure.formats.obj.statements import (
 from bodymeasure.formats.patches import ReadPatches
 from bodymeasure.formats.spline_patches import (
     DegreeError,
+    SplinePatches,
     clamped_knots,
+    faces_of_surfaces,
     notes_of_refused,
     spline_patches,
 )
@@ -65,26 +67,31 @@ def from_statements(file: ObjFile, source: str) -> ReadPatches:
     groups: list[str] = []
     places: list[str] = []
     refused: list[str] = []
+    corners: list[Array] = []
+    without: dict[str, str] = {}
     for surface in _surfaces(file, source):
         place = f"line {surface.statement.line}"
         try:
-            surface_nets, surface_weights = _patches(surface, file, source)
+            own = _patches(surface, file, source)
         except DegreeError as error:
             refused.append(f"{place}: {error}")
+            without[place] = f"it is left out, since it {error}"
             continue
         except InputError as error:
             message = str(error)
             if not message.startswith(source):
                 message = f"{source}, {place}: {message}"
             raise InputError(message) from None
-        count = len(surface_nets)
-        nets += surface_nets
-        weights += surface_weights
+        count = len(own.nets)
+        nets += own.nets
+        weights += own.weights
+        corners.append(own.corners)
         names += [surface.labels.name] * count
         groups += [surface.labels.groups] * count
         places += [place] * count
     notes = (*file.notes, *notes_of_refused(refused, source, any_read=bool(nets)))
-    return ReadPatches(nets, weights, names, groups, places, notes=notes)
+    faces = faces_of_surfaces(places, corners, without)
+    return ReadPatches(nets, weights, names, groups, places, notes=notes, faces=faces)
 
 
 def _surfaces(file: ObjFile, source: str) -> Iterator[_Surface]:
@@ -156,8 +163,8 @@ def _degrees(words: list[bytes], place: str) -> tuple[int, int]:
     return numbers[0], numbers[-1]
 
 
-def _patches(surface: _Surface, file: ObjFile, source: str) -> tuple[list[Array], list[Array]]:
-    """Control points and weights of a surface's patches."""
+def _patches(surface: _Surface, file: ObjFile, source: str) -> SplinePatches:
+    """Return the patches of a surface."""
     statement, degrees = surface.statement, surface.degrees
     if not surface.kind or not degrees[0]:
         raise InputError("surf without cstype and deg before it")

@@ -289,3 +289,28 @@ def test_the_members_of_nested_blocks_are_bounded(monkeypatch: pytest.MonkeyPatc
     found, notes = rhino_objects.seen_objects(file)
     assert len(found) < 1000
     assert notes == ["blocks place more than 1,000 objects; the others are left out"]
+
+
+@READS
+def test_parameters_of_an_object_are_those_of_its_surface(
+    tmp_path: Path, rng: np.random.Generator
+) -> None:
+    surface = free_form(rng)
+    box = rhino3dm.Box(rhino3dm.BoundingBox(rhino3dm.Point3d(0, 0, 0), rhino3dm.Point3d(1, 2, 3)))
+    solid = rhino3dm.Brep.CreateFromBox(box)
+    atlas = bm.read_atlas(written(tmp_path / "a.3dm", surface, solid, sphere(2.0)))
+    assert atlas.faces is not None
+    names = list(dict.fromkeys(name for name in atlas.faces.names if name))
+    assert len(names) == 7
+    for name, each in zip(names, [surface, *(solid.Faces[k] for k in range(6))], strict=True):
+        for fractions in [*rng.uniform(size=(5, 2)).tolist(), (1.0, 0.0), (1 / 3, 0.5)]:
+            s, t = (
+                each.Domain(k).T0 + part * (each.Domain(k).T1 - each.Domain(k).T0)
+                for k, part in enumerate(fractions)
+            )
+            point = each.PointAt(s, t)
+            found = atlas.position(atlas.parameters(name, s, t))
+            np.testing.assert_allclose(found, [point.X, point.Y, point.Z], atol=1e-12)
+    (other,) = atlas.faces.without
+    with pytest.raises(bm.InputError, match="its surface was converted to a B-spline"):
+        atlas.parameters(other, 0.5, 0.5)

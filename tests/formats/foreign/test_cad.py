@@ -274,3 +274,32 @@ def test_a_file_that_takes_too_long_is_given_up(
         bm.InputError, match=r"a\.step: Open CASCADE did not read it in 0 s; it may"
     ):
         bm.read_atlas(path)
+
+
+@pytest.mark.usefixtures("_in_this_process")
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("is_reversed", [False, True])
+def test_parameters_of_a_face_are_those_of_its_surface(
+    kind: str, is_reversed: bool, tmp_path: Path, rng: np.random.Generator
+) -> None:
+    from OCP.BRep import BRep_Builder
+    from OCP.TopoDS import TopoDS_Compound
+
+    face, surface = free_form(rng)
+    builder, both = BRep_Builder(), TopoDS_Compound()
+    builder.MakeCompound(both)
+    builder.Add(both, face.Reversed() if is_reversed else face)
+    builder.Add(both, sphere())
+    atlas = bm.read_atlas(written(tmp_path / f"a.{kind}", both))
+    assert atlas.faces is not None
+    # An IGES file has the sphere first.
+    (own,) = {name for name in atlas.faces.names if name}
+    (converted,) = atlas.faces.without
+    assert {own, converted} == {"face 1", "face 2"}
+    for s, t in [*rng.uniform([0.0, 0.0], [2.0, 3.0], (20, 2)).tolist(), (2.0, 0.0), (1.0, 2.0)]:
+        # Open CASCADE turns a reversed surface around itself when it writes an IGES file.
+        point = surface.Value(2.0 - s if is_reversed and kind == "iges" else s, t)
+        found = atlas.position(atlas.parameters(own, s, t))
+        np.testing.assert_allclose(found, [point.X(), point.Y(), point.Z()], atol=1e-9)
+    with pytest.raises(bm.InputError, match=f"{converted} has no parameters: its surface was"):
+        atlas.parameters(converted, 0.1, 0.1)
