@@ -1,6 +1,7 @@
 """STEP and IGES files, written by Open CASCADE."""
 
 import subprocess
+import warnings
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -303,3 +304,17 @@ def test_parameters_of_a_face_are_those_of_its_surface(
         np.testing.assert_allclose(found, [point.X(), point.Y(), point.Z()], atol=1e-9)
     with pytest.raises(bm.InputError, match=f"{converted} has no parameters: its surface was"):
         atlas.parameters(converted, 0.1, 0.1)
+
+
+@pytest.mark.usefixtures("_in_this_process")
+@pytest.mark.parametrize("angle", [0.5, np.pi / 2, np.pi, 2.0 * np.pi])
+def test_a_round_face_has_no_parameters(angle: float, tmp_path: Path) -> None:
+    """The surface and its spline have the same points in the middles of arcs, and no others."""
+    from OCP.BRepPrimAPI import BRepPrimAPI_MakeCylinder
+
+    shape = BRepPrimAPI_MakeCylinder(5.0, 10.0, angle).Shape()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ReadWarning)
+        atlas = bm.read_atlas(written(tmp_path / "a.step", shape))
+    assert atlas.faces is not None
+    assert len(atlas.faces.without) == 1

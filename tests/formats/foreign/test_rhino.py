@@ -314,3 +314,12 @@ def test_parameters_of_an_object_are_those_of_its_surface(
     (other,) = atlas.faces.without
     with pytest.raises(bm.InputError, match="its surface was converted to a B-spline"):
         atlas.parameters(other, 0.5, 0.5)
+
+
+@READS
+def test_a_round_face_has_no_parameters(tmp_path: Path) -> None:
+    """The surface and its spline have the same points at each eighth of a turn, and no others."""
+    round_ = rhino3dm.Cylinder(rhino3dm.Circle(1.0), 2.0).ToBrep(True, True)
+    atlas = bm.read_atlas(written(tmp_path / "a.3dm", round_))
+    assert atlas.faces is not None
+    assert list(atlas.faces.without) == ["object 0, face 0"]
