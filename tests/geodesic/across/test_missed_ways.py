@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from helpers.body_space import body_of
 
 import bodymeasure as bm
 from bodymeasure.atlas import AtlasPoint
@@ -33,3 +34,40 @@ def test_what_runs_out_of_its_budget_says_so(monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(search, "PATH", 1.0)
     with pytest.raises(bm.ConvergenceError, match="used up its budget"):
         bm.geodesic_between(body, *round_a_bump())
+
+
+# Pairs whose shortest path runs along a route along which there is another one, which the first
+# start led to; the shortest known length, and that of the other path.
+TWO_ON_A_ROUTE = (
+    (
+        None,
+        AtlasPoint(276, 0.6803417830461307, 0.7852739522088118),
+        AtlasPoint(156, 0.9409580823095943, 0.3757000414797116),
+        0.6907144900,  # 0.6907600664
+    ),
+    (
+        "female_heavy",
+        AtlasPoint(64, 0.9916767169901963, 0.7236762546507963),
+        AtlasPoint(353, 0.8088438090346699, 0.15286502314567285),
+        1.0845569045,  # 1.0845677437
+    ),
+    (
+        "female_full_bust",
+        AtlasPoint(327, 0.3416340099741699, 0.8240017986428428),
+        AtlasPoint(265, 0.23064890373883828, 0.871013711841216),
+        0.5256566097,  # 0.5256571105
+    ),
+)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "start", "end", "length"), TWO_ON_A_ROUTE)
+def test_the_shorter_one_of_two_paths_along_one_route_is_found(
+    name: str | None, start: AtlasPoint, end: AtlasPoint, length: float
+) -> None:
+    coefficients = 0.9 * np.random.default_rng(2026).standard_normal(60)
+    body = bm.load_sample(name) if name else body_of(coefficients)
+    for ends in ((start, end), (end, start)):
+        path = bm.geodesic_between(body, *ends)
+        assert path.length <= length + 2e-10
+        assert path.error_estimate < 1e-9

@@ -20,6 +20,7 @@ from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.budget import PATH, Budget
 from bodymeasure.geodesic.across.search.leg import first_routes, leg_along, shortest_leg
 from bodymeasure.geodesic.across.search.search import GOOD_ENOUGH, Search, repaired
+from bodymeasure.geodesic.across.search.tried import TriedRoutes
 from bodymeasure.geodesic.lengths.length import TRUSTED_CORRECTION
 
 # A path passes close by a pole if it is nearer to it than this part of its length, or of the width
@@ -188,7 +189,7 @@ def _past(
     shortest = min((path.length for path in good if path), default=np.inf)
     if good[-1] is None and shortest > rough.length:
         search = Search(atlas, neighbors, rough.problem.size, Budget(PATH))
-        best, _, _ = repaired(search, rough, {rough.route.key})
+        best, _, _ = repaired(search, rough, TriedRoutes((rough.route,)))
         good.append(graded_path(atlas, neighbors, ends, course_along(best)))
     path = min((path for path in good if path), key=lambda path: path.length, default=None)
     return _Past(path, composed)

@@ -15,9 +15,10 @@ from bodymeasure.geodesic.across.pieces.cutting import cut_until_known
 from bodymeasure.geodesic.across.pieces.error import LoopKind, route_length
 from bodymeasure.geodesic.across.pieces.part import PathPart
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
-from bodymeasure.geodesic.across.routes.route import Route, RouteKey
+from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.budget import LOOP, PATH, Budget
 from bodymeasure.geodesic.across.search.repair import detours, other_loops, other_routes
+from bodymeasure.geodesic.across.search.tried import TriedRoutes
 from bodymeasure.geodesic.status import Status
 from bodymeasure.trust import NEGLIGIBLE
 
@@ -137,7 +138,7 @@ class _Begun(NamedTuple):
     """A path at the lowest degree, the routes that were tried, and the rest as in `repaired`."""
 
     best: RefinedPath
-    tried: set[RouteKey]
+    tried: TriedRoutes
     missed: float
     held: PathPart | None
 
@@ -147,7 +148,7 @@ def _begun(search: Search, route: Route, shortest: float) -> _Begun | None:
     best = search.refined(route, SLIDING if route.closed else DEGREES[0])
     if best.length > (1.0 + HOPELESS) * shortest:
         return None
-    tried = {route.key}
+    tried = TriedRoutes((route, best.route))
     best, missed, held = repaired(search, best, tried)
     return _Begun(best, tried, missed, held)
 
@@ -187,7 +188,7 @@ def _along(search: Search, begun: _Begun) -> SearchResult:
             best = search.refined(best.route, degree, best)
             # At a low degree, a loop may be shorter over a neighbor only because it consists of two
             # polynomials there. So routes of loops are tried again at the next degree.
-            tried = {best.problem.route.key} if closed else tried
+            tried = TriedRoutes((best.route,)) if closed else tried
             best, missed, held = repaired(search, best, tried)
         if closed and best.length < COLLAPSED * search.size:
             raise InputError(NO_LOOP)
@@ -234,7 +235,7 @@ def _along(search: Search, begun: _Begun) -> SearchResult:
 
 
 def repaired(
-    search: Search, best: RefinedPath, tried: set[RouteKey]
+    search: Search, best: RefinedPath, tried: TriedRoutes
 ) -> tuple[RefinedPath, float, PathPart | None]:
     """Try other routes as long as the path gets shorter.
 
@@ -243,7 +244,7 @@ def repaired(
     search : Search
     best : RefinedPath
         The best path so far.
-    tried : set of RouteKey
+    tried : TriedRoutes
         Routes that are not tried again; those that are tried are added.
 
     Returns
@@ -263,12 +264,12 @@ def repaired(
                 return best, missed, route
             if route.closed and not route.crossings:
                 raise InputError(NO_LOOP)
-            if route.key in tried:
+            if route in tried:
                 continue
             if search.budget.has_run_out():
                 return best, missed, None
-            tried.add(route.key)
             other = search.refined(route, degree)
+            tried.add(route, other.route)
             simpler = len(route.crossings) < len(best.problem.route.crossings)
             margin = 1.0 + ROUNDING if simpler else 1.0 - SHORTER
             if other.length < best.length * margin:
