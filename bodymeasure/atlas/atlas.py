@@ -217,7 +217,7 @@ class Atlas:
         --------
         >>> import bodymeasure as bm
         >>> bm.load_sample("female_average").position("back neck point").round(3).tolist()
-        [0.0, 0.022, 1.367]
+        [0.0, 0.024, 1.367]
         """
         point = self.landmark(point) if isinstance(point, str) else point
         return evaluate(self.control_points[point.patch], (point.u, point.v))

@@ -219,6 +219,7 @@ def test_what_an_approximation_costs_is_said_and_kept(run: Run, tmp_path: Path) 
     assert ran.out.startswith(f"{target}: 24 patches,")
     ran = run("convert", mesh, "--file-unit", "cm", "-o", tmp_path / "cube.bpt")
     assert "how well its patches approximate their surface; the file lacks these" in ran.err
+    assert "the parameters of the faces of its file" in ran.err
 
 
 def test_wrong_axes_of_an_atlas_are_corrected(run: Run, tmp_path: Path) -> None:

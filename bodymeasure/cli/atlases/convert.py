@@ -154,6 +154,7 @@ def _lost(atlas: Atlas, keeps: frozenset[str]) -> list[str]:
         "unit": (f"its unit ({atlas.unit}) and axes", True),
         "names": ("the names of its patches", has_names),
         "regions": ("its regions", any(atlas.regions)),
+        "faces": ("the parameters of the faces of its file", atlas.faces is not None),
         "approximation": (
             "how well its patches approximate their surface",
             atlas.approximation is not None,
