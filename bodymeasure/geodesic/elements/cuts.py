@@ -29,10 +29,10 @@ def cuts(path: ElementPath, measured: ElementLength, held: Bools, goal: float) -
     """
     space = polynomial_space(DEGREE)
     share = max(goal / (2.0 * len(held)), WORST * float(measured.error.max()))
+    enough = (measured.error <= share) & ~path.overshoots
     result: list[list[float]] = []
-    for number, error in enumerate(measured.error):
-        nodes = held[number].any(axis=0)
-        if error <= share:
+    for number, nodes in enumerate(held.any(axis=1)):
+        if enough[number]:
             result.append([])
         elif nodes.any() and not nodes.all() and not path.on_edge[number]:
             result.append(_round_changes(space.nodes, nodes))

@@ -15,6 +15,8 @@ DEGREE = 10
 # The part of each element's share that is its length; the rest is its way in u and v. Where a path
 # hardly moves on the surface, it may move far in u and v.
 BY_LENGTH = 0.5
+# How far a path may leave the patch between its nodes, in u or v.
+OVERSHOOT = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,10 +52,10 @@ class ElementPath:
         return np.asarray((on_bound & (self.values == self.values[:, :, :1])).all(axis=2))
 
     @property
-    def reach(self) -> float:
-        """How far the path leaves the patch between its nodes, in u or v."""
+    def overshoots(self) -> Bools:
+        """The elements that leave the patch between their nodes, shape (elements,)."""
         between = polynomial_space(DEGREE).between_nodes @ self.values.transpose(0, 2, 1)
-        return max(float(np.abs(between - 0.5).max()) - 0.5, 0.0)
+        return np.asarray(np.abs(between - 0.5).max(axis=(1, 2)) > 0.5 + OVERSHOOT)
 
     def by_element(self, nodes: NDArray[Any]) -> NDArray[Any]:
         """Return unknowns, or what belongs to them, as shape (elements, 2, DEGREE + 1)."""

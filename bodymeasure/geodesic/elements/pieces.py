@@ -24,8 +24,6 @@ from bodymeasure.geodesic.lengths.path_geometry import path_geometry
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# A path may leave the patch between its nodes by this much, in u or v.
-OVERSHOOT = 1e-9
 # Rounding errors of lengths, and of chords on a surface of size 1.
 ROUNDING = 1e-15
 
@@ -128,9 +126,7 @@ def pieces_of(surface: Surface, path: ElementPath, held: Bools) -> Pieces:
 def _meets_edge(path: ElementPath, held: Bools) -> Bools:
     """The elements that an edge holds for a part, or that leave the patch between their nodes."""
     values = path.values
-    between = polynomial_space(DEGREE).between_nodes @ values.transpose(0, 2, 1)
-    result = np.abs(between - 0.5).max(axis=(1, 2)) > 0.5 + OVERSHOOT
-    result |= held[:, :, 1:-1].any(axis=(1, 2))
+    result = path.overshoots | held[:, :, 1:-1].any(axis=(1, 2))
     # An edge may hold a joint alone; in a corner of the patch a path may bend.
     in_corner = (np.abs(values[1:, :, 0] - 0.5) == 0.5).all(axis=1)
     alone = held[1:, :, 0].any(axis=1) & ~in_corner & ~path.on_edge[1:] & ~path.on_edge[:-1]

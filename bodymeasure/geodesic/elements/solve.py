@@ -17,7 +17,6 @@ from bodymeasure.geodesic.elements.cuts import cuts
 from bodymeasure.geodesic.elements.energy import least_energy
 from bodymeasure.geodesic.elements.measure import ElementLength, measure_elements
 from bodymeasure.geodesic.elements.path import DEGREE, ElementPath, from_polygon
-from bodymeasure.geodesic.elements.pieces import OVERSHOOT
 from bodymeasure.geodesic.solving.protocol import EdgeContact
 from bodymeasure.geodesic.spaces.elements import element_space
 from bodymeasure.geodesic.surfaces.protocol import Surface
@@ -96,7 +95,7 @@ def solve_elements(
             return ElementResult(None, least)
         path = path.weighted(np.maximum(measured.lengths, LEAST_PART * length))
         # What an edge holds is right only where the path is at rest.
-        at_rest = (minimum.converged or not held.any()) and path.reach <= OVERSHOOT
+        at_rest = (minimum.converged or not held.any()) and not path.overshoots.any()
         if at_rest and (best is None or measured.length.error < best.measured.length.error):
             best = _Found(path, measured, held)
         if at_rest and measured.length.is_known_to(tolerance)[0]:
