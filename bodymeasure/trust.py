@@ -12,7 +12,7 @@ It holds for every kind of measurement. Tapes differ by more in the hands of one
 estimate means that the surface, or the path on it, was not resolved, and may itself be wrong."""
 
 NEGLIGIBLE = 1e-6
-"""Lengths shorter than this part of the measured surface are judged as if they were as long.
+"""Lengths shorter than this part of the measured surface are treated as if they were as long.
 
 Between points that are one but for rounding, the rounding is all that is measured."""
 

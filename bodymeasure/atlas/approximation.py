@@ -1,4 +1,4 @@
-"""What the patches of an atlas approximate, and how well."""
+"""The surface that the patches of an atlas approximate, and how well they do."""
 
 from dataclasses import dataclass, replace
 from enum import StrEnum

@@ -78,6 +78,7 @@ def summary(comparison: Comparison) -> list[str]:
         ]
         sentences.append(
             f"{len(beyond)} of {len(lengths)} {mean}differences are larger than ISO 20685-1 allows "
-            "for the mean of many subjects."
+            "for the mean of many subjects"
+            + ("; those of a single one may be larger." if mean == "" else ".")
         )
     return sentences

@@ -71,9 +71,8 @@ class Status(Enum):
         "between, or fit the surface with fewer and smoother patches."
     )
     NO_ROUTE = (
-        "No route over seams was found between the points: their parts meet in single points only, "
-        "or the path passes a pole; join the patches along whole edges, or measure to a point in "
-        "between."
+        "No route over seams was found between the points: their parts meet in single points only; "
+        "join the patches along whole edges, or measure to a point in between."
     )
     SINGULAR = (
         "The collocation equations became singular; the patch is probably degenerate or folded "

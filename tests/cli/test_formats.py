@@ -271,3 +271,12 @@ def test_only_formats_that_can_be_written_are_offered(run: Run, tmp_path: Path) 
         assert ran.code == 2
         assert ".obj" in ran.err
         assert ".step" not in ran.err
+
+
+def test_a_mesh_is_not_overwritten_with_its_patches(run: Run, tmp_path: Path) -> None:
+    mesh = tmp_path / "mesh.obj"
+    mesh.write_text(MESH, encoding="ascii")
+    ran = run("convert", mesh, "-o", mesh)
+    assert (ran.code, ran.out) == (2, "")
+    assert "is the file to convert, which would be lost; give another one" in ran.err
+    assert mesh.read_text(encoding="ascii") == MESH

@@ -261,7 +261,8 @@ def test_a_comparison_is_summed_up() -> None:
         "2 measurements of one subject compared.",
         "The largest difference of a length is \u22122.00 cm (Bust girth); half of them are at "
         "most 1.05 cm.",
-        "1 of 2 differences are larger than ISO 20685-1 allows for the mean of many subjects.",
+        "1 of 2 differences are larger than ISO 20685-1 allows for the mean of many subjects; "
+        "those of a single one may be larger.",
     ]
     several = of_subjects(np.full(MINIMUM_SUBJECTS, 0.2))
     assert summary(several)[0] == "1 measurement of 40 subjects compared: 1 within what is allowed."

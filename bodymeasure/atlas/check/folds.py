@@ -33,7 +33,7 @@ _BLOCK, _LARGE_BLOCK = 64, 4096
 
 
 class NormalCones(NamedTuple):
-    """What the coefficients of the normal fields prove without splitting a patch.
+    """The properties that the coefficients of the normal fields prove without splitting a patch.
 
     Parameters
     ----------

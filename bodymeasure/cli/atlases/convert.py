@@ -15,6 +15,7 @@ from bodymeasure.atlas import (
 )
 from bodymeasure.cli.console import RESULTS, print_note
 from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, path_of_atlas
+from bodymeasure.errors import InputError
 from bodymeasure.files import require_writable
 from bodymeasure.formats import FORMATS, format_of, write_atlas
 from bodymeasure.wording import counted
@@ -107,6 +108,11 @@ def convert(
     """
     target = format_of(output, target_format, writing=True)
     require_writable(output)
+    source = path_of_atlas(atlas)
+    # An approximation that its own file states was made when the mesh was first read.
+    from_mesh = "approximation" not in format_of(source, source_format).keeps
+    if from_mesh and output.exists() and output.samefile(source):
+        raise InputError(f"{output}: is the file to convert, which would be lost; give another one")
     loaded = load_atlas(
         atlas,
         corrected=True,
@@ -117,8 +123,6 @@ def convert(
         format=source_format,
     )
     sentences = approximation_sentences(loaded)
-    # An approximation that its own file states was made when the mesh was first read.
-    from_mesh = "approximation" not in format_of(path_of_atlas(atlas), source_format).keeps
     if unit is not None:
         loaded = loaded.converted(unit)
     if upright:

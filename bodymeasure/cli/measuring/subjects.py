@@ -2,6 +2,8 @@
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
+from itertools import count
+from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from bodymeasure.cli.console import progress_bar
@@ -39,30 +41,43 @@ def subjects_of(
     Raises
     ------
     InputError
-        If a name is none of these, or a folder holds no atlas.
+        If a name is none of these, a folder holds no atlas, or a file is given twice.
     """
-    found = [one for name in names for one in _of_name(name, load, despite_errors)]
+    files = [file for name in names for file in _files(name)]
+    places: set[Path] = set()
+    for file in files:
+        place = path_of_atlas(file).resolve()
+        if place in places:
+            raise InputError(f"{file}: is given twice; give every subject once")
+        places.add(place)
+    found = [one for file in files for one in _of_file(file, load, despite_errors)]
     counts = Counter(one.name for one in found)
-    seen: Counter[str] = Counter()
+    taken = set(counts)
     result = []
     for name, atlas in found:
-        seen[name] += 1
-        # Two files of one name in two folders are two subjects.
-        result.append(Subject(f"{name} {seen[name]}" if counts[name] > 1 else name, atlas))
+        if counts[name] > 1:
+            # Two files of one name in two folders are two subjects.
+            numbered = (f"{name} {number}" for number in count(1))
+            name = next(each for each in numbered if each not in taken)
+            taken.add(name)
+        result.append(Subject(name, atlas))
     return result
 
 
-def _of_name(name: str, load: Callable[[str], "Atlas"], despite_errors: bool) -> Iterator[Subject]:
+def _files(name: str) -> list[str]:
     path = path_of_atlas(name)
-    if path.is_dir():
-        files = sorted(file for file in path.iterdir() if file.suffix.lower() in EXTENSIONS)
-        # A chart's own files may lie beside the atlases.
-        files = [file for file in files if file.suffix.lower() != ".json"]
-        if not files:
-            raise InputError(f"{name}: is a folder without an atlas; give a file, or such a folder")
-        for file in files:
-            yield from _of_name(str(file), load, despite_errors)
-        return
+    if not path.is_dir():
+        return [name]
+    files = sorted(file for file in path.iterdir() if file.suffix.lower() in EXTENSIONS)
+    # A chart's own files may lie beside the atlases.
+    files = [file for file in files if file.suffix.lower() != ".json"]
+    if not files:
+        raise InputError(f"{name}: is a folder without an atlas; give a file, or such a folder")
+    return [str(file) for file in files]
+
+
+def _of_file(name: str, load: Callable[[str], "Atlas"], despite_errors: bool) -> Iterator[Subject]:
+    path = path_of_atlas(name)
     if path.suffix.lower() == ".npz" and path.is_file():
         bodies = read_population(path)
         if len(bodies) > 1:

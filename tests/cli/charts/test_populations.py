@@ -87,11 +87,6 @@ def test_a_folder_and_a_file_of_many_are_several_bodies(
     assert len(list(csv.DictReader(io.StringIO(long)))) == 2 * len(KEYS)
 
 
-def test_names_that_are_there_twice_are_numbered(run: Run, bodies: Path) -> None:
-    found = json.loads(run("chart", bodies, bodies / "anna.atlas", *ONLY, "--format", "json").out)
-    assert found["subjects"] == ["anna 1", "berta", "anna 2"]
-
-
 def test_a_subject_that_lacks_a_value_is_told(run: Run, bodies: Path, tmp_path: Path) -> None:
     few = body()
     kept = {name: at for name, at in few.landmarks.items() if name != "patella point left"}
@@ -118,3 +113,21 @@ def test_bodies_with_errors_are_refused_by_number(run: Run, tmp_path: Path) -> N
     assert ran.code == 2
     assert "both.npz, body 2: the atlas has 1 error" in ran.err
     assert not (tmp_path / "out").exists()
+
+
+def test_every_subject_has_a_name_of_its_own(run: Run, bodies: Path, tmp_path: Path) -> None:
+    other = tmp_path / "other"
+    other.mkdir()
+    for target in (other / "anna.atlas", other / "anna 1.atlas"):
+        bm.write_atlas(body(1.2), target)
+    files = (bodies / "anna.atlas", other / "anna.atlas", other / "anna 1.atlas")
+    ran = run("chart", *files, *ONLY, "--format", "json")
+    assert ran.code == 0
+    assert json.loads(ran.out)["subjects"] == ["anna 2", "anna 3", "anna 1"]
+
+
+def test_a_subject_given_twice_does_not_count_twice(run: Run, bodies: Path) -> None:
+    for names in ([bodies, bodies / "anna.atlas"], ["female_average", "female_average"]):
+        ran = run("chart", *names, *ONLY)
+        assert (ran.code, ran.out) == (2, "")
+        assert f"{names[1]}: is given twice; give every subject once" in ran.err

@@ -120,7 +120,7 @@ def shortest_along(
 
 
 class Search(NamedTuple):
-    """What all steps of a search need: `size` is about the length of the path."""
+    """The data that all steps of a search need: `size` is about the length of the path."""
 
     atlas: Atlas
     neighbors: Neighbors
