@@ -31,7 +31,8 @@ def cuts(path: ElementPath, measured: ElementLength, held: Bools, goal: float) -
     share = max(goal / (2.0 * len(held)), WORST * float(measured.error.max()))
     enough = (measured.error <= share) & ~path.overshoots
     result: list[list[float]] = []
-    for number, nodes in enumerate(held.any(axis=1)):
+    for number in range(len(held)):
+        nodes = held[number].any(axis=0)
         if enough[number]:
             result.append([])
         elif nodes.any() and not nodes.all() and not path.on_edge[number]:
