@@ -12,10 +12,10 @@ class InputError(BodymeasureError, ValueError):
 class MissingExtraError(BodymeasureError, ImportError):
     """A feature needs a package that an optional extra installs."""
 
-    def __init__(self, feature: str, package: str, extra: str) -> None:
+    def __init__(self, feature: str, package: str, extra: str, remedy: str = "") -> None:
+        remedy = remedy or f"install it with: pip install 'bodymeasure[{extra}]'"
         super().__init__(
-            f"{feature} needs the package {package!r}, which is not installed; "
-            f"install it with: pip install 'bodymeasure[{extra}]'"
+            f"{feature} needs the package {package!r}, which is not installed; {remedy}"
         )
 
 

@@ -1,21 +1,23 @@
 """Exact shortest paths over a mesh between two of its vertices."""
 
+import sys
+
 import numpy as np
 import scipy
 
-from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas.components import connected_components
-from bodymeasure.errors import InputError
-from bodymeasure.geodesic.across.routes.faces import FaceMesh
+from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.mesh.arrays import TriangleMesh, face_spheres, part_of
-from bodymeasure.mesh.legs import chain_of_legs
-from bodymeasure.oracle.libigl import exact_distances
 
 # The room for rounding in the bound on what a shortest path can reach.
 ROOM = 1e-9
-# Exact distances are taken of the vertices through which ways along edges are longer than the
-# shortest by this part of it at most. Which these are concerns the work only.
-BESIDE = 0.2
+# The first version of Python for which pygeodesic has no wheels, so that the extra leaves it out.
+NO_WHEELS = (3, 14)
+BUILD_IT = (
+    "it has no wheels for Python 3.14 and later: build it, given a C++ compiler, with: pip install "
+    "pygeodesic, or use an earlier Python with: pip install 'bodymeasure[routes]'"
+)
 
 
 def exact_path(mesh: TriangleMesh, source: int, target: int) -> Array:
@@ -30,21 +32,24 @@ def exact_path(mesh: TriangleMesh, source: int, target: int) -> Array:
     Raises
     ------
     InputError
-        If no edges join the two, or libigl cannot measure this mesh, although it is valid.
+        If no edges join the two.
     MissingExtraError
-        If libigl is not installed.
+        If pygeodesic is not installed.
 
     Notes
     -----
     J. Mitchell, D. Mount and C. Papadimitriou, "The discrete geodesic problem", SIAM J. Comput. 16
     (1987). No path that is as short as the shortest along the edges leaves the ellipsoid about the
-    two points whose axis is that long; faces that are wholly outside are left out. libigl gives the
-    exact distances of vertices, and `bodymeasure.mesh.legs` the path that is as short.
+    two points whose axis is that long; faces that are wholly outside are left out.
     """
+    try:
+        from pygeodesic.geodesic import PyGeodesicAlgorithmExact
+    except ImportError:
+        remedy = BUILD_IT if tuple(sys.version_info) >= NO_WHEELS else ""
+        raise MissingExtraError("a path over a mesh", "pygeodesic", "routes", remedy) from None
     if source == target:
         return mesh.vertices[[source]]
-    along = _along_edges(mesh, [source, target])
-    longest = float(along[0, target])
+    longest = _along_edges(mesh, source, target)
     if not np.isfinite(longest):
         raise InputError(
             "the two points lie on parts of the mesh that no edges join; choose points on one "
@@ -57,48 +62,26 @@ def exact_path(mesh: TriangleMesh, source: int, target: int) -> Array:
     way = np.linalg.norm(center - mesh.vertices[source], axis=1)
     way += np.linalg.norm(center - mesh.vertices[target], axis=1)
     part, used = part_of(mesh, way - 2.0 * radius <= longest * (1.0 + ROOM))
-    # Where faces are left out, parts may hang together by a vertex alone, at which libigl stops.
-    joined = _faces_joined_to(part, int(np.searchsorted(used, source)))
-    part, kept = part_of(part, joined)
-    used = used[kept]
     first, last = (int(np.searchsorted(used, number)) for number in (source, target))
-    # libigl's tolerances are lengths. A power of 2 rounds nothing.
+    # The solver's tolerances are lengths. A power of 2 rounds nothing.
     scale = float(np.ldexp(1.0, np.frexp(longest)[1]))
-    vertices = part.vertices / scale
-    # The distance through the air is no longer than that over the mesh.
-    least = np.linalg.norm(vertices - vertices[first], axis=1)
-    beside = np.flatnonzero(along.sum(axis=0)[used] <= longest * (1.0 + BESIDE))
-    least[beside] = exact_distances(vertices, part.faces, first, beside)
-    return scale * chain_of_legs(FaceMesh.of_faces(vertices, part.faces), least, (first, last))
+    solver = PyGeodesicAlgorithmExact(part.vertices / scale, part.faces)
+    # The solver gives the path from its target back to its source.
+    return scale * np.asarray(solver.geodesicDistance(last, first)[1], dtype=np.float64)
 
 
-def _along_edges(mesh: TriangleMesh, sources: list[int]) -> Array:
-    """Return the lengths of the shortest paths along edges, shape (sources, n).
-
-    They are infinite where there is none.
-    """
+def _along_edges(mesh: TriangleMesh, source: int, target: int) -> float:
+    """Return the length of the shortest path along edges; infinite if there is none."""
+    first, last = mesh.faces.ravel(), np.roll(mesh.faces, -1, axis=1).ravel()
     count = len(mesh.vertices)
+    low, high = np.minimum(first, last), np.maximum(first, last)
     # Edges of two faces appear twice; a set of rows would add them up.
-    low, high = np.divmod(np.unique(_sides(mesh)), count)
+    _, once = np.unique(low * count + high, return_index=True)
+    low, high = low[once], high[once]
     length = np.linalg.norm(mesh.vertices[low] - mesh.vertices[high], axis=1)
     graph = scipy.sparse.csr_array((length, (low, high)), shape=(count, count))
-    distance = scipy.sparse.csgraph.dijkstra(graph, directed=False, indices=sources)
-    return np.asarray(distance, dtype=np.float64)
-
-
-def _sides(mesh: TriangleMesh) -> Ints:
-    """Return a number for each side of each face, the same for both faces of a side."""
-    first, last = mesh.faces.ravel(), np.roll(mesh.faces, -1, axis=1).ravel()
-    return np.minimum(first, last) * len(mesh.vertices) + np.maximum(first, last)
-
-
-def _faces_joined_to(mesh: TriangleMesh, vertex: int) -> Bools:
-    """Return which faces are joined to those about a vertex by sides, shape (f,)."""
-    count = len(mesh.faces)
-    _, side = np.unique(_sides(mesh), return_inverse=True)
-    face = np.repeat(np.arange(count), 3)
-    label = connected_components(face, count + side, count + int(side.max()) + 1)[:count]
-    return np.isin(label, label[(mesh.faces == vertex).any(axis=1)])
+    distance = scipy.sparse.csgraph.dijkstra(graph, directed=False, indices=source)
+    return float(distance[target])
 
 
 def joined_to(mesh: TriangleMesh, vertex: int) -> Bools:

@@ -70,7 +70,7 @@ def measure_mesh(
         If the mesh is not an oriented manifold of triangles (the message names the face or edge), a
         place is not on it, or no edges join two.
     MissingExtraError
-        If libigl is not installed.
+        If pygeodesic or libigl is not installed.
 
     Notes
     -----

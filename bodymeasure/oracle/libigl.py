@@ -57,42 +57,6 @@ def exact_distance(vertices: Array, faces: Ints, source: int, target: int) -> fl
     return distance
 
 
-def exact_distances(vertices: Array, faces: Ints, source: int, targets: Ints) -> Array:
-    """Lengths of the shortest paths over a polyhedron from a vertex to others, shape (k,).
-
-    Parameters
-    ----------
-    vertices : ndarray, shape (n, 3)
-    faces : ndarray of int, shape (f, 3)
-        A mesh that `validate_mesh` accepts; libigl ends the process on others.
-    source : int
-    targets : ndarray of int, shape (k,)
-        Vertices of faces that are joined to those about the source by sides; libigl gives 0 for
-        others. Each of them costs time.
-
-    Raises
-    ------
-    InputError
-        If libigl cannot measure this mesh, although it is valid.
-    MissingExtraError
-        If libigl is not installed.
-    """
-    igl = _import_igl("a path over a mesh")
-    ends = {"VS": np.array([source]), "VT": targets}
-    try:
-        distance = np.asarray(igl.exact_geodesic(vertices, faces, **ends), dtype=np.float64)
-    except MemoryError:
-        raise InputError("libigl ran out of memory; some triangles may be too thin") from None
-    chord = np.linalg.norm(vertices[targets] - vertices[source], axis=1)
-    wrong = np.flatnonzero(~((chord * (1.0 - ROUND_OFF) <= distance) & (distance < np.inf)))
-    if len(wrong):
-        raise InputError(
-            f"libigl gives {distance[wrong[0]]} as the distance between points {chord[wrong[0]]} "
-            "apart; some triangles may be too thin"
-        )
-    return distance
-
-
 def heat_distances(vertices: Array, faces: Ints, sources: Ints) -> Array:
     """Distances by the heat method from each of several vertices to all vertices.
 

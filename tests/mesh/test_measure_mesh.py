@@ -12,6 +12,7 @@ from bodymeasure.mesh.arrays import TriangleMesh
 from bodymeasure.mesh.curved import curved, vertex_normals
 
 pytest.importorskip("igl")
+pytest.importorskip("pygeodesic")
 
 
 def grid(side: int) -> TriangleMesh:
