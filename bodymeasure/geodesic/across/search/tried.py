@@ -13,6 +13,8 @@ from bodymeasure.geodesic.across.routes.route import Route, RouteKey
 
 # Starts that cross every seam at parameters that differ by no more lead to the same path.
 SAME_START = 0.1
+# So many starts are tried along routes that were tried before.
+MOST_AGAIN = 2
 
 
 class TriedRoutes:
@@ -25,16 +27,21 @@ class TriedRoutes:
 
     def __init__(self, routes: Iterable[Route]) -> None:
         self._along: dict[RouteKey, list[tuple[float, ...]]] = {}
+        self._again = 0
         self.add(*routes)
+        self._again = 0
 
     def add(self, *routes: Route) -> None:
         """Note routes as tried: those of starts, and those of the paths to which they led."""
+        self._again += any(route.key in self._along for route in routes)
         for route in routes:
             self._along.setdefault(route.key, []).append(route.along)
 
     def __contains__(self, route: Route) -> bool:
         """Return whether a route was tried from a start nearby; for a loop, from any start."""
         return any(
-            route.closed or np.allclose(route.along, place, rtol=0.0, atol=SAME_START)
+            route.closed
+            or self._again >= MOST_AGAIN
+            or np.allclose(route.along, place, rtol=0.0, atol=SAME_START)
             for place in self._along.get(route.key, ())
         )
