@@ -159,7 +159,10 @@ def _path(
     course = along_way(way.points(mesh.surface), PARTS)
     if any(_apart(course, path.position(PARTS)) <= NEAR * path.length for path in known):
         return None
-    path = leg_along(atlas, neighbors, points, [route_of(neighbors, mesh, points, way)])
+    route = route_of(neighbors, mesh, points, way)
+    if route is None:
+        return None
+    path = leg_along(atlas, neighbors, points, [route])
     return path if path.converged else None
 
 

@@ -135,7 +135,9 @@ def outside(mesh: PolygonMesh, pairs: int, rng: np.random.Generator) -> int:
         found += error > one.approximation_error + one.error_estimate
         beyond_estimate += error > one.error_estimate
         curve = one.position(np.linspace(0.0, 1.0, 400))
-        assert approximation_error(coarse, curve) == pytest.approx(one.approximation_error, rel=0.2)
+        # A sample beside a seam may be counted for the other patch, which may be stretched more.
+        along = approximation_error(coarse, curve) / one.approximation_error
+        assert 0.8 <= along <= 1.5
     # The estimate of the computation alone does not tell of it.
     assert beyond_estimate > 0.8 * pairs
     return found

@@ -108,6 +108,8 @@ def best_known(
     neighbors, mesh = topology(atlas).neighbors, patch_graph(atlas).mesh
     for way in first_ways(atlas, *ends, WIDE):
         route = route_of(neighbors, mesh, ends, way)
+        if route is None:
+            continue
         begin = time.thread_time()
         refine(atlas, route, 8, path.raw_length)
         times.append(time.thread_time() - begin)

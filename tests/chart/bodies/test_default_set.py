@@ -112,7 +112,9 @@ def test_tapes_lie_as_tapes_do(name: str) -> None:
         lengths = {TapeKind.CONTACT: one.contact, TapeKind.TAUT: one.taut}
         for kind, tape in kinds.items():
             drawn = np.linalg.norm(np.diff(tape.points, axis=0), axis=1).sum()
-            assert drawn == pytest.approx(lengths.get(kind, one.value), rel=5e-3)
+            # The tapes of a formula are those of the measurements that it is made of.
+            if not isinstance(one.definition, FormulaMeasure):
+                assert drawn == pytest.approx(lengths.get(kind, one.value), rel=5e-3)
             sizes = np.linalg.norm(tape.normals, axis=1)
             assert (np.isclose(sizes, 1.0) | (sizes == 0.0)).all()
         if one.length_by_region and TapeKind.CONTACT in kinds:

@@ -242,3 +242,11 @@ def test_an_open_fan_has_one_way_between_two_directions() -> None:
     path = bm.geodesic_between(half, AtlasPoint(0, 1e-7, 0.1), AtlasPoint(1, 0.8, 0.9))
     through = bm.geodesic_between(half, AtlasPoint(0, 0.0, 0.1), AtlasPoint(1, 0.8, 0.9))
     assert path.length == pytest.approx(through.length, abs=3e-7)
+
+
+def test_a_point_a_hair_off_a_pole_is_reached_along_its_meridian() -> None:
+    # The way over the mesh begins on another patch about the pole, which does not hold the point.
+    ends = AtlasPoint(0, 0.0, 0.0), AtlasPoint(0, 1e-6, 0.999999999)
+    path = bm.geodesic_between(sphere(), *ends)
+    exact = great_circle(*(sphere().position(place) for place in ends))
+    assert path.length == pytest.approx(exact, abs=path.error_estimate + 1e-15)

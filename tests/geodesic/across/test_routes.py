@@ -100,6 +100,7 @@ def test_routes_read_off_the_mesh_hang_together(rng: np.random.Generator) -> Non
         ends = place_of(random_point(rng, atlas)), place_of(random_point(rng, atlas))
         way, *_ = first_ways(atlas, *ends)
         route = route_of(neighbors, mesh, ends, way)
+        assert route is not None
         assert route.ends == ends
         for number, crossing in enumerate(route.crossings):
             assert crossing in neighbors.over[route.patches[number], crossing.from_side]

@@ -15,15 +15,19 @@ def route_of(
     mesh: RouteMesh,
     ends: tuple[AtlasPoint, AtlasPoint],
     way: StraightWay,
-) -> Route:
+) -> Route | None:
     """Return the route of a way over the mesh between two points.
 
     Where an end lies on a seam that the way crosses there, the route begins or ends beyond it.
+    There is no route if the way begins or ends on a patch that does not hold the point, as ways may
+    that turn about a pole a hair off the point.
     """
     begin, finish = (
         _on_patch(neighbors, place, mesh.patch[face])
         for place, face in zip(ends, (way.strip[0], way.strip[-1]), strict=True)
     )
+    if begin is None or finish is None:
+        return None
     crossings: list[Crossing] = []
     along: list[float] = []
     steps = zip(pairwise(way.strip), way.sides, way.along, strict=True)
@@ -46,9 +50,9 @@ def route_of(
     return _without_empty_ends(neighbors, Route((begin, finish), tuple(crossings), tuple(along)))
 
 
-def _on_patch(neighbors: Neighbors, place: AtlasPoint, patch: int) -> AtlasPoint:
-    """The same point as a point of a patch."""
-    return next(same for same in neighbors.same(place) if same.patch == patch)
+def _on_patch(neighbors: Neighbors, place: AtlasPoint, patch: int) -> AtlasPoint | None:
+    """The same point as a point of a patch; None if it is none of that patch."""
+    return next((same for same in neighbors.same(place) if same.patch == patch), None)
 
 
 def _side_of_patch(mesh: RouteMesh, face: int, side: int) -> int | None:

@@ -51,7 +51,7 @@ def first_routes(
     mesh = patch_graph(atlas).mesh
     routes = (route_of(neighbors, mesh, ends, way) for way in first_ways(atlas, *ends))
     # Different ways may lead along one route.
-    return list({route.key: route for route in routes}.values())
+    return list({route.key: route for route in routes if route is not None}.values())
 
 
 def leg_along(
