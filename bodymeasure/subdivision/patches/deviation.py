@@ -6,11 +6,10 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.subdivision.patches.grid import grid_jets
-from bodymeasure.subdivision.patches.irregular import children_places, irregular_quads, neighborhood
+from bodymeasure.subdivision.patches.irregular import irregular_quads, neighborhood, subdivided
 from bodymeasure.subdivision.patches.loop_schaefer import PatchNets, loop_schaefer
 from bodymeasure.subdivision.patches.projection import closest_on_patches, unit
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh
-from bodymeasure.subdivision.polygons import refined
 
 # Steps of subdivision after which patches stand for the surface: they are exact but for those at
 # irregular vertices, whose deviation at least halves with each step.
@@ -76,14 +75,7 @@ def limit_deviation(mesh: PolygonMesh, nets: PatchNets) -> Deviation:
         return result
     steps = STEPS if len(numbers) <= MANY else 1
     rest = 1.0 / (1.0 - 0.5**steps)
-    fine, within = neighborhood(mesh, irregular)
-    square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
-    places = square[None]
-    children = within[:, None]
-    for _ in range(steps):
-        fine = refined(fine)
-        children = (4 * children[..., None] + np.arange(4)).reshape(len(within), -1)
-        places = children_places(places)
+    fine, children, places = subdivided(*neighborhood(mesh, irregular), steps)
     finer = loop_schaefer(fine)
     parameters = _parameters(places)
     for first in range(0, len(numbers), BLOCK):

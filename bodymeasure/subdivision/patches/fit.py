@@ -4,10 +4,9 @@ import numpy as np
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import bernstein
-from bodymeasure.subdivision.patches.irregular import children_places, irregular_quads, neighborhood
+from bodymeasure.subdivision.patches.irregular import irregular_quads, neighborhood, subdivided
 from bodymeasure.subdivision.patches.loop_schaefer import PatchNets, vertex_limits
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh
-from bodymeasure.subdivision.polygons import refined
 
 # Steps of subdivision that give the points to which patches are fitted: 5 by 5 on each.
 STEPS = 2
@@ -68,12 +67,7 @@ def _limit_grids(mesh: PolygonMesh, numbers: Ints) -> Array:
 
     The count is 2^STEPS.
     """
-    places = np.array([[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]])
-    children = numbers[:, None]
-    for _ in range(STEPS):
-        mesh = refined(mesh)
-        children = (4 * children[..., None] + np.arange(4)).reshape(len(numbers), -1)
-        places = children_places(places)
+    mesh, children, places = subdivided(mesh, numbers, STEPS)
     count = 2**STEPS
     i, j = np.rint(count * places).astype(np.int64).reshape(-1, 2).T
     corners = mesh.corners.reshape(-1, 4)[children].reshape(len(numbers), -1)

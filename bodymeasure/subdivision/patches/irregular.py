@@ -4,6 +4,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.subdivision.polygon_mesh import PolygonMesh, joined_corners
+from bodymeasure.subdivision.polygons import refined
 
 
 def irregular_quads(mesh: PolygonMesh) -> Bools:
@@ -64,6 +65,27 @@ def neighborhood(mesh: PolygonMesh, chosen: Bools) -> tuple[PolygonMesh, Ints]:
         rounded=mesh.rounded,
     )
     return part, np.flatnonzero(chosen[kept])
+
+
+def subdivided(mesh: PolygonMesh, numbers: Ints, steps: int) -> tuple[PolygonMesh, Ints, Array]:
+    """Subdivide a mesh of quads, and return what becomes of some of its quads.
+
+    Returns
+    -------
+    mesh : PolygonMesh
+        The mesh after so many steps.
+    children : ndarray of int, shape (quads, 4**steps)
+        The numbers in it of the quads into which each of the chosen ones is divided.
+    places : ndarray, shape (4**steps, 4, 2)
+        (u, v) on the quad of the corners of its children.
+    """
+    children = numbers[:, None]
+    places = np.array([[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]])
+    for _ in range(steps):
+        mesh = refined(mesh)
+        children = (4 * children[..., None] + np.arange(4)).reshape(len(numbers), -1)
+        places = children_places(places)
+    return mesh, children, places
 
 
 def children_places(places: Array) -> Array:
