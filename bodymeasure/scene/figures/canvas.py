@@ -163,13 +163,7 @@ def png(image: NDArray[np.uint8]) -> bytes:
     MissingExtraError
         If Pillow, which comes with matplotlib, is not installed.
     """
-    try:
-        from PIL import Image
-    except ImportError:
-        raise MissingExtraError("a picture", "matplotlib", "report") from None
-    file = io.BytesIO()
-    Image.fromarray(image).save(file, format="PNG", compress_level=4, compress_type=RUNS)
-    return file.getvalue()
+    return _file(image, "PNG", compress_level=4, compress_type=RUNS)
 
 
 def webp(image: NDArray[np.uint8]) -> bytes:
@@ -180,10 +174,14 @@ def webp(image: NDArray[np.uint8]) -> bytes:
     MissingExtraError
         If Pillow, which comes with matplotlib, is not installed.
     """
+    return _file(image, "WEBP", quality=QUALITY, method=EFFORT)
+
+
+def _file(image: NDArray[np.uint8], form: str, **options: int) -> bytes:
     try:
         from PIL import Image
     except ImportError:
         raise MissingExtraError("a picture", "matplotlib", "report") from None
     file = io.BytesIO()
-    Image.fromarray(image).save(file, format="WEBP", quality=QUALITY, method=EFFORT)
+    Image.fromarray(image).save(file, format=form, **options)
     return file.getvalue()
