@@ -159,27 +159,23 @@ def chart(
         return _population(bodies, charting, output, form)
     body = bodies[0].atlas
     unit = length_unit(unit, body)
+    measuring = partial(
+        measured_chart,
+        body,
+        loaded_definitions,
+        only=only,
+        sensitivity=sensitivity,
+        despite_errors=despite_errors,
+    )
     if output is None:
-        measured = measured_chart(
-            body,
-            loaded_definitions,
-            only=only,
-            sensitivity=sensitivity,
-            despite_errors=despite_errors,
-        )
+        measured = measuring()
         document = chart_document(measured, unit)
         if paths_file is not None:
             write_curves(paths_file, body, tape_curves(measured))
         _print(document, form or "table")
         return _exit_code(document, asked_for=asked_for)
     with output_folder(output):
-        measured = measured_chart(
-            body,
-            loaded_definitions,
-            only=only,
-            sensitivity=sensitivity,
-            despite_errors=despite_errors,
-        )
+        measured = measuring()
         pictures = _pictures(measured) if pictures_wanted else None
         stem = bodies[0].name
         files = write_chart(measured, output, unit=unit, stem=stem, pictures=pictures or False)
