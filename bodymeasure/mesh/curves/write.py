@@ -27,7 +27,6 @@ _WRITERS: dict[str, Callable[[Sequence[Curve], Atlas], bytes]] = {
     ".json": lambda curves, atlas: to_json(curves, atlas.unit),
     ".svg": lambda curves, atlas: to_svg(curves, atlas.unit, atlas.axes),
 }
-PATH_SUFFIXES = tuple(_WRITERS)
 
 
 def write_paths(
