@@ -5,6 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from helpers.many_patches import sphere
 from helpers.oracles.ellipsoids import ellipsoid_distance
 from helpers.surfaces.near_boundaries import beside, near_points
 from helpers.surfaces.quadrics import joined, sphere_nets, stretched
@@ -46,11 +47,6 @@ BESIDE_BOTH = [
 ]
 # The quick tests take some of them, the slow ones the others.
 QUICK = (1, 2, 4, 9)
-
-
-@cache
-def sphere() -> Atlas:
-    return joined(sphere_nets())
 
 
 @cache

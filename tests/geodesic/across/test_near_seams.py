@@ -5,8 +5,8 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from helpers.many_patches import sphere, torus
 from helpers.surfaces.near_boundaries import beside, near_points, random_near_point
-from helpers.surfaces.quadrics import joined, sphere_nets, torus_nets
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -20,16 +20,6 @@ EXPONENTS = [
     pytest.param(exponent, marks=() if exponent in QUICK else pytest.mark.slow)
     for exponent in np.arange(-16.0, -5.0).tolist()
 ]
-
-
-@cache
-def torus() -> Atlas:
-    return joined(torus_nets(2.0, 0.7))
-
-
-@cache
-def sphere() -> Atlas:
-    return joined(sphere_nets())
 
 
 @cache
