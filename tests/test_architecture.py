@@ -31,7 +31,7 @@ LAYERS = (
 # The same within a package: a name is a folder or a module. What is not named stands on top, and
 # groups do not import from there.
 ORDERS = {
-    "atlas": "approximation, axes, components, normals, point, seams, size, units ·"
+    "atlas": "approximation, axes, components, normals, point, scan_fit, seams, size, units ·"
     " faces, tessellation · atlas · topology · queries · check · approximation_words, summary",
     "bench": "problems · entrants · size · records · timing · summary · figure",
     "chart": "accuracy, formula, landmarks/choice, landmarks/names, picks, tapes · entry,"
@@ -40,8 +40,8 @@ ORDERS = {
     "cli": "console, tables · options · atlases, docs, landmarks, measuring, study · main",
     "compare": "names, records · readings · gaps, iso20685, plausible, read, shown · comparison,"
     " page",
-    "formats": "groups, json_faults, options, patches, spline_patches, text · atlas_json, bez, bpt,"
-    " foreign, geomdl, npz, obj · mesh_vertices · registry",
+    "formats": "groups, json_faults, options, patches, scan_record, spline_patches, text ·"
+    " atlas_json, bez, bpt, foreign, geomdl, npz, obj · mesh_vertices · registry",
     "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"
     " across/pieces, solving · contact, graph, tracing · elements · across/contact, methods,"
     " shortest · across/search · across/poles",

@@ -12,6 +12,7 @@ from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.queries.approximation_error import approximation_error
 from bodymeasure.atlas.queries.closest import closest_point
 from bodymeasure.atlas.queries.locations import Location
+from bodymeasure.atlas.scan_fit import LandmarkFound, LandmarkOrigin, ScanFit
 from bodymeasure.atlas.seams import EDGES, Edge, EdgeTable, edge_table, sides_of
 from bodymeasure.atlas.summary import AtlasSummary, summarize
 from bodymeasure.atlas.tessellation import Tessellation, tessellate
@@ -32,7 +33,10 @@ __all__ = [
     "FileFaces",
     "Finding",
     "FindingKind",
+    "LandmarkFound",
+    "LandmarkOrigin",
     "Location",
+    "ScanFit",
     "Severity",
     "Tessellation",
     "Unit",

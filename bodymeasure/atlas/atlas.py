@@ -15,6 +15,7 @@ from bodymeasure.atlas.approximation import Approximation
 from bodymeasure.atlas.axes import Axes
 from bodymeasure.atlas.faces import FileFaces
 from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.scan_fit import ScanFit
 from bodymeasure.atlas.seams import EDGES, edge_table, sides_of, weights_differ
 from bodymeasure.atlas.tessellation import tessellate
 from bodymeasure.atlas.units import Unit
@@ -64,6 +65,8 @@ class Atlas:
         What the patches approximate, and how well, if they are not the surface itself.
     faces : FileFaces, optional
         The faces of the file that the atlas was read from, for `parameters`.
+    scan : ScanFit, optional
+        How well the atlas follows the scan that it was fitted to, if it was.
 
     Raises
     ------
@@ -84,6 +87,7 @@ class Atlas:
     weights: Array | None = None
     approximation: Approximation | None = None
     faces: FileFaces | None = None
+    scan: ScanFit | None = None
 
     def __repr__(self) -> str:
         patches = counted(len(self), "patch", "patches")
@@ -118,6 +122,11 @@ class Atlas:
             raise InputError(
                 f"there are {len(self.faces.names)} names of faces for {count} patches; expected "
                 "one each"
+            )
+        if self.scan is not None and len(self.scan.coverage) != count:
+            raise InputError(
+                f"the fit to a scan has {len(self.scan.coverage)} numbers for {count} patches; "
+                "expected one each"
             )
 
     @classmethod

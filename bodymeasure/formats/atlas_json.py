@@ -22,6 +22,7 @@ from bodymeasure.atlas import (
 )
 from bodymeasure.errors import InputError
 from bodymeasure.formats.json_faults import place_of_fault
+from bodymeasure.formats.scan_record import ScanRecord, record_of, scan_of
 
 FORMAT = "bodymeasure atlas"
 VERSION = 1
@@ -73,6 +74,7 @@ class _AtlasRecord(msgspec.Struct, forbid_unknown_fields=True):
     degree: int = LEAST_DEGREE
     approximation: _ApproximationRecord | None = None
     faces_without_parameters: dict[str, str] = {}
+    scan: ScanRecord | None = None
 
 
 class _Header(msgspec.Struct):
@@ -145,6 +147,11 @@ def write(atlas: Atlas) -> bytes:
             if faces is not None and faces.without
             else {}
         ),
+        **(
+            {}
+            if atlas.scan is None
+            else {"scan": _line(msgspec.to_builtins(record_of(atlas.scan)))}
+        ),
         "provenance": json.dumps(dict(atlas.provenance), ensure_ascii=False, indent=1),
         "landmarks": _block("{}", landmarks),
         "patches": _block("[]", [_line(patch) for patch in patches]),
@@ -202,6 +209,7 @@ def _atlas(record: _AtlasRecord) -> Atlas:
         weights=_weights(record),
         approximation=_approximation(record),
         faces=_faces(record),
+        scan=scan_of(record.scan),
     )
 
 

@@ -68,4 +68,5 @@ def select_groups(atlas: Atlas, groups: Sequence[str]) -> Atlas:
         },
         approximation=approximation,
         faces=None if atlas.faces is None else atlas.faces.part(np.array(chosen)),
+        scan=None if atlas.scan is None else atlas.scan.part(np.array(chosen)),
     )

@@ -26,9 +26,11 @@ from bodymeasure.atlas import (
     AtlasPoint,
     Axes,
     FileFaces,
+    ScanFit,
     Unit,
 )
 from bodymeasure.errors import InputError
+from bodymeasure.formats.scan_record import ScanRecord, record_of, scan_of
 
 FORMAT = "bodymeasure atlas"
 VERSION = 1
@@ -70,6 +72,7 @@ class _Header(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
     # The face of each patch, and faces without parameters.
     faces: list[str] | None = None
     faces_without_parameters: dict[str, str] = {}
+    scan: ScanRecord | None = None
 
 
 def read(content: bytes, source: str) -> Atlas:
@@ -113,6 +116,7 @@ def read_bodies(content: bytes, source: str) -> tuple[Atlas, ...]:
             arrays.get("weights"),
             _approximation(header, arrays),
             _faces(header, arrays),
+            scan_of(header.scan),
         )
         rest = zip(bodies[1:], header.names[1:], strict=True)
         return (first, *(replace(first, points=each, name=name) for each, name in rest))
@@ -153,6 +157,11 @@ def write_bodies(atlases: Sequence[Atlas]) -> bytes:
                 f"atlas {number} ({atlas.name!r}) approximates its surface in another way than the "
                 "first; expected the same numbers in all; write it to its own file"
             )
+        if not _same_scan(atlas.scan, first.scan):
+            raise InputError(
+                f"atlas {number} ({atlas.name!r}) was fitted to another scan than the first, or to "
+                "none; expected the same in all; write it to its own file"
+            )
         if not _same_faces(atlas.faces, first.faces):
             raise InputError(
                 f"atlas {number} ({atlas.name!r}) has other faces of a file than the first; "
@@ -172,6 +181,7 @@ def write_bodies(atlases: Sequence[Atlas]) -> bytes:
         _summary(first.approximation),
         None if first.faces is None else list(first.faces.names),
         {} if first.faces is None else dict(first.faces.without),
+        None if first.scan is None else record_of(first.scan),
     )
     try:
         text = msgspec.json.encode(header).decode()
@@ -203,6 +213,10 @@ def _same(first: Array | None, second: Array | None) -> bool:
 
 
 def _same_approximation(first: Approximation | None, second: Approximation | None) -> bool:
+    return first is second if first is None else first.is_same(second)
+
+
+def _same_scan(first: ScanFit | None, second: ScanFit | None) -> bool:
     return first is second if first is None else first.is_same(second)
 
 

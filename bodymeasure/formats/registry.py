@@ -44,7 +44,7 @@ class Format(NamedTuple):
         Turns an atlas into the content of a file.
     keeps : frozenset of str
         What a file holds besides the geometry: any of "unit" (with the axes), "names", "regions",
-        "approximation", "faces" and "landmarks" (with the atlas's name and provenance).
+        "approximation", "faces", "scan" and "landmarks" (with the atlas's name and provenance).
     """
 
     title: str
@@ -54,7 +54,7 @@ class Format(NamedTuple):
     keeps: frozenset[str] = frozenset()
 
 
-ALL = frozenset({"unit", "names", "regions", "landmarks", "approximation", "faces"})
+ALL = frozenset({"unit", "names", "regions", "landmarks", "approximation", "faces", "scan"})
 FORMATS = {
     "atlas": Format("a bodymeasure atlas", (".atlas",), atlas_json.read, atlas_json.write, ALL),
     "npz": Format("an .npz file", (".npz",), npz.read, npz.write, ALL),

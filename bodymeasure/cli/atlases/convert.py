@@ -163,6 +163,7 @@ def _lost(atlas: Atlas, keeps: frozenset[str]) -> list[str]:
             "how well its patches approximate their surface",
             atlas.approximation is not None,
         ),
+        "scan": ("how well it follows the scan that it was fitted to", atlas.scan is not None),
         "landmarks": (counted(len(atlas.landmarks), "landmark"), bool(atlas.landmarks)),
     }
     return [words for what, (words, has) in there.items() if has and what not in keeps]
