@@ -24,24 +24,28 @@ WITHOUT = {
     *("write_paths", "write_population", "write_report"),
 }
 MANY = 3
-# What a process does, and whether a thread of its libraries was awake meanwhile: threads that sleep
-# are not switched to or from.
+# What a process does, and whether a thread of its libraries was awake meanwhile: while a thread
+# sleeps, its state and the number of times it was switched to or from stay the same.
 SCRIPT = """
 import os, sys, threading, time
 os.environ["OPENBLAS_NUM_THREADS"] = "4"
 import numpy as np, scipy.linalg
 import bodymeasure as bm
 
-def switches():
+def threads():
     own = str(threading.get_native_id())
     return {
-        thread: [line for line in open(f"/proc/self/task/{thread}/status") if "ctxt" in line]
+        thread: [
+            line for line in open(f"/proc/self/task/{thread}/status")
+            if line.startswith("State") or "ctxt" in line
+        ]
         for thread in os.listdir("/proc/self/task") if thread != own
     }
 
 def asleep():
     before = {}
-    while before != (before := switches()):
+    # A thread that waits for a busy processor is not switched to either, but runs on later.
+    while before != (before := threads()) or any("S (" not in told[0] for told in before.values()):
         time.sleep(0.05)
     return before
 
@@ -50,7 +54,7 @@ large @ large
 before = asleep()
 assert before, "there is one thread only"
 %s
-after = switches()
+after = threads()
 print("woken" if any(after[thread] != before[thread] for thread in before) else "asleep")
 """
 # Newton's method with 144 unknowns, and searches with systems and products of every kind.
