@@ -33,6 +33,7 @@ __all__ = [
     "FileFaces",
     "Finding",
     "FindingKind",
+    "FitError",
     "GeodesicSolution",
     "Girth",
     "HasDerivatives",
@@ -158,6 +159,7 @@ if TYPE_CHECKING:
     from bodymeasure.errors import (
         BodymeasureError,
         ConvergenceError,
+        FitError,
         InputError,
         MissingExtraError,
     )

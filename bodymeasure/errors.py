@@ -9,6 +9,10 @@ class InputError(BodymeasureError, ValueError):
     """An argument or a file cannot be measured: a bad file, shape, value, unit or name."""
 
 
+class FitError(InputError):
+    """A mesh is not one of a body that the model of bodies can be fitted to."""
+
+
 class MissingExtraError(BodymeasureError, ImportError):
     """A feature needs a package that an optional extra installs."""
 
