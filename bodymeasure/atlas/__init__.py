@@ -16,7 +16,7 @@ from bodymeasure.atlas.scan_fit import LandmarkFound, LandmarkOrigin, ScanFit
 from bodymeasure.atlas.seams import EDGES, Edge, EdgeTable, edge_table, sides_of
 from bodymeasure.atlas.summary import AtlasSummary, summarize
 from bodymeasure.atlas.tessellation import Tessellation, tessellate
-from bodymeasure.atlas.units import Unit, convert_length
+from bodymeasure.atlas.units import GivenLength, Unit, convert_length
 
 __all__ = [
     "EDGES",
@@ -33,6 +33,7 @@ __all__ = [
     "FileFaces",
     "Finding",
     "FindingKind",
+    "GivenLength",
     "LandmarkFound",
     "LandmarkOrigin",
     "Location",

@@ -18,7 +18,7 @@ from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.scan_fit import ScanFit
 from bodymeasure.atlas.seams import EDGES, edge_table, sides_of, weights_differ
 from bodymeasure.atlas.tessellation import tessellate
-from bodymeasure.atlas.units import Unit
+from bodymeasure.atlas.units import GivenLength, Unit
 from bodymeasure.bezier import evaluate, homogeneous, project
 from bodymeasure.errors import InputError
 from bodymeasure.wording import counted, hint
@@ -67,6 +67,9 @@ class Atlas:
         The faces of the file that the atlas was read from, for `parameters`.
     scan : ScanFit, optional
         How well the atlas follows the scan that it was fitted to, if it was.
+    given : mapping of str to GivenLength, optional
+        Lengths of the body that the atlas does not show, as a head girth where it ends at the neck,
+        by the keys of measurements. A chart takes them where it cannot measure.
 
     Raises
     ------
@@ -88,6 +91,7 @@ class Atlas:
     approximation: Approximation | None = None
     faces: FileFaces | None = None
     scan: ScanFit | None = None
+    given: Mapping[str, GivenLength] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         patches = counted(len(self), "patch", "patches")
@@ -112,6 +116,7 @@ class Atlas:
         set_field(self, "regions", tuple(self.regions) or ("",) * count)
         set_field(self, "landmarks", dict(self.landmarks))
         set_field(self, "provenance", dict(self.provenance))
+        set_field(self, "given", dict(self.given))
         _check_names(self)
         if self.approximation is not None and len(self.approximation.distance) != count:
             raise InputError(
@@ -318,7 +323,9 @@ class Atlas:
     def converted(self, unit: Unit | str) -> Self:
         """The same atlas in another unit."""
         target = Unit.parse(unit)
-        return replace(self, points=self.points * (self.unit.meters / target.meters), unit=target)
+        factor = self.unit.meters / target.meters
+        given = {key: length.scaled(factor) for key, length in self.given.items()}
+        return replace(self, points=self.points * factor, unit=target, given=given)
 
     def turned(self, axes: Axes) -> Self:
         """The same body with its coordinates turned into other axes.

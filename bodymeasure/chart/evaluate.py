@@ -130,7 +130,8 @@ def _by_key(definitions: Iterable[MeasurementDefinition]) -> dict[str, Measureme
 
 def _left_out(item: Measured) -> bool:
     """Return whether the chart of a body without some landmarks does without a measurement."""
-    return item.definition.optional and item.outcome is Outcome.MISSING_LANDMARK
+    lacking = (Outcome.MISSING_LANDMARK, Outcome.MISSING_OPERAND)
+    return item.definition.optional and item.outcome in lacking
 
 
 def _require_sound_landmarks(atlas: Atlas) -> None:

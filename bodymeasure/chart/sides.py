@@ -41,7 +41,8 @@ def _with_side(definition: Definition, side: str) -> Definition:
 
     def replaced(value: Any) -> Any:
         if isinstance(value, str):
-            return value.replace(SIDE, side)
+            # What has no side stays what it is: a class of measurements is more than its text.
+            return value.replace(SIDE, side) if SIDE in value else value
         if isinstance(value, tuple):
             return tuple(replaced(item) for item in value)
         return _with_side(value, side) if isinstance(value, msgspec.Struct) else value

@@ -38,7 +38,9 @@ class Taken(dict[str, Measured]):
                 raise InputError(fault.words)
             found = self._if_known(definition.measure(self.body, self))
         except MissingLandmarkError as error:
-            found = Measured(definition, Outcome.MISSING_LANDMARK, str(error))
+            found = self._given(definition) or Measured(
+                definition, Outcome.MISSING_LANDMARK, str(error)
+            )
         except InputError as error:
             found = Measured(definition, Outcome.REFUSED, str(error))
         except ConvergenceError as error:
@@ -46,6 +48,19 @@ class Taken(dict[str, Measured]):
         unit = "deg" if definition.in_degrees else self.body.atlas.unit.value
         self[key] = replace(approximated(found, self.body.atlas), unit=unit)
         return self[key]
+
+    def _given(self, definition: MeasurementDefinition) -> Measured | None:
+        """Return what the body gives in place of a measurement whose landmarks it lacks."""
+        length = self.body.atlas.given.get(definition.key)
+        if length is None or definition.in_degrees:
+            return None
+        return Measured(
+            definition,
+            Outcome.MEASURED,
+            length.origin,
+            value=length.value,
+            error_estimate=length.error_estimate,
+        )
 
     def _if_known(self, found: Measured) -> Measured:
         """Return a measurement, without its value if that is not known well enough.

@@ -18,6 +18,7 @@ from bodymeasure.atlas import (
     AtlasPoint,
     Axes,
     FileFaces,
+    GivenLength,
     Unit,
 )
 from bodymeasure.errors import InputError
@@ -56,6 +57,13 @@ class _LandmarkRecord(msgspec.Struct, forbid_unknown_fields=True):
     v: float
 
 
+class _GivenRecord(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
+    value: float
+    error_estimate: float = 0.0
+    uncertainty: float = 0.0
+    origin: str = ""
+
+
 class _AxesRecord(msgspec.Struct, forbid_unknown_fields=True):
     up: str
     front: str
@@ -75,6 +83,7 @@ class _AtlasRecord(msgspec.Struct, forbid_unknown_fields=True):
     approximation: _ApproximationRecord | None = None
     faces_without_parameters: dict[str, str] = {}
     scan: ScanRecord | None = None
+    given: dict[str, _GivenRecord] = {}
 
 
 class _Header(msgspec.Struct):
@@ -154,6 +163,7 @@ def write(atlas: Atlas) -> bytes:
         ),
         "provenance": json.dumps(dict(atlas.provenance), ensure_ascii=False, indent=1),
         "landmarks": _block("{}", landmarks),
+        **({"given": _block("{}", _given_lines(atlas))} if atlas.given else {}),
         "patches": _block("[]", [_line(patch) for patch in patches]),
         "points": _block("[]", [_line(point) for point in atlas.points.tolist()]),
     }
@@ -165,6 +175,17 @@ def write(atlas: Atlas) -> bytes:
             f"a name holds {error.object[error.start]!r}, which is no character; "
             "expected text that UTF-8 can write"
         ) from None
+
+
+def _given_lines(atlas: Atlas) -> list[str]:
+    names = _GivenRecord.__struct_fields__
+    records = {
+        key: _GivenRecord(*(getattr(length, name) for name in names))
+        for key, length in atlas.given.items()
+    }
+    return [
+        f"{_line(key)}: {_line(msgspec.to_builtins(record))}" for key, record in records.items()
+    ]
 
 
 def _summary(approximation: Approximation) -> dict[str, Any]:
@@ -210,7 +231,18 @@ def _atlas(record: _AtlasRecord) -> Atlas:
         approximation=_approximation(record),
         faces=_faces(record),
         scan=scan_of(record.scan),
+        given=_given(record),
     )
+
+
+def _given(record: _AtlasRecord) -> dict[str, GivenLength]:
+    given = {}
+    for key, length in record.given.items():
+        try:
+            given[key] = GivenLength(**msgspec.structs.asdict(length))
+        except InputError as error:
+            raise InputError(f"given {key!r}: {error}") from None
+    return given
 
 
 def _index(record: _AtlasRecord) -> Ints:
@@ -294,6 +326,7 @@ def _place_of_misfit(content: bytes) -> str | None:
         ("patches", "patch", _PatchRecord),
         ("points", "control point", _Point),
         ("landmarks", "landmark", _LandmarkRecord),
+        ("given", "given length", _GivenRecord),
     )
     for key, noun, kind in kinds:
         values = members.get(key)

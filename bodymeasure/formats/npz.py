@@ -11,7 +11,7 @@ import io
 import zipfile
 import zlib
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import astuple, replace
 from typing import Any
 
 import msgspec
@@ -26,6 +26,7 @@ from bodymeasure.atlas import (
     AtlasPoint,
     Axes,
     FileFaces,
+    GivenLength,
     ScanFit,
     Unit,
 )
@@ -73,6 +74,8 @@ class _Header(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
     faces: list[str] | None = None
     faces_without_parameters: dict[str, str] = {}
     scan: ScanRecord | None = None
+    # The given lengths of each body by their keys: value, both errors and origin.
+    given: list[dict[str, tuple[float, float, float, str]]] = []
 
 
 def read(content: bytes, source: str) -> Atlas:
@@ -103,6 +106,11 @@ def read_bodies(content: bytes, source: str) -> tuple[Atlas, ...]:
                 f"points have shape {points.shape}, for {len(header.names)} names of bodies; "
                 "expected (bodies, n, 3)"
             )
+        if len(header.given) not in (0, len(bodies)):
+            raise InputError(
+                f"holds given lengths of {len(header.given)} bodies; expected those of all "
+                f"{len(bodies)}, or none"
+            )
         first = Atlas(
             bodies[0],
             arrays["index"],
@@ -119,7 +127,11 @@ def read_bodies(content: bytes, source: str) -> tuple[Atlas, ...]:
             scan_of(header.scan),
         )
         rest = zip(bodies[1:], header.names[1:], strict=True)
-        return (first, *(replace(first, points=each, name=name) for each, name in rest))
+        every = (first, *(replace(first, points=each, name=name) for each, name in rest))
+        return tuple(
+            replace(one, given={key: GivenLength(*length) for key, length in given.items()})
+            for one, given in zip(every, header.given or [{}] * len(every), strict=True)
+        )
     except (msgspec.DecodeError, UnicodeError) as error:
         raise InputError(f"{source}: its header is wrong: {error}") from None
     except InputError as error:
@@ -182,6 +194,10 @@ def write_bodies(atlases: Sequence[Atlas]) -> bytes:
         None if first.faces is None else list(first.faces.names),
         {} if first.faces is None else dict(first.faces.without),
         None if first.scan is None else record_of(first.scan),
+        [
+            {key: astuple(length) for key, length in atlas.given.items()}
+            for atlas in (atlases if any(atlas.given for atlas in atlases) else ())
+        ],
     )
     try:
         text = msgspec.json.encode(header).decode()

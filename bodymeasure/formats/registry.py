@@ -44,7 +44,8 @@ class Format(NamedTuple):
         Turns an atlas into the content of a file.
     keeps : frozenset of str
         What a file holds besides the geometry: any of "unit" (with the axes), "names", "regions",
-        "approximation", "faces", "scan" and "landmarks" (with the atlas's name and provenance).
+        "approximation", "faces", "scan", "given" (lengths) and "landmarks" (with the atlas's name
+        and provenance).
     """
 
     title: str
@@ -54,7 +55,9 @@ class Format(NamedTuple):
     keeps: frozenset[str] = frozenset()
 
 
-ALL = frozenset({"unit", "names", "regions", "landmarks", "approximation", "faces", "scan"})
+ALL = frozenset(
+    {"unit", "names", "regions", "landmarks", "approximation", "faces", "scan", "given"}
+)
 FORMATS = {
     "atlas": Format("a bodymeasure atlas", (".atlas",), atlas_json.read, atlas_json.write, ALL),
     "npz": Format("an .npz file", (".npz",), npz.read, npz.write, ALL),

@@ -7,8 +7,9 @@ import pytest
 from helpers.charts.posts import chart_of, post
 from helpers.surfaces.tubes import joined, tube
 
-from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.atlas import Atlas, AtlasPoint, GivenLength
 from bodymeasure.chart import (
+    AccuracyClass,
     MeasurementDefinition,
     Outcome,
     measure_chart,
@@ -21,6 +22,7 @@ from bodymeasure.chart.kinds import (
     ExtremeGirthMeasure,
     FormulaMeasure,
     GirthMeasure,
+    GivenMeasure,
     HeightMeasure,
     LimbGirthMeasure,
     OverMeasure,
@@ -186,3 +188,46 @@ def test_two_measurements_of_one_key_are_refused() -> None:
     both = [FormulaMeasure(key="a", name=name, formula="1 + 1") for name in ("one", "other")]
     with pytest.raises(InputError, match="two measurements have the key 'a'; rename or remove"):
         chart_of(post(), both)
+
+
+def test_a_given_length_stands_in_for_missing_landmarks() -> None:
+    top = HeightMeasure(key="top", name="Top", at="top of head", optional=True)
+    head = GivenMeasure(key="head", name="Head girth", accuracy=AccuracyClass.SMALL_GIRTH)
+    front = HeightMeasure(key="front", name="Front", at="front")
+    above = FormulaMeasure(key="above", name="Above", formula="top - front", optional=True)
+    measurements = [top, head, front, above]
+    plain = chart_of(post(), measurements)
+    # What is optional is left out, and so is what is computed from it.
+    assert [one.definition.key for one in plain.measured] == ["head", "front"]
+    assert plain["head"].outcome is Outcome.MISSING_LANDMARK
+    assert plain["head"].reason.startswith("the body gives no 'head'; a fit of the whole body does")
+    given = {
+        "top": GivenLength(5.0, 0.01, 0.5, "By hand."),
+        "head": GivenLength(56.0, 0.2),
+        "front": GivenLength(9.0),
+    }
+    body = replace(post(), given=given)
+    for atlas, scale in ((body, 1.0), (body.converted("mm"), 10.0)):
+        chart = chart_of(atlas, measurements)
+        assert {one.outcome for one in chart.measured} == {Outcome.MEASURED}
+        assert chart["top"].value == pytest.approx(5.0 * scale, rel=1e-15)
+        assert chart["top"].error_estimate == pytest.approx(0.01 * scale, rel=1e-15)
+        assert chart["top"].reason == "By hand."
+        # A body that has the landmark is measured.
+        assert chart["front"].value == pytest.approx(1.5 * scale, rel=1e-12)
+        assert chart["above"].value == pytest.approx(3.5 * scale, rel=1e-12)
+        assert chart["above"].error_estimate >= 0.01 * scale
+
+
+@pytest.mark.parametrize(
+    ("numbers", "message"),
+    [
+        ((0.0, 0.0, 0.0), "a given length is 0.0; expected a positive number"),
+        ((float("nan"), 0.0, 0.0), "a given length is nan; expected a positive number"),
+        ((1.0, -1.0, 0.0), "the error_estimate of a given length is -1.0; expected 0 or more"),
+        ((1.0, 0.0, float("inf")), "the uncertainty of a given length is inf; expected 0 or more"),
+    ],
+)
+def test_given_lengths_are_lengths(numbers: tuple[float, float, float], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        GivenLength(*numbers)

@@ -12,7 +12,7 @@ from helpers.charts.entries import (
 )
 
 from bodymeasure import load_sample
-from bodymeasure.atlas import Atlas
+from bodymeasure.atlas import Atlas, GivenLength
 from bodymeasure.chart import (
     Definitions,
     LandmarkRule,
@@ -59,10 +59,10 @@ def test_examples_name_what_the_default_set_knows(kind: type[Entry]) -> None:
 
 @cache
 def landmarked_body() -> Atlas:
-    """A body on which the landmarks of the default set are picked."""
+    """A body with the landmarks and the lengths that the examples ask for."""
     body = load_sample("female_average")
     derived = derive_landmarks(body, load_definitions().landmark)
-    return replace(body, landmarks=derived.landmarks)
+    return replace(body, landmarks=derived.landmarks, given={"example": GivenLength(0.57)})
 
 
 @pytest.mark.slow

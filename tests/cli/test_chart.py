@@ -21,6 +21,7 @@ FILES = [
     "measurements.schema.json",
     "female_average.smis",
     "freesewing.json",
+    "garmentcode.yaml",
 ]
 SET = """
 format = "bodymeasure measurements"
@@ -79,7 +80,7 @@ def test_all_files_are_written(run: Run, definitions: Path, tmp_path: Path) -> N
     assert f'<m name="bust_circ" value="{bust["value"]:.4f}" />' in smis
     assert "2 of 38 keys" in ran.out
     # The files stand at the end, one a line, to copy or to open.
-    assert ran.out.splitlines()[-6:] == [str(folder / name) for name in FILES]
+    assert ran.out.splitlines()[-len(FILES) :] == [str(folder / name) for name in FILES]
 
 
 def test_without_a_folder_the_chart_is_printed(run: Run, definitions: Path) -> None:

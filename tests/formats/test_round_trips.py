@@ -7,7 +7,16 @@ from helpers.files.format_atlases import TEXT, UNIT, atlases, body_like, read, w
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bodymeasure import Atlas, AtlasPoint, Axes, InputError, Unit, read_atlas, write_atlas
+from bodymeasure import (
+    Atlas,
+    AtlasPoint,
+    Axes,
+    GivenLength,
+    InputError,
+    Unit,
+    read_atlas,
+    write_atlas,
+)
 from bodymeasure._typing import Ints
 from bodymeasure.atlas import edge_table
 from bodymeasure.formats.options import ReadOptions
@@ -69,12 +78,23 @@ NAMED = replace(
     axes=Axes("+y", "+z"),
     name="Somebody",
     provenance={"author": "nobody"},
+    given={"stature": GivenLength(165.0, 0.01, 0.3, "By hand."), "head_girth": GivenLength(56.0)},
 )
 
 
-def test_npz_keeps_everything() -> None:
-    back = read(write(NAMED, "npz"), "npz")
-    for field in ("unit", "patch_names", "regions", "landmarks", "axes", "name", "provenance"):
+@pytest.mark.parametrize("form", LOSSLESS)
+def test_our_formats_keep_everything(form: str) -> None:
+    back = read(write(NAMED, form), form)
+    for field in (
+        "unit",
+        "patch_names",
+        "regions",
+        "landmarks",
+        "axes",
+        "name",
+        "provenance",
+        "given",
+    ):
         assert getattr(back, field) == getattr(NAMED, field), field
     np.testing.assert_array_equal(back.index, NAMED.index)
 

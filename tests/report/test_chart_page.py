@@ -132,6 +132,7 @@ FILES = {
     "measurements.schema.json",
     "anna.smis",
     "freesewing.json",
+    "garmentcode.yaml",
 }
 
 

@@ -7,6 +7,7 @@ from bodymeasure.chart.kinds.girths.girth import GirthMeasure as GirthMeasure
 from bodymeasure.chart.kinds.girths.girth_arc import GirthArcMeasure as GirthArcMeasure
 from bodymeasure.chart.kinds.girths.limb_girth import LimbGirthMeasure as LimbGirthMeasure
 from bodymeasure.chart.kinds.girths.tilted_girth import TiltedGirthMeasure as TiltedGirthMeasure
+from bodymeasure.chart.kinds.given import GivenMeasure as GivenMeasure
 from bodymeasure.chart.kinds.straight.breadth import BreadthMeasure as BreadthMeasure
 from bodymeasure.chart.kinds.straight.chord import ChordMeasure as ChordMeasure
 from bodymeasure.chart.kinds.straight.depth import DepthMeasure as DepthMeasure

@@ -44,6 +44,8 @@ class MeasurementDefinition(Entry, frozen=True, kw_only=True, tag_field="kind"):
         Names in Seamly2D's list of measurements.
     freesewing : str, optional
         Key in FreeSewing's list of measurements.
+    garmentcode : str, optional
+        Key in GarmentCode's files of bodies.
     optional : bool
         Whether a body that lacks its landmarks has a chart without it, rather than with the reason.
     """
@@ -59,6 +61,7 @@ class MeasurementDefinition(Entry, frozen=True, kw_only=True, tag_field="kind"):
     iso: Iso | None = None
     seamly: tuple[str, ...] = ()
     freesewing: str | None = None
+    garmentcode: str | None = None
     optional: bool = False
 
     @property

@@ -8,6 +8,7 @@ from bodymeasure.chart.definitions import Definitions
 from bodymeasure.chart.entry import Entry, Fault, texts
 from bodymeasure.chart.formula.parse import FUNCTIONS
 from bodymeasure.chart.kinds.base import MeasurementDefinition
+from bodymeasure.chart.kinds.given import GivenMeasure
 from bodymeasure.chart.landmarks.rules.base import LandmarkRule
 from bodymeasure.chart.reading.formulas import formula_fault
 from bodymeasure.chart.sides import SIDE, both_sides
@@ -83,7 +84,7 @@ def _side_faults(definition: Entry, named: str) -> Iterator[Fault]:
                 else f"{sided[0]} has {SIDE}, but the name {named!r} has not; write it in both, "
                 f"such as '{named} {SIDE}'",
             )
-    elif not places:
+    elif not places and not isinstance(definition, GivenMeasure):  # Its key is what is measured.
         yield Fault(
             definition,
             label,

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping
+from enum import StrEnum
 from typing import Any, Literal, NamedTuple, TypeVar, get_args, get_origin
 
 import msgspec
@@ -129,6 +130,8 @@ def _check_choice(field: msgspec.structs.FieldInfo, value: Any) -> None:
 
 def choices(annotation: Any) -> tuple[str, ...]:
     """Return the words of which a member of that type has to be one; empty if it is free."""
+    if isinstance(annotation, type) and issubclass(annotation, StrEnum):
+        return tuple(one.value for one in annotation)
     return get_args(annotation) if get_origin(annotation) is Literal else ()
 
 

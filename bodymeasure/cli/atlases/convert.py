@@ -164,6 +164,7 @@ def _lost(atlas: Atlas, keeps: frozenset[str]) -> list[str]:
             atlas.approximation is not None,
         ),
         "scan": ("how well it follows the scan that it was fitted to", atlas.scan is not None),
+        "given": (counted(len(atlas.given), "given length"), bool(atlas.given)),
         "landmarks": (counted(len(atlas.landmarks), "landmark"), bool(atlas.landmarks)),
     }
     return [words for what, (words, has) in there.items() if has and what not in keeps]

@@ -73,8 +73,8 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) ->
 @definitions_option
 @folder_option(
     help="Folder for chart.html, measurements.csv, measurements.json and its schema, and files for "
-    "pattern programs, such as a .smis file for SeamlyMe and freesewing.json; made if it is not "
-    "there. Without it, the chart is printed.",
+    "pattern programs: a .smis file for SeamlyMe, freesewing.json and garmentcode.yaml; made if it "
+    "is not there. Without it, the chart is printed.",
 )
 @format_option(
     default=None,

@@ -1,12 +1,14 @@
 """A chart of body measurements, for people (``chart.html``) and for programs.
 
-The programs read JSON and CSV, SeamlyMe and Seamly2D ``.smis``, and FreeSewing its measurement
-sets. Importing this package does not load jinja2; rendering a page does.
+The programs read JSON and CSV, SeamlyMe and Seamly2D ``.smis``, FreeSewing its measurement sets,
+and GarmentCode its files of bodies. Importing this package does not load jinja2; rendering a page
+does.
 """
 
-from bodymeasure.report.body.codes import FREESEWING_KEYS, check_codes
+from bodymeasure.report.body.codes import FREESEWING_KEYS, GARMENTCODE_KEYS, check_codes
 from bodymeasure.report.body.freesewing import missing_freesewing, to_freesewing
 from bodymeasure.report.body.from_chart import chart_document
+from bodymeasure.report.body.garmentcode import missing_garmentcode, to_garmentcode
 from bodymeasure.report.body.outputs import OUTPUTS, write_chart
 from bodymeasure.report.body.page import TapePictures, render_chart
 from bodymeasure.report.body.records import BodyRecord, ChartDocument, chart_to_csv
@@ -16,6 +18,7 @@ from bodymeasure.report.body.views import absences, gains, largest_shift, remark
 
 __all__ = [
     "FREESEWING_KEYS",
+    "GARMENTCODE_KEYS",
     "OUTPUTS",
     "BodyRecord",
     "ChartDocument",
@@ -27,11 +30,13 @@ __all__ = [
     "gains",
     "largest_shift",
     "missing_freesewing",
+    "missing_garmentcode",
     "remarked",
     "render_chart",
     "tailor_inches",
     "tape_text",
     "to_freesewing",
+    "to_garmentcode",
     "to_smis",
     "write_chart",
 ]

@@ -4,7 +4,7 @@ import re
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 
-from bodymeasure.chart import Definitions
+from bodymeasure.chart import Definitions, MeasurementDefinition
 from bodymeasure.errors import InputError
 from bodymeasure.report.body.records import BodyRecord
 from bodymeasure.wording import hint
@@ -21,6 +21,18 @@ FREESEWING_KEYS = (
 )
 # fmt: on
 FREESEWING_DEGREES = ("shoulderSlope",)
+# All measurements of a body file of GarmentCode (its assets/bodies/mean_all.yaml), in alphabetical
+# order.
+# fmt: off
+GARMENTCODE_KEYS = (
+    "arm_length", "arm_pose_angle", "armscye_depth", "back_width", "bum_points", "bust",
+    "bust_line", "bust_points", "crotch_hip_diff", "head_l", "height", "hip_back_width",
+    "hip_inclination", "hips", "hips_line", "leg_circ", "neck_w", "shoulder_incl", "shoulder_w",
+    "underbust", "vert_bust_line", "waist", "waist_back_width", "waist_line",
+    "waist_over_bust_line", "wrist",
+)
+# fmt: on
+GARMENTCODE_DEGREES = ("arm_pose_angle", "hip_inclination", "shoulder_incl")
 
 # Characters that no name in Seamly2D may hold (schema of its measurement files, type shortName).
 # Spaces are excluded, too, and so are digits as the first character.
@@ -39,21 +51,34 @@ def check_codes(definitions: Definitions) -> None:
     for definition in definitions.measurement:
         for name in definition.seamly:
             check_seamly_name(name, definition.key)
-        key = definition.freesewing
-        if key is None:
-            continue
-        if key not in FREESEWING_KEYS:
-            raise InputError(
-                f"measurement {definition.key!r}: {key!r} is no measurement of FreeSewing; "
-                f"{hint(key, FREESEWING_KEYS)}"
-            )
-        angle = definition.in_degrees
-        if angle != (key in FREESEWING_DEGREES):
-            expected, given = ("a length", "an angle") if angle else ("an angle", "a length")
-            raise InputError(
-                f"measurement {definition.key!r}: FreeSewing's {key!r} is {expected}, and this is "
-                f"{given}"
-            )
+        for program, code, keys, degrees in (
+            ("FreeSewing", definition.freesewing, FREESEWING_KEYS, FREESEWING_DEGREES),
+            ("GarmentCode", definition.garmentcode, GARMENTCODE_KEYS, GARMENTCODE_DEGREES),
+        ):
+            if code is not None:
+                _check_code(definition, program, code, keys, degrees)
+
+
+def _check_code(
+    definition: MeasurementDefinition,
+    program: str,
+    code: str,
+    keys: tuple[str, ...],
+    degrees: tuple[str, ...],
+) -> None:
+    """Refuse the key of a measurement in a program that does not have it, or not of that kind."""
+    if code not in keys:
+        raise InputError(
+            f"measurement {definition.key!r}: {code!r} is no measurement of {program}; "
+            f"{hint(code, keys)}"
+        )
+    angle = definition.in_degrees
+    if angle != (code in degrees):
+        expected, given = ("a length", "an angle") if angle else ("an angle", "a length")
+        raise InputError(
+            f"measurement {definition.key!r}: {program}'s {code!r} is {expected}, and this is "
+            f"{given}"
+        )
 
 
 def check_seamly_name(name: str, key: str) -> None:

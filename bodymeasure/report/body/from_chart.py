@@ -132,6 +132,7 @@ def _record(item: Measured, number: int | None, atlas: Atlas, target: Unit) -> B
         accuracy_class=None if class_ is None else class_.value,
         seamly=list(definition.seamly),
         freesewing=definition.freesewing,
+        garmentcode=definition.garmentcode,
         landmarks=list(item.landmarks),
         length_by_region={
             region: length

@@ -8,6 +8,7 @@ from bodymeasure.arguments import file_path, require_members
 from bodymeasure.atlas import Unit
 from bodymeasure.report.body.freesewing import to_freesewing
 from bodymeasure.report.body.from_chart import chart_document
+from bodymeasure.report.body.garmentcode import to_garmentcode
 from bodymeasure.report.body.page import TapePictures, render_chart
 from bodymeasure.report.body.records import ChartDocument, chart_to_csv
 from bodymeasure.report.body.smis import to_smis
@@ -25,6 +26,7 @@ OUTPUTS: dict[str, Callable[[ChartDocument], bytes]] = {
     "measurements.schema.json": lambda document: schema_bytes(type(document)),
     "{stem}.smis": to_smis,
     "freesewing.json": to_freesewing,
+    "garmentcode.yaml": to_garmentcode,
 }
 
 
@@ -38,8 +40,9 @@ def write_chart(
 ) -> tuple[Path, ...]:
     """Write ``chart.html``, ``measurements.json`` and ``.csv``, and files for pattern programs.
 
-    These are a ``.smis`` file for SeamlyMe and Seamly2D, and ``freesewing.json``. All files are
-    computed before the first is written, and all are written or none.
+    These are a ``.smis`` file for SeamlyMe and Seamly2D, ``freesewing.json`` and
+    ``garmentcode.yaml``. All files are computed before the first is written, and all are written
+    or none.
 
     Parameters
     ----------
@@ -80,8 +83,8 @@ def write_chart(
     >>> chart = bm.measure_chart(bm.load_sample("female_average"), definitions)
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     files = write_chart(chart, folder, unit="inch", stem="anna", pictures=False)
-    >>> [file.name for file in files][-2:]
-    ['anna.smis', 'freesewing.json']
+    >>> [file.name for file in files][-3:]
+    ['anna.smis', 'freesewing.json', 'garmentcode.yaml']
     """
     expected = "a Chart, as measure_chart returns it"
     require_members(chart, ("atlas", "measured"), "the chart", expected)

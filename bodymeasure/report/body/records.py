@@ -84,6 +84,7 @@ class BodyRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     ]
     seamly: Annotated[list[str], Meta(description="Names in Seamly2D.")]
     freesewing: Annotated[str | None, Meta(description="Key in FreeSewing.")]
+    garmentcode: Annotated[str | None, Meta(description="Key in GarmentCode.")] = None
     landmarks: Annotated[list[str], Meta(description="Names of the landmarks used.")]
     length_by_region: Annotated[
         dict[str, float],

@@ -21,6 +21,7 @@ from bodymeasure.chart import (
     measure_chart,
 )
 from bodymeasure.chart.kinds import FormulaMeasure
+from bodymeasure.report.body import GARMENTCODE_KEYS
 from bodymeasure.samples import load_sample
 
 DEFAULT = load_definitions()
@@ -61,8 +62,9 @@ def test_names_of_pattern_programs_are_theirs_and_used_once() -> None:
     assert [name for name, count in Counter(freesewing).items() if count > 1] == []
     # The height where leg and foot meet; the bodies end above the ankle bones.
     assert "leg_ankle_circ" not in seamly
-    # No landmark says where the heel is.
-    assert FREESEWING - set(freesewing) == {"heel"}
+    assert set(freesewing) == FREESEWING
+    garmentcode = [one.garmentcode for one in DEFAULT.measurement if one.garmentcode is not None]
+    assert sorted(garmentcode) == sorted(GARMENTCODE_KEYS)
 
 
 def test_each_measurement_is_described() -> None:

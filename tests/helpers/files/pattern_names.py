@@ -1,12 +1,14 @@
 """Names of measurements that pattern programs know, kept apart from those of the package.
 
-`SEAMLY` holds the known measurements of Seamly2D and Valentina that a body without hands and feet
-may have (groups A, B, G to O). `FREESEWING` holds all measurements of FreeSewing.
+`SEAMLY` holds the known measurements of Seamly2D and Valentina that a body may have (groups A, B, D
+to O). `FREESEWING` holds all measurements of FreeSewing.
 """
 
 SEAMLY = frozenset(
     """
-    height head_circ
+    height head_circ head_length head_depth head_width head_crown_to_neck_back
+    hand_palm_length hand_length hand_palm_width hand_palm_circ
+    foot_width foot_length foot_circ foot_instep_circ leg_ankle_diag_circ
     height_neck_back height_scapula height_armpit height_waist_side height_hip height_gluteal_fold
     height_knee height_calf height_ankle_high height_ankle height_highhip height_waist_front
     height_bustpoint height_shoulder_tip height_neck_front height_neck_side height_waist_back
