@@ -6,10 +6,10 @@ from helpers.modules import FOLDERS, MODULES, ROOT, loaded_by
 
 # Packages that are heavy, optional or talk to the user, with the layers that may import them.
 RESERVED = {
-    "igl": {"oracle"},
+    "igl": {"fit", "oracle"},
     "OCP": {"formats"},
     "rhino3dm": {"formats"},
-    "trimesh": {"atlas", "formats", "mesh", "oracle"},
+    "trimesh": {"atlas", "fit", "formats", "mesh", "oracle"},
     "pyvista": {"scene", "viewer", "plugin"},
     "vtk": {"scene", "viewer", "plugin"},
     "vtkmodules": {"scene", "viewer", "plugin"},

@@ -45,12 +45,12 @@ class Axes:
     @property
     def up_vector(self) -> Array:
         """Unit vector upwards, shape (3,)."""
-        return _unit_vector(self.up)
+        return unit_vector(self.up)
 
     @property
     def front_vector(self) -> Array:
         """Unit vector to the front, shape (3,)."""
-        return _unit_vector(self.front)
+        return unit_vector(self.front)
 
     @property
     def left_vector(self) -> Array:
@@ -58,7 +58,8 @@ class Axes:
         return np.cross(self.up_vector, self.front_vector)
 
 
-def _unit_vector(direction: str) -> Array:
+def unit_vector(direction: str) -> Array:
+    """Return the unit vector of one of `DIRECTIONS`, shape (3,)."""
     vector = np.zeros(3)
     vector["xyz".index(direction[1])] = 1.0 if direction[0] == "+" else -1.0
     return vector

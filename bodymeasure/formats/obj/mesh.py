@@ -16,13 +16,8 @@ from bodymeasure.atlas import Atlas, Axes, FileFaces, Unit
 from bodymeasure.atlas.size import require_size
 from bodymeasure.errors import InputError
 from bodymeasure.formats.obj.approximate import Approximated
-from bodymeasure.formats.obj.statements import (
-    ObjFile,
-    Statement,
-    labeled,
-    parse,
-    vertex_numbers,
-)
+from bodymeasure.formats.obj.faces import face_corners
+from bodymeasure.formats.obj.statements import ObjFile, Statement, labeled, parse
 from bodymeasure.formats.obj.tags import hole_faces, read_tags
 from bodymeasure.formats.patches import unique_names
 from bodymeasure.subdivision import PolygonMesh
@@ -57,7 +52,7 @@ def from_statements(file: ObjFile, source: str) -> Faces:
             tag_statements.append(statement)
     if not faces:
         raise InputError(f"{source}: holds no face; expected a mesh")
-    corners = _corners(faces, len(file.points), source)
+    corners = face_corners(faces, file, source)
     sizes = np.array([len(face.words) for face in faces])
     tags = read_tags(tag_statements, len(file.points), len(faces), source)
     ends = np.array(tags.creases, dtype=np.int64).reshape(-1, 2)
@@ -75,21 +70,6 @@ def from_statements(file: ObjFile, source: str) -> Faces:
     if holes.all():
         raise InputError(f"{source}: the tags make every face a hole; expected a surface")
     return Faces(mesh, holes, names, groups, file.notes)
-
-
-def _corners(faces: list[Statement], count: int, source: str) -> Ints:
-    """The vertices of all faces, one after the other."""
-    try:
-        # Nearly always all numbers are positive, and may be read at once.
-        words = [word.partition(b"/")[0] for face in faces for word in face.words]
-        numbers = np.fromiter(map(int, words), np.int64, len(words)) - 1
-        before = np.repeat([face.vertices for face in faces], [len(face.words) for face in faces])
-        numbers = np.where(numbers < -1, numbers + 1 + before, numbers)
-        if numbers.min() >= 0 and numbers.max() < count and not any(b"_" in w for w in words):
-            return numbers
-    except (ValueError, OverflowError):
-        pass
-    return np.concatenate([vertex_numbers(face, face.words, count, source) for face in faces])
 
 
 def assemble(faces: Faces, patches: Approximated, *, unit: Unit, axes: Axes) -> Atlas:
