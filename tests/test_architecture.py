@@ -35,8 +35,9 @@ ORDERS = {
     " faces, tessellation · atlas · topology · queries · check · approximation_words, summary",
     "bench": "problems · entrants · size · records · timing · summary · figure",
     "chart": "accuracy, formula, landmarks/choice, landmarks/names, picks, tapes · entry,"
-    " landmarks/paths, landmarks/places · body, sides · kinds, landmarks/rules · approximated,"
-    " landmarks · taken · definitions, sensitivity · needed, reading, selection, chart · evaluate",
+    " landmarks/paths, landmarks/places · body, input/slopes, sides · kinds, landmarks/rules ·"
+    " approximated, landmarks · input · taken · definitions, sensitivity · needed, reading,"
+    " selection, chart · evaluate",
     "cli": "console, tables · options · atlases, docs, landmarks, measuring, study · main",
     "compare": "names, records · readings · gaps, iso20685, plausible, read, shown · comparison,"
     " page",

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -21,6 +22,23 @@ class MissingLandmarkError(InputError):
     """A measurement needs a landmark that the body does not have."""
 
 
+class Trust(NamedTuple):
+    """What is known of the landmarks' places.
+
+    Parameters
+    ----------
+    uncertainty : mapping of str to float
+        The root mean square distance of each landmark from its place along the skin, in the atlas's
+        unit. Landmarks that are not here are taken as they are.
+    unseen : mapping of str to str
+        The landmarks whose places the scan does not show, each with the landmark on a patch without
+        scan that it is, or follows from.
+    """
+
+    uncertainty: Mapping[str, float]
+    unseen: Mapping[str, str]
+
+
 @dataclass(frozen=True, eq=False)
 class Body:
     """An atlas with its landmarks, as far as rules can complete them.
@@ -32,11 +50,14 @@ class Body:
         The atlas's own landmarks, and those that rules gave.
     missing : mapping of str to str
         The landmarks that rules could not give, each with the reason.
+    trust : Trust
+        How far the landmarks of a body that was fitted to a scan may be from their places.
     """
 
     atlas: Atlas
     landmarks: Mapping[str, AtlasPoint]
     missing: Mapping[str, str] = field(default_factory=dict)
+    trust: Trust = Trust({}, {})  # noqa: RUF009  (nothing writes to it)
     _girths: dict[tuple[str, bytes, bool], Girth] = field(default_factory=dict, repr=False)
 
     @cached_property

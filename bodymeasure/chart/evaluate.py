@@ -10,6 +10,7 @@ from bodymeasure.atlas.check.stance import stance_findings
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.chart import Chart
 from bodymeasure.chart.definitions import Definitions
+from bodymeasure.chart.input.landmarks import landmark_trust
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome
 from bodymeasure.chart.landmarks.derive import derive_landmarks
 from bodymeasure.chart.reading.read import load_definitions
@@ -86,7 +87,7 @@ def measure_chart(
     require_progress(progress)
     chosen, needed = restricted(definitions, names_listed(only))
     derived = derive_landmarks(atlas, needed.landmark, strict=False)
-    body = Body(atlas, derived.landmarks, derived.missing)
+    body = Body(atlas, derived.landmarks, derived.missing, landmark_trust(atlas, derived))
     taken = Taken(body, _by_key(needed.measurement))
     keys = [one.key for one in both_sides(chosen.measurement)]
     named = selected_keys(definitions, [name for name in only if name not in definitions.presets])

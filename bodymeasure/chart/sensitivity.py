@@ -46,7 +46,7 @@ def with_shifts(taken: Taken, key: str) -> Measured:
 def _value(taken: Taken, key: str, name: str, place: AtlasPoint) -> float:
     """Return the value of a measurement with a landmark elsewhere; NaN if it has none then."""
     landmarks = {**taken.body.landmarks, name: place}
-    body = Body(taken.body.atlas, landmarks, taken.body.missing)
+    body = Body(taken.body.atlas, landmarks, taken.body.missing, taken.body.trust)
     return Taken(body, taken.definitions)[key].value
 
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from bodymeasure.chart.approximated import approximated
 from bodymeasure.chart.body import Body, MissingLandmarkError
+from bodymeasure.chart.input.uncertainty import with_input
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome
 from bodymeasure.chart.kinds.formula import FormulaMeasure
 from bodymeasure.errors import ConvergenceError, InputError
@@ -46,7 +47,8 @@ class Taken(dict[str, Measured]):
         except ConvergenceError as error:
             found = Measured(definition, Outcome.NOT_CONVERGED, str(error))
         unit = "deg" if definition.in_degrees else self.body.atlas.unit.value
-        self[key] = replace(approximated(found, self.body.atlas), unit=unit)
+        found = with_input(approximated(found, self.body.atlas), self.body, self)
+        self[key] = replace(found, unit=unit)
         return self[key]
 
     def _given(self, definition: MeasurementDefinition) -> Measured | None:

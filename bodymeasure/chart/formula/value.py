@@ -52,6 +52,14 @@ def evaluate_formula(formula: Formula, operands: Mapping[str, Estimate]) -> Esti
     return Estimate(value, error)
 
 
+def formula_slopes(formula: Formula, operands: Mapping[str, Estimate]) -> Mapping[str, float]:
+    """Return the partial derivatives of a formula with respect to its operands.
+
+    Those of an angle are in degrees for each unit of length.
+    """
+    return _visit(formula.tree, formula.text, operands).slopes
+
+
 def _visit(node: ast.expr, text: str, operands: Mapping[str, Estimate]) -> _Dual:
     match node:
         case ast.Name(id=name):

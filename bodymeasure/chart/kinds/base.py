@@ -8,11 +8,12 @@ from typing import ClassVar, Literal, NamedTuple
 import msgspec
 import numpy as np
 
+from bodymeasure._typing import Array
 from bodymeasure.chart.accuracy import AccuracyClass
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Entry, Fault
 from bodymeasure.chart.formula.parse import parse_formula
-from bodymeasure.chart.tapes import Tape
+from bodymeasure.chart.tapes import Tape, TapeKind
 
 TapeWanted = Literal["contact", "taut", "both"]
 """Along the skin; drawn taut; or along the skin, with the taut length beside it."""
@@ -105,6 +106,38 @@ class MeasurementDefinition(Entry, frozen=True, kw_only=True, tag_field="kind"):
         """
         raise NotImplementedError
 
+    def slopes(
+        self, body: Body, found: "Measured", others: Mapping[str, "Measured"]
+    ) -> Mapping[str, Array]:
+        """Return the derivative of the value with respect to the place of each landmark.
+
+        It tells what the uncertainty of landmarks on a scan does to a value, to first order.
+
+        Parameters
+        ----------
+        body : Body
+        found : Measured
+            What `measure` has returned.
+        others : mapping of str to Measured
+            The measurements that the formulas of this one name, by key.
+
+        Returns
+        -------
+        mapping of str to ndarray, shape (3,)
+            Without the landmarks to which the value owes nothing, to first order.
+        """
+        raise NotImplementedError
+
+    def skin(self, body: Body, found: "Measured") -> Array:
+        """Return points of the skin on which the value depends besides its landmarks.
+
+        Returns
+        -------
+        ndarray, shape (k, 3)
+        """
+        on_skin = [tape.points[tape.normals.any(axis=1)] for tape in found.tapes]
+        return np.concatenate([*on_skin, np.empty((0, 3))])
+
 
 class Outcome(StrEnum):
     """The outcome of a measurement; `Measured.reason` explains it in words."""
@@ -114,6 +147,7 @@ class Outcome(StrEnum):
     MISSING_OPERAND = "missing operand"
     REFUSED = "refused"
     NOT_CONVERGED = "not converged"
+    NOT_SCANNED = "not scanned"
 
 
 class Shift(NamedTuple):
@@ -158,6 +192,15 @@ class Measured:
     mesh_difference : float, optional
         By how much `value` is larger on the mesh from which the patches were made, about; None
         without one.
+    input_uncertainty : float, optional
+        The standard uncertainty of `value` that comes from the scan to which the atlas was fitted:
+        from the distance of the surface and from the places of the landmarks; None if it was not
+        fitted to one.
+    surface_uncertainty : float
+        The part of it that comes from the surface.
+    slopes : mapping of str to ndarray, shape (3,)
+        The derivative of `value` with respect to the place of each landmark, on an atlas that was
+        fitted to a scan.
     landmarks : tuple of str
         Names of the landmarks used.
     tapes : tuple of Tape
@@ -179,11 +222,20 @@ class Measured:
     error_estimate: float = np.nan
     approximation_error: float | None = None
     mesh_difference: float | None = None
+    input_uncertainty: float | None = None
+    surface_uncertainty: float = 0.0
+    slopes: Mapping[str, Array] = field(default_factory=dict)
     landmarks: tuple[str, ...] = ()
     tapes: tuple[Tape, ...] = ()
     length_by_region: Mapping[str, float] = field(default_factory=dict)
     unit: str = ""
     shifts: tuple[Shift, ...] = ()
+
+    @property
+    def tape(self) -> Tape:
+        """The tape whose length is the value."""
+        taut = [tape for tape in self.tapes if tape.kind is TapeKind.TAUT]
+        return taut[0] if taut and self.value == self.taut else self.tapes[0]
 
     @property
     def gap(self) -> float:
@@ -195,5 +247,7 @@ class Measured:
         error = f"{self.error_estimate:.1g}"
         if self.approximation_error is not None:
             error += f", approximation {self.approximation_error:.1g}"
+        if self.input_uncertainty is not None:
+            error += f", scan {self.input_uncertainty:.1g}"
         found = f"{value} (error {error})" if np.isfinite(self.value) else "no value"
         return f"<Measured {self.definition.key}: {found}, {self.outcome}>"

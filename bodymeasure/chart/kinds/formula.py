@@ -4,11 +4,12 @@ import math
 from collections.abc import Mapping
 from typing import ClassVar
 
+from bodymeasure._typing import Array
 from bodymeasure.chart.accuracy import AccuracyClass, length_class
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import FormulaText
 from bodymeasure.chart.formula.parse import Formula, parse_formula
-from bodymeasure.chart.formula.value import Estimate, evaluate_formula
+from bodymeasure.chart.formula.value import Estimate, evaluate_formula, formula_slopes
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome
 from bodymeasure.errors import InputError
 
@@ -73,10 +74,33 @@ class FormulaMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="form
             error_estimate=error,
             approximation_error=evaluate_formula(formula, costs).error if costs else None,
             mesh_difference=_on_mesh(formula, operands) - value if costs else None,
+            surface_uncertainty=_surface(formula, operands),
             landmarks=landmarks,
             # Pictures show what the value is made of.
             tapes=tuple(tape for operand in operands.values() for tape in operand.tapes),
         )
+
+    def slopes(
+        self, body: Body, found: Measured, others: Mapping[str, Measured]
+    ) -> Mapping[str, Array]:
+        formula = parse_formula(self.formula)
+        slopes: dict[str, Array] = {}
+        for name, by in _partials(formula, others).items():
+            for landmark, slope in others[name].slopes.items():
+                slopes[landmark] = slopes.get(landmark, 0.0) + by * slope
+        return slopes
+
+
+def _partials(formula: Formula, others: Mapping[str, Measured]) -> Mapping[str, float]:
+    return formula_slopes(
+        formula, {name: Estimate(others[name].value, 0.0) for name in formula.names}
+    )
+
+
+def _surface(formula: Formula, operands: Mapping[str, Measured]) -> float:
+    """Return the part of the uncertainty that comes from the surface below all operands."""
+    partials = _partials(formula, operands)
+    return math.hypot(*(by * operands[name].surface_uncertainty for name, by in partials.items()))
 
 
 def _on_mesh(formula: Formula, operands: Mapping[str, Measured]) -> float:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import ClassVar, Literal
 
+from bodymeasure._typing import Array
 from bodymeasure.chart.accuracy import AccuracyClass, girth_class
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Landmark
@@ -52,3 +53,9 @@ class ExtremeGirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag=
         inside = extreme.status is Extremum.INSIDE
         remark = "" if inside else f"The extreme is {extreme.status.value}."
         return taped_girth(body, self, self.tape, extreme.girth, remark)
+
+    def slopes(
+        self, body: Body, found: Measured, others: Mapping[str, Measured]
+    ) -> Mapping[str, Array]:
+        # Where a girth is the largest or the smallest, its height makes no difference.
+        return {}

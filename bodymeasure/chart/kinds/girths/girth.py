@@ -3,9 +3,11 @@
 from collections.abc import Iterator, Mapping
 from typing import ClassVar
 
+from bodymeasure._typing import Array
 from bodymeasure.chart.accuracy import AccuracyClass, girth_class
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Fault, Landmark
+from bodymeasure.chart.input.slopes import plane_slope
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, TapeWanted
 from bodymeasure.chart.kinds.taped import taped_girth
 
@@ -43,3 +45,9 @@ class GirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="girth"
     def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
         girth = body.level_girth(self.at, cut=self.cut, limb=self.limb)
         return taped_girth(body, self, self.tape, girth)
+
+    def slopes(
+        self, body: Body, found: Measured, others: Mapping[str, Measured]
+    ) -> Mapping[str, Array]:
+        up = body.atlas.axes.up_vector
+        return {self.at: plane_slope(found.tape, up) * up}

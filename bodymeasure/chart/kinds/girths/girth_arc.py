@@ -4,9 +4,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import ClassVar, Literal
 
+from bodymeasure._typing import Array
 from bodymeasure.chart.accuracy import AccuracyClass
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Fault, Landmark
+from bodymeasure.chart.input.slopes import end_slopes, plane_slope
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, TapeWanted
 from bodymeasure.chart.kinds.taped import sentence, taped
 from bodymeasure.measure import girth_arc
@@ -58,3 +60,15 @@ class GirthArcMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="gir
         arc = girth_arc(girth, start, end, body.atlas.axes.front_vector, self.side)
         found = taped(body, self, self.tape, arc, arc.length_by_region)
         return replace(found, reason=sentence(girth.remark))
+
+    def slopes(
+        self, body: Body, found: Measured, others: Mapping[str, Measured]
+    ) -> Mapping[str, Array]:
+        up = body.atlas.axes.up_vector
+        slopes = end_slopes(
+            found.tape, {name: body.position(name) for name in (self.start, self.end)}
+        )
+        # The ends follow their landmarks to the sides, but not up and down.
+        slopes = {name: slope - (slope @ up) * up for name, slope in slopes.items()}
+        height = plane_slope(found.tape, up) * up
+        return {**slopes, self.at: slopes.get(self.at, 0.0) + height}

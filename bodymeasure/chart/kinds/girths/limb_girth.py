@@ -3,9 +3,13 @@
 from collections.abc import Iterator, Mapping
 from typing import ClassVar
 
+import numpy as np
+
+from bodymeasure._typing import Array
 from bodymeasure.chart.accuracy import AccuracyClass
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Fault, Landmark
+from bodymeasure.chart.input.slopes import plane_slope
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, TapeWanted
 from bodymeasure.chart.kinds.taped import taped_girth
 from bodymeasure.measure import limb_girth
@@ -42,3 +46,13 @@ class LimbGirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="li
         place = body.point(self.at) if isinstance(self.at, str) else float(self.at)
         girth = limb_girth(body.atlas, body.point(self.start), body.point(self.end), at=place)
         return taped_girth(body, self, self.tape, girth)
+
+    def slopes(
+        self, body: Body, found: Measured, others: Mapping[str, Measured]
+    ) -> Mapping[str, Array]:
+        line = body.position(self.end) - body.position(self.start)
+        along = line / np.linalg.norm(line)
+        slope = plane_slope(found.tape, along) * along
+        if isinstance(self.at, str):
+            return {self.at: slope}
+        return {self.start: (1.0 - self.at) * slope, self.end: self.at * slope}

@@ -5,9 +5,11 @@ from typing import ClassVar, Literal
 
 import numpy as np
 
+from bodymeasure._typing import Array
 from bodymeasure.chart.accuracy import AccuracyClass, girth_class
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Fault, Landmark
+from bodymeasure.chart.input.slopes import plane_slope
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, TapeWanted
 from bodymeasure.chart.kinds.taped import taped_girth
 from bodymeasure.errors import InputError
@@ -68,3 +70,20 @@ class TiltedGirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="
                 "cuts two parts of the body; choose landmarks on one of them"
             )
         return taped_girth(body, self, self.tape, girth)
+
+    def slopes(
+        self, body: Body, found: Measured, others: Mapping[str, Measured]
+    ) -> Mapping[str, Array]:
+        first, second = map(body.position, self.through)
+        line = first - second
+        level = body.atlas.axes.front_vector
+        level = level if self.plane == "median" else body.atlas.axes.left_vector
+        normal = np.cross(level, line)
+        normal /= np.linalg.norm(normal)
+        # Either landmark turns the plane about the level line through the other.
+        across = line - (line @ level) * level
+        share = (found.tape.points - second) @ across / (across @ across)
+        return {
+            name: plane_slope(found.tape, normal, weights) * normal
+            for name, weights in zip(self.through, (share, 1.0 - share), strict=True)
+        }

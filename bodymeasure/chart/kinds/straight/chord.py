@@ -6,6 +6,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from bodymeasure._typing import Array
 from bodymeasure.chart.accuracy import AccuracyClass, length_class
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Fault, Landmark
@@ -39,3 +40,10 @@ class ChordMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="chord"
     def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
         start, end = body.position(self.start), body.position(self.end)
         return straight(body, self, float(np.linalg.norm(end - start)), (start, end))
+
+    def slopes(
+        self, body: Body, found: Measured, others: Mapping[str, Measured]
+    ) -> Mapping[str, Array]:
+        line = body.position(self.end) - body.position(self.start)
+        along = line / np.linalg.norm(line)
+        return {self.start: -along, self.end: along}

@@ -3,6 +3,9 @@
 from collections.abc import Iterator, Mapping
 from typing import ClassVar
 
+import numpy as np
+
+from bodymeasure._typing import Array
 from bodymeasure.chart.accuracy import AccuracyClass
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Fault, Landmark
@@ -48,6 +51,15 @@ class HeightMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="heigh
         floor = 0.0 if self.above is None else float(body.position(self.above) @ up)
         height = float(top @ up) - floor
         return straight(body, self, abs(height), (top, top - height * up))
+
+    def slopes(
+        self, body: Body, found: Measured, others: Mapping[str, Measured]
+    ) -> Mapping[str, Array]:
+        up = body.atlas.axes.up_vector
+        if self.above is None:
+            return {self.at: up}
+        sign = np.sign((body.position(self.at) - body.position(self.above)) @ up)
+        return {self.at: sign * up, self.above: -sign * up}
 
 
 def _require_floor(body: Body) -> None:

@@ -1,12 +1,13 @@
 """The measurement of a straight line."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas
 from bodymeasure.chart.body import Body
+from bodymeasure.chart.input.slopes import STEEPEST
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome
 from bodymeasure.chart.tapes import Tape, TapeKind
 from bodymeasure.section import SectionLoop
@@ -48,6 +49,18 @@ def extent(
     loop = body.level_girth(at).loop
     line = _through_middle(loop.positions, direction)
     return straight(body, definition, extent_of(body.atlas, loop), line, EXTENT)
+
+
+def extent_slope(body: Body, at: str, direction: Array) -> Mapping[str, Array]:
+    """Return the change of an extent with the landmark at whose height it is taken."""
+    up = body.atlas.axes.up_vector
+    drawn = body.level_girth(at).contact_tape
+    along = drawn.positions @ direction
+    ends = np.array([along.argmax(), along.argmin()])
+    normals = body.normals(drawn.patch[ends], drawn.parameters[ends])
+    # An end that stays on the skin moves outwards as the skin leans.
+    out = np.maximum(np.abs(normals @ direction), STEEPEST)
+    return {at: float(-(normals @ up / out).sum()) * up}
 
 
 def _through_middle(points: Array, direction: Array) -> tuple[Array, Array]:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import ClassVar
 
+from bodymeasure._typing import Array
 from bodymeasure.chart.accuracy import AccuracyClass, girth_class
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Landmark
@@ -33,3 +34,9 @@ class ClosedMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="close
     def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
         path = closed_geodesic(body.atlas, body.point(self.at), on_failure="status")
         return along(body, self, path)
+
+    def slopes(
+        self, body: Body, found: Measured, others: Mapping[str, Measured]
+    ) -> Mapping[str, Array]:
+        # A tape that slides to where it rests ends there wherever it was laid.
+        return {}

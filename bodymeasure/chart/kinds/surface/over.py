@@ -10,6 +10,7 @@ from bodymeasure._typing import Array
 from bodymeasure.chart.accuracy import AccuracyClass, length_class
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Landmark
+from bodymeasure.chart.input.slopes import end_slopes, level_slope, tape_slopes
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome
 from bodymeasure.chart.tapes import Tape, TapeKind
 from bodymeasure.measure import vertical_drop
@@ -90,6 +91,15 @@ class OverMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="over"):
             landmarks=self.landmarks,
             tapes=(_tape(body, arc, fine, places),),
         )
+
+    def slopes(
+        self, body: Body, found: Measured, others: Mapping[str, Measured]
+    ) -> Mapping[str, Array]:
+        start = end_slopes(found.tape, {self.start: body.position(self.start)})
+        middle = _middle(body, self.start, self.over)
+        half = 0.5 * tape_slopes(found.tape, {"": middle})[""]
+        level = level_slope(found.tape, body.atlas.axes.up_vector)
+        return {**start, self.level: level, **dict.fromkeys(self.over, half)}
 
 
 def _middle(body: Body, start: str, over: tuple[str, str]) -> Array:

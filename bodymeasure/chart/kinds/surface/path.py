@@ -5,9 +5,11 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import ClassVar
 
+from bodymeasure._typing import Array
 from bodymeasure.chart.accuracy import AccuracyClass, length_class
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.entry import Fault, Landmark
+from bodymeasure.chart.input.slopes import tape_slopes
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome, TapeWanted
 from bodymeasure.chart.kinds.surface.along import along
 from bodymeasure.chart.landmarks.paths import leg_between
@@ -78,3 +80,8 @@ class PathMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="path"):
             error_estimate=max(path.error_estimate, tape.error_estimate),
             tapes=(*contact.tapes, Tape(TapeKind.TAUT, tape.points, tape.normals)),
         )
+
+    def slopes(
+        self, body: Body, found: Measured, others: Mapping[str, Measured]
+    ) -> Mapping[str, Array]:
+        return tape_slopes(found.tape, {name: body.position(name) for name in self.through})
