@@ -29,6 +29,9 @@ class Chart:
         The time that the measuring took.
     versions : mapping of str to str
         The versions of the packages that can change a number.
+    landmark_uncertainty : mapping of str to float
+        On a body that was fitted to a scan: the root mean square distance of each landmark from the
+        place where it belongs, in the atlas's unit.
 
     Examples
     --------
@@ -51,6 +54,7 @@ class Chart:
     measured: tuple[Measured, ...]
     seconds: float = 0.0
     versions: Mapping[str, str] = field(default_factory=dict)
+    landmark_uncertainty: Mapping[str, float] = field(default_factory=dict)
 
     def __getitem__(self, key: str) -> Measured:
         """The measurement of that key.

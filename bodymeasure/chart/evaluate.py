@@ -104,6 +104,7 @@ def measure_chart(
         tuple(item for item in measured if item.definition.key in named or not _left_out(item)),
         time.perf_counter() - begin,
         package_versions(PACKAGES),
+        body.trust.uncertainty,
     )
 
 

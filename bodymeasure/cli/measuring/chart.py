@@ -304,7 +304,7 @@ def _exit_code(document: "ChartDocument", *, asked_for: bool) -> int:
 
 
 def _print(document: "ChartDocument", form: str) -> None:
-    from bodymeasure.report.body import chart_to_csv
+    from bodymeasure.report.body import chart_to_csv, scan_sentences
     from bodymeasure.report.serial import to_json
 
     # Bytes are UTF-8, whatever the encoding of the terminal.
@@ -314,7 +314,7 @@ def _print(document: "ChartDocument", form: str) -> None:
         click.echo(chart_to_csv(document), nl=False)
     else:
         print_table(_table(document))
-        for sentence in document.approximation or ():
+        for sentence in (*(document.approximation or ()), *scan_sentences(document)):
             RESULTS.print(Text(f"\n{sentence}"), soft_wrap=True)
         reasons = _reasons(document)
         if reasons:
@@ -336,12 +336,14 @@ def _reasons(document: "ChartDocument") -> list[str]:
 
 
 def _table(document: "ChartDocument") -> "Table":
-    from bodymeasure.report.body import largest_shift, tailor_inches, tape_text
+    from bodymeasure.report.body import input_text, largest_shift, tailor_inches, tape_text
 
     inches = document.unit == "inch"
     lengths = (document.unit, *(("fraction",) if inches else ()), "along skin", "taut", "error")
     shifted = any(record.shifts for record in document.measurements)
     lengths = (*lengths, *(("5 mm off",) if shifted else ()))
+    if document.scan:
+        lengths = (*lengths, "from the scan")
     if document.approximation:
         lengths = (*lengths, "approximation", "on the mesh")
     table = new_table("measurement", *lengths, "status", words=("status",))
@@ -367,6 +369,7 @@ def _table(document: "ChartDocument") -> "Table":
             shown(record.taut),
             "" if error is None or record.value is None else f"{error:.0e}",
             *((largest_shift(record),) if shifted else ()),
+            *((input_text(record),) if document.scan else ()),
             *(_costs(record) if document.approximation else ()),
             Text(record.outcome, "" if good else "yellow"),
         )

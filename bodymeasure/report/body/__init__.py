@@ -12,6 +12,7 @@ from bodymeasure.report.body.garmentcode import missing_garmentcode, to_garmentc
 from bodymeasure.report.body.outputs import OUTPUTS, write_chart
 from bodymeasure.report.body.page import TapePictures, render_chart
 from bodymeasure.report.body.records import BodyRecord, ChartDocument, chart_to_csv
+from bodymeasure.report.body.scan_words import input_text, scan_sentences
 from bodymeasure.report.body.smis import to_smis
 from bodymeasure.report.body.tape import tailor_inches, tape_text
 from bodymeasure.report.body.views import absences, gains, largest_shift, remarked
@@ -28,11 +29,13 @@ __all__ = [
     "chart_to_csv",
     "check_codes",
     "gains",
+    "input_text",
     "largest_shift",
     "missing_freesewing",
     "missing_garmentcode",
     "remarked",
     "render_chart",
+    "scan_sentences",
     "tailor_inches",
     "tape_text",
     "to_freesewing",

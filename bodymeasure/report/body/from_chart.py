@@ -16,6 +16,7 @@ from bodymeasure.report.body.records import (
     LandmarkShift,
     MissingLandmark,
     PickedGain,
+    ScanSummary,
 )
 from bodymeasure.report.units import DEGREES, ValueUnit
 
@@ -46,19 +47,11 @@ def chart_document(
         atlas_digest=atlas.digest,
         provenance={str(key): str(value) for key, value in atlas.provenance.items()},
         approximation=list(approximation_sentences(atlas, unit)) or UNSET,
+        scan=_scan(atlas, unit),
         versions={str(key): str(value) for key, value in chart.versions.items()},
         seconds=float(chart.seconds),
         outcomes=dict(Counter(str(item.outcome) for item in chart.measured)),
-        landmarks=[
-            LandmarkPlace(
-                name=name,
-                patch=atlas.patch_names[point.patch],
-                u=float(point.u),
-                v=float(point.v),
-                given=name in atlas.landmarks,
-            )
-            for name, point in chart.landmarks.items()
-        ],
+        landmarks=[_place(chart, name, unit) for name in chart.landmarks],
         missing_landmarks=[
             MissingLandmark(name=name, reason=reason)
             for name, reason in chart.missing_landmarks.items()
@@ -67,6 +60,39 @@ def chart_document(
         measurements=[
             _record(item, numbers.get(item.definition.key), atlas, unit) for item in chart.measured
         ],
+    )
+
+
+def _place(chart: Chart, name: str, unit: Unit) -> LandmarkPlace:
+    atlas, point = chart.atlas, chart.landmarks[name]
+    origin: str | UnsetType | None = UNSET
+    uncertainty: float | UnsetType | None = UNSET
+    if atlas.scan is not None:
+        found = atlas.scan.landmarks.get(name)
+        origin = found.origin.value if found else None if name in atlas.landmarks else "rule"
+        off = chart.landmark_uncertainty.get(name)
+        uncertainty = None if off is None else float(convert_length(off, atlas.unit, unit))
+    return LandmarkPlace(
+        name=name,
+        patch=atlas.patch_names[point.patch],
+        u=float(point.u),
+        v=float(point.v),
+        given=name in atlas.landmarks,
+        origin=origin,
+        uncertainty=uncertainty,
+    )
+
+
+def _scan(atlas: Atlas, unit: Unit) -> ScanSummary | UnsetType:
+    scan = atlas.scan
+    if scan is None:
+        return UNSET
+    distance = float(convert_length(scan.rms, Unit.M, unit))
+    return ScanSummary(
+        distance=distance if math.isfinite(distance) else None,
+        uncovered=[atlas.patch_names[patch] for patch in scan.uncovered],
+        done=list(scan.done),
+        warnings=list(scan.warnings),
     )
 
 
@@ -102,8 +128,8 @@ def _record(item: Measured, number: int | None, atlas: Atlas, target: Unit) -> B
             return None
         return float(value) if angle else float(convert_length(value, source, target))
 
-    def optional(value: float | None) -> float | UnsetType | None:
-        if not has_approximation:
+    def optional(value: float | None, there: bool) -> float | UnsetType | None:
+        if not there:
             return UNSET
         return None if value is None else converted(value)
 
@@ -118,8 +144,9 @@ def _record(item: Measured, number: int | None, atlas: Atlas, target: Unit) -> B
         value=converted(item.value),
         unit=unit,
         error_estimate=converted(item.error_estimate),
-        approximation_error=optional(item.approximation_error),
-        mesh_difference=optional(item.mesh_difference),
+        approximation_error=optional(item.approximation_error, has_approximation),
+        mesh_difference=optional(item.mesh_difference, has_approximation),
+        input_uncertainty=optional(item.input_uncertainty, atlas.scan is not None),
         contact=converted(item.contact),
         taut=converted(item.taut),
         gap=converted(item.gap),

@@ -62,6 +62,14 @@ class BodyRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
             "were made; absent without one."
         ),
     ] = UNSET
+    input_uncertainty: Annotated[
+        float | UnsetType | None,
+        Meta(
+            description="Standard uncertainty of the value that comes from the scan to which the "
+            "body was fitted: from its surface and from the places of its landmarks; absent if it "
+            "was not fitted to one."
+        ),
+    ] = UNSET
     contact: Annotated[float | None, Meta(description="Length of the tape along the skin.")]
     taut: Annotated[float | None, Meta(description="Length of the tape drawn taut.")]
     gap: Annotated[float | None, Meta(description="contact - taut")]
@@ -107,6 +115,20 @@ class LandmarkPlace(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         bool,
         Meta(description="Whether the atlas gives it, rather than a rule."),
     ]
+    origin: Annotated[
+        str | UnsetType | None,
+        Meta(
+            description="How it was found on the scan to which the body was fitted: carried, "
+            "picked or rule; absent without a scan."
+        ),
+    ] = UNSET
+    uncertainty: Annotated[
+        float | UnsetType | None,
+        Meta(
+            description="Root mean square distance along the skin from the place where it belongs, "
+            "in the document's unit; absent without a scan."
+        ),
+    ] = UNSET
 
 
 class MissingLandmark(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -114,6 +136,23 @@ class MissingLandmark(Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
 
     name: str
     reason: str
+
+
+class ScanSummary(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The scan that a body was fitted to."""
+
+    distance: Annotated[
+        float | None,
+        Meta(description="Root mean square distance of the surface from the scan."),
+    ]
+    uncovered: Annotated[
+        list[str],
+        Meta(description="The patches that the scan does not show, and whose shape is a guess."),
+    ]
+    done: Annotated[list[str], Meta(description="What was done with the scan, in sentences.")]
+    warnings: Annotated[
+        list[str], Meta(description="What to know before relying on a number, in sentences.")
+    ]
 
 
 class PickedGain(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -149,6 +188,10 @@ class ChartDocument(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
             description="What the patches approximate and what that costs, in sentences; absent if "
             "they approximate nothing."
         ),
+    ] = UNSET
+    scan: Annotated[
+        ScanSummary | UnsetType,
+        Meta(description="Absent if the body was not fitted to a scan."),
     ] = UNSET
     versions: Annotated[dict[str, str], Meta(description="Versions of the packages used.")]
     seconds: Annotated[float, Meta(description="The time that measuring took.")]

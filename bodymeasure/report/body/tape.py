@@ -2,8 +2,9 @@
 
 from math import floor
 
+from bodymeasure.atlas import Unit, convert_length
 from bodymeasure.report.numbers import MINUS, NONE, SPACE, millimeters
-from bodymeasure.report.units import TAPE_DECIMALS
+from bodymeasure.report.units import DEGREES, TAPE_DECIMALS
 
 # Marks between two inches on a tape.
 SIXTEENTHS = 16
@@ -66,3 +67,13 @@ def tailor_inches(value: float | None, error: float | None = None) -> str:
     words = [str(whole)] if whole or not rest else []
     words += [f"{rest}/{marks}"] if rest else []
     return (MINUS if value < 0 and total else "") + SPACE.join(words)
+
+
+def change_text(unit: str, size: float) -> str:
+    """Return the size of a change as a tape shows it."""
+    if unit == DEGREES:
+        return f"{size:.1f}°"
+    if unit == "inch":
+        return f"{size:.2f}{SPACE}in"
+    millimeters = convert_length(size, Unit.parse(unit), Unit.MM)
+    return f"{millimeters:.1f}{SPACE}mm"

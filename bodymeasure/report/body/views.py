@@ -3,12 +3,14 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from bodymeasure.atlas import Unit, convert_length
+from msgspec import UNSET
+
 from bodymeasure.report.body.records import BodyRecord, ChartDocument, LandmarkShift, whole_error
-from bodymeasure.report.body.tape import small_text, tailor_inches, tape_text
-from bodymeasure.report.numbers import MINUS, NONE, SPACE, as_bound
+from bodymeasure.report.body.scan_words import input_text, scan_sentences
+from bodymeasure.report.body.tape import change_text, small_text, tailor_inches, tape_text
+from bodymeasure.report.numbers import MINUS, NONE, as_bound
 from bodymeasure.report.templating import Image
-from bodymeasure.report.units import DEGREES, UNIT_NAMES
+from bodymeasure.report.units import UNIT_NAMES
 from bodymeasure.wording import counted
 
 MEASURED = "measured"
@@ -35,6 +37,7 @@ class Row:
     tone: str
     mark: str
     regions: tuple[tuple[str, str], ...]
+    input: str
     shift: str
     shifts: tuple[str, ...]
 
@@ -104,6 +107,7 @@ def _row(record: BodyRecord, number: str) -> Row:
             (region or "elsewhere", tape_text(length, unit))
             for region, length in record.length_by_region.items()
         ),
+        input=input_text(record),
         shift=largest_shift(record),
         shifts=tuple(_shift_words(record, shift) for shift in record.shifts),
     )
@@ -112,7 +116,7 @@ def _row(record: BodyRecord, number: str) -> Row:
 def largest_shift(record: BodyRecord) -> str:
     """Return the largest change of a value with its landmarks, without a sign."""
     sizes = [abs(x) for shift in record.shifts for x in (shift.up, shift.across) if x is not None]
-    return _change(record, max(sizes)) if sizes else NONE
+    return change_text(record.unit, max(sizes)) if sizes else NONE
 
 
 def _shift_words(record: BodyRecord, shift: LandmarkShift) -> str:
@@ -120,19 +124,9 @@ def _shift_words(record: BodyRecord, shift: LandmarkShift) -> str:
         if change is None:
             return "cannot be measured"
         sign = "" if abs(change) < LEAST_SHIFT[record.unit] else "+" if change > 0.0 else MINUS
-        return f"{sign}{_change(record, abs(change))}"
+        return f"{sign}{change_text(record.unit, abs(change))}"
 
     return f"{shift.landmark}: higher {said(shift.up)}, to the side {said(shift.across)}"
-
-
-def _change(record: BodyRecord, size: float) -> str:
-    """Return the size of a change as a tape shows it."""
-    if record.unit == DEGREES:
-        return f"{size:.1f}°"
-    if record.unit == "inch":
-        return f"{size:.2f}{SPACE}in"
-    millimeters = convert_length(size, Unit.parse(record.unit), Unit.MM)
-    return f"{millimeters:.1f}{SPACE}mm"
 
 
 @dataclass(frozen=True)
@@ -256,10 +250,14 @@ def summary_sentences(document: ChartDocument) -> list[str]:
         if m.unit == document.unit and m.error_estimate is not None
     ]
     if errors:
-        bound = as_bound(small_text(max(errors), document.unit))
-        sentences.append(
-            f"By their own estimates the lengths are in error by {bound}. This is the error of "
-            "the computation on this body's surface. It does not include the error of the scan or "
-            "the model from which the body was made, nor that of the places of the landmarks."
+        whole = (
+            "This is the error of the computation on this body's surface, and the smallest part of "
+            "what is unknown."
+            if document.scan is not UNSET
+            else "This is the error of the computation on this body's surface. It does not include "
+            "the error of the scan or the model from which the body was made, nor that of the "
+            "places of the landmarks."
         )
-    return [*sentences, *(document.approximation or ())]
+        bound = as_bound(small_text(max(errors), document.unit))
+        sentences.append(f"By their own estimates the lengths are in error by {bound}. {whole}")
+    return [*sentences, *scan_sentences(document), *(document.approximation or ())]

@@ -1,0 +1,52 @@
+"""How far values can be trusted on a body that was fitted to a scan, in words."""
+
+from statistics import median
+
+from msgspec import UNSET
+
+from bodymeasure.report.body.records import BodyRecord, ChartDocument
+from bodymeasure.report.body.tape import change_text, small_text
+from bodymeasure.report.numbers import NONE, SPACE
+from bodymeasure.wording import counted
+
+
+def input_text(record: BodyRecord) -> str:
+    """Return the uncertainty of a value that comes from the scan, as a tape shows it."""
+    size = record.input_uncertainty
+    if size is UNSET or size is None or record.value is None:
+        return NONE
+    return f"±{SPACE}{change_text(record.unit, size)}"
+
+
+def scan_sentences(document: ChartDocument) -> list[str]:
+    """Return how far the values can be trusted on a body that was fitted to a scan."""
+    scan = document.scan
+    if scan is UNSET:
+        return []
+    unit = document.unit
+    sizes = sorted(
+        each.input_uncertainty
+        for each in document.measurements
+        if each.unit == unit and isinstance(each.input_uncertainty, float)
+    )
+    distance = small_text(scan.distance, unit)
+    sentences = [
+        f"The body was fitted to a scan; its surface lies {distance} from it (root mean square)."
+    ]
+    if sizes:
+        least, middle, most = (
+            small_text(each, unit) for each in (sizes[0], median(sizes), sizes[-1])
+        )
+        sentences.append(
+            "A length is as good as the scan and the places of its landmarks: these leave the "
+            f"values uncertain by ± {least} to ± {most}, half of them by more than ± {middle}. The "
+            "true value lies within twice that in about 19 of 20 cases, if the scan itself is of "
+            "the right size, and shows skin and no clothes."
+        )
+    if scan.uncovered:
+        sentences.append(
+            f"{counted(len(scan.uncovered), 'patch', 'patches')} of the body "
+            f"{'is' if len(scan.uncovered) == 1 else 'are'} not on the scan; what is measured "
+            "there has no value."
+        )
+    return [*sentences, *scan.warnings]
