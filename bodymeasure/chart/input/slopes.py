@@ -97,8 +97,10 @@ def level_slope(tape: Tape, up: Array) -> Array:
 def turning(tape: Tape) -> float:
     """Return by how much a tape turns where it touches the skin, in radians."""
     before, after = _tangents(tape.points)
-    touching = tape.normals.any(axis=1)
-    return float(np.linalg.norm(before - after, axis=1)[touching & _inside(tape.points)].sum())
+    bend = np.linalg.norm(before - after, axis=1)
+    # The ends of an open chain turn nothing.
+    touching = np.flatnonzero(tape.normals[1:-1].any(axis=1)) + 1
+    return float(bend[touching].sum())
 
 
 def length(tape: Tape) -> float:
@@ -113,9 +115,3 @@ def _tangents(points: Array) -> tuple[Array, Array]:
     steps = np.divide(steps, sizes, out=np.zeros_like(steps), where=sizes > 0.0)
     none = np.zeros((1, 3))
     return np.concatenate([none, steps]), np.concatenate([steps, none])
-
-
-def _inside(points: Array) -> Array:
-    inside = np.ones(len(points), dtype=bool)
-    inside[[0, -1]] = False
-    return inside
