@@ -16,10 +16,10 @@ class FitError(InputError):
 class MissingExtraError(BodymeasureError, ImportError):
     """A feature needs a package that an optional extra installs."""
 
-    def __init__(self, feature: str, package: str, extra: str, remedy: str = "") -> None:
-        remedy = remedy or f"install it with: pip install 'bodymeasure[{extra}]'"
+    def __init__(self, feature: str, package: str, extra: str) -> None:
         super().__init__(
-            f"{feature} needs the package {package!r}, which is not installed; {remedy}"
+            f"{feature} needs the package {package!r}, which is not installed; install it with: "
+            f"pip install 'bodymeasure[{extra}]'"
         )
 
 

@@ -50,7 +50,8 @@ ORDERS = {
     "measure": "patches · body/cutting, body/drops, body/height_saddles, body/merging,"
     " body/straight, body/taut_places · body/forks, body/girths · body/closed_girth,"
     " body/extreme_girth, body/girth_arcs",
-    "mesh": "arrays, path, tubes · curved, exact, insert, points · curves, glb, lines, measure",
+    "mesh": "arrays, path, tubes · curved, exact, points · coarseness, curves, glb, lines ·"
+    " measure",
     "paper": "method · data · surface · tables · reproduction · page",
     "report": "files, serial, units · numbers · templating · landmarks · patches · body ·"
     " population",

@@ -25,7 +25,7 @@ def test_the_examples_of_a_page_run_and_print_what_it_says(
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    pytest.importorskip("pygeodesic")
+    pytest.importorskip("igl")
     if page == "pyvista":
         pyvista = pytest.importorskip("pyvista", minversion="0.48")
         monkeypatch.setattr(pyvista, "OFF_SCREEN", True)

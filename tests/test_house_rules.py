@@ -16,7 +16,7 @@ RESERVED = {
     # pyvista takes its color maps from it.
     "matplotlib": {"bench", "scene", "report", "viewer", "paper"},
     "potpourri3d": {"bench"},
-    "pygeodesic": {"bench", "geodesic", "mesh"},
+    "pygeodesic": {"bench"},
     "threadpoolctl": {"bench", "threads"},
     "jinja2": {"report", "paper"},
     "click": {"cli"},

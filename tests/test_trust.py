@@ -11,8 +11,7 @@ import bodymeasure as bm
 from bodymeasure import trust
 from bodymeasure.chart import Outcome
 
-# The latest versions of Python have no wheels of it.
-pytest.importorskip("pygeodesic")
+pytest.importorskip("igl")
 
 BENT = bm.load_sample("paraboloid")
 ENDS = (bm.AtlasPoint(0, 0.1, 0.2), bm.AtlasPoint(0, 0.9, 0.7))

@@ -4,17 +4,16 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
-import scipy
 
-from bodymeasure._typing import Array, Bools
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Unit
+from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.queries.locations import FARTHEST, far_words
 from bodymeasure.atlas.size import require_size
 from bodymeasure.errors import InputError
-from bodymeasure.mesh.arrays import TriangleMesh, face_spheres, part_of, triangle_mesh
-from bodymeasure.mesh.curved import curved, vertex_normals
-from bodymeasure.mesh.exact import exact_path, joined_to, length_of
-from bodymeasure.mesh.insert import inserted
+from bodymeasure.mesh.arrays import TriangleMesh, part_of, triangle_mesh
+from bodymeasure.mesh.coarseness import coarseness_error, length_of
+from bodymeasure.mesh.exact import MeshPoint, exact_path
 from bodymeasure.mesh.path import MeshPath
 from bodymeasure.oracle import validate_mesh
 from bodymeasure.oracle.libigl import closest_on_mesh
@@ -22,18 +21,6 @@ from bodymeasure.threads import one_blas_thread
 
 MeshPlace = int | Array
 """A vertex by its number, or a position of shape (3,) on or near the mesh."""
-
-# Lengths over meshes converge to the surface's with the square of the triangles' size, so that
-# halving the triangles changes them by three quarters of the error.
-MISSING = 4.0 / 3.0
-# Factor for meshes whose triangles are of many sizes and shapes.
-SAFETY = 3.0
-# An arc of a circle whose sag is s times its chord is longer than that by 8/3 s^2.
-ARC = 8.0 / 3.0
-# The distances from a path within which the path over curved triangles is sought, as a part of its
-# length and in edges of the mesh. It is the same path, slightly displaced.
-ASIDE = 0.05
-RINGS = 3.0
 
 
 @one_blas_thread()
@@ -70,13 +57,16 @@ def measure_mesh(
         If the mesh is not an oriented manifold of triangles (the message names the face or edge), a
         place is not on it, or no edges join two.
     MissingExtraError
-        If pygeodesic or libigl is not installed.
+        If a place is not a vertex, and libigl is not installed.
+    ConvergenceError
+        If the search ends before the path is known to be the shortest: on meshes of a million
+        triangles and more.
 
     Notes
     -----
-    The length is exact on the polyhedron (`bodymeasure.mesh.exact`). The error is estimated from
-    the same path over triangles that are curved to meet the normals at the vertices, and cut into
-    four (`bodymeasure.mesh.curved`).
+    The length is exact on the polyhedron, but for rounding (`bodymeasure.mesh.exact`). The error is
+    estimated from the same path over triangles that are curved to meet the normals at the vertices,
+    and cut into four (`bodymeasure.mesh.curved`).
 
     Examples
     --------
@@ -93,33 +83,30 @@ def measure_mesh(
     require_size(given.vertices, what="the mesh")
     places = [start, *via, end]
     names = ["the start", *(f"via place {i}" for i in range(len(via))), "the end"]
-    whole, numbers, moved = given, [], 0.0
-    for name, place in zip(names, places, strict=True):
-        whole, number, away = _with_vertex(whole, len(given.vertices), name, place)
-        numbers.append(number)
-        # A place on the way is the end of two legs, so that its move counts twice.
-        moved += 2.0 * away
-    whole, numbers = _component(whole, numbers)
+    found = [_found(given, *pair) for pair in zip(names, places, strict=True)]
+    whole, points = _component(given, [point for point, _ in found])
     validate_mesh(*whole)
-    legs = [exact_path(whole, *ends) for ends in pairwise(numbers)]
-    error = sum(_error(whole, ends, leg) for leg, ends in zip(legs, pairwise(numbers), strict=True))
-    points = np.concatenate([legs[0], *(leg[1:] for leg in legs[1:])])
+    legs = [exact_path(whole, *ends) for ends in pairwise(points)]
+    # A place on the way is the end of two legs, so that its rounding counts twice.
+    error = 2.0 * sum(away for _, away in found)
+    for leg, ends in zip(legs, pairwise(points), strict=True):
+        error += coarseness_error(whole, ends, leg)
+    chain = np.concatenate([legs[0], *(leg[1:] for leg in legs[1:])])
     known = None if unit is None else Unit.parse(unit)
-    return MeshPath(sum(map(length_of, legs)), float(error) + moved, points, known)
+    return MeshPath(sum(map(length_of, legs)), error, chain, known)
 
 
-def _with_vertex(
-    mesh: TriangleMesh, count: int, name: str, place: MeshPlace
-) -> tuple[TriangleMesh, int, float]:
-    """Return the mesh with a place as a vertex, its number, and how far it was moved."""
+def _found(mesh: TriangleMesh, name: str, place: MeshPlace) -> tuple[MeshPoint, float]:
+    """Return a place on the mesh, and how far rounding moves it."""
     if isinstance(place, (int, np.integer)) and not isinstance(place, bool):
+        count = len(mesh.vertices)
         if not 0 <= place < count:
             raise InputError(
                 f"{name} is vertex {place}, but the mesh's vertices are numbered 0 to {count - 1}"
             )
         if not (mesh.faces == place).any():
             raise InputError(f"{name} is vertex {place}, which belongs to no face; choose another")
-        return mesh, int(place), 0.0
+        return MeshPoint.at_vertex(mesh, int(place)), 0.0
     try:
         position = np.asarray(place, dtype=np.float64)
     except (TypeError, ValueError):
@@ -136,53 +123,20 @@ def _with_vertex(
         raise InputError(
             f"{said}; its size is {size:.3g}: check the position's coordinates, and its unit"
         )
-    more, number = inserted(mesh, int(face[0]), foot[0])
-    return more, number, float(np.linalg.norm(more.vertices[number] - foot[0]))
+    point = MeshPoint.at_foot(mesh, int(face[0]), foot[0])
+    return point, float(np.linalg.norm(point.position(mesh) - foot[0]))
 
 
-def _component(mesh: TriangleMesh, numbers: list[int]) -> tuple[TriangleMesh, list[int]]:
+def _component(mesh: TriangleMesh, places: list[MeshPoint]) -> tuple[TriangleMesh, list[MeshPoint]]:
     """Return the part of the mesh on which the first place lies, without unused vertices."""
-    reached = joined_to(mesh, numbers[0])
-    apart = [number for number in numbers if not reached[number]]
-    if apart:
-        # This raises the error, with the remedy.
-        exact_path(mesh, numbers[0], apart[0])
-    part, used = part_of(mesh, np.asarray(reached[mesh.faces].all(axis=1)))
-    return part, [int(np.searchsorted(used, number)) for number in numbers]
-
-
-def _error(mesh: TriangleMesh, ends: tuple[int, int], path: Array) -> float:
-    """Estimate how far a path's length is from that over the surface the mesh stands for."""
-    length = length_of(path)
-    if length == 0.0:
-        return 0.0
-    normals = vertex_normals(mesh)
-    part, used = part_of(mesh, _near(mesh, path, length))
-    finer, sag = curved(part, normals[used])
-    first, last = (int(np.searchsorted(used, number)) for number in ends)
-    try:
-        validate_mesh(*finer)
-        changed = length_of(exact_path(finer, first, last))
-    except InputError:
-        # Normals that disagree fold the curved triangles over; nothing is known then.
-        return float(np.inf)
-    # Parts that bend one way may hide what others that bend the other way change.
-    return SAFETY * MISSING * abs(changed - length) + length * float(np.mean(ARC * sag**2))
-
-
-def _near(mesh: TriangleMesh, path: Array, length: float) -> Bools:
-    """Return which faces lie beside a path, in one connected piece."""
-    corners = mesh.vertices[mesh.faces]
-    edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
-    # The path's own points lie on edges: no gap between two is longer than the longest edge.
-    steps = max(1, int(np.ceil(edges.max() / np.median(edges))))
-    t = np.arange(steps)[:, None, None] / steps
-    dense = ((1.0 - t) * path[:-1] + t * path[1:]).reshape(-1, 3)
-    # A large face may lie beside a path though none of its vertices does.
-    center, radius = face_spheres(mesh)
-    distance, _ = scipy.spatial.KDTree(np.vstack([dense, path[-1:]])).query(center)
-    near = distance - radius <= max(ASIDE * length, RINGS * float(np.median(edges)))
-    part, used = part_of(mesh, near)
-    start = int(np.searchsorted(used, np.argmin(np.linalg.norm(mesh.vertices - path[0], axis=1))))
-    near[near] = joined_to(part, start)[part.faces].all(axis=1)
-    return np.asarray(near)
+    label = connected_components(
+        mesh.faces.ravel(), np.roll(mesh.faces, -1, axis=1).ravel(), len(mesh.vertices)
+    )[mesh.faces[:, 0]]
+    here = label == label[places[0].face]
+    for place in places:
+        if not here[place.face]:
+            # This raises the error, with the remedy.
+            exact_path(mesh, places[0], place)
+    part, _ = part_of(mesh, here)
+    number = np.cumsum(here) - 1
+    return part, [place._replace(face=int(number[place.face])) for place in places]

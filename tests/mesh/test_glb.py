@@ -28,7 +28,7 @@ def test_a_body_with_a_path_is_in_meters_with_y_upwards(tmp_path: Path) -> None:
 
 
 def test_the_length_of_a_path_goes_along(tmp_path: Path) -> None:
-    pytest.importorskip("pygeodesic")
+    pytest.importorskip("igl")
     body = bm.load_sample("female_average")
     neck, bust = (body.landmarks[name] for name in ("back neck point", "bust point left"))
     path = bm.geodesic_between(body, neck, bust)
@@ -39,7 +39,7 @@ def test_the_length_of_a_path_goes_along(tmp_path: Path) -> None:
 
 
 def test_a_path_is_trimeshs_too(tmp_path: Path) -> None:
-    pytest.importorskip("pygeodesic")
+    pytest.importorskip("igl")
     body = bm.load_sample("female_average")
     neck, bust = (body.landmarks[name] for name in ("back neck point", "bust point left"))
     path = bm.geodesic_between(body, neck, bust)
@@ -55,7 +55,7 @@ def test_a_path_is_trimeshs_too(tmp_path: Path) -> None:
 
 
 def test_a_path_in_another_unit_is_refused(tmp_path: Path) -> None:
-    pytest.importorskip("pygeodesic")
+    pytest.importorskip("igl")
     body = bm.load_sample("paraboloid")
     path = bm.geodesic_between(body, bm.AtlasPoint(0, 0.1, 0.2), bm.AtlasPoint(0, 0.8, 0.9))
     with pytest.raises(bm.InputError, match=r"path 'p' is in \w+, but inch is expected"):

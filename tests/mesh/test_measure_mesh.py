@@ -12,7 +12,6 @@ from bodymeasure.mesh.arrays import TriangleMesh
 from bodymeasure.mesh.curved import curved, vertex_normals
 
 pytest.importorskip("igl")
-pytest.importorskip("pygeodesic")
 
 
 def grid(side: int) -> TriangleMesh:
@@ -174,12 +173,13 @@ def test_size_does_not_matter(scale: float) -> None:
     assert path.error_estimate == pytest.approx(scale * known.error_estimate, rel=1e-9)
 
 
-def test_the_estimate_covers_that_places_beside_an_edge_are_moved_onto_it() -> None:
-    mesh = grid(3)
-    start, end = np.array([0.4, 0.4 + 1e-7, 0.0]), np.array([0.9, 0.2, 0.0])
-    path = bm.measure_mesh(mesh, start, end)
-    off = abs(path.length - np.linalg.norm(end - start))
-    assert 1e-9 < off <= path.error_estimate <= 1e-6
+@pytest.mark.parametrize("away", [1e-3, 1e-6, 1e-9, 1e-12, 1e-15])
+def test_places_beside_edges_and_vertices_are_not_moved(away: float) -> None:
+    for start in ((0.4, 0.4 + away), (0.4, 2.0 / 3.0 - away), (1.0 / 3.0 + away, 1.0 / 3.0)):
+        end = np.array([0.9, 0.2, 0.0])
+        path = bm.measure_mesh(grid(3), np.array([*start, 0.0]), end)
+        assert path.length == pytest.approx(np.hypot(start[0] - 0.9, start[1] - 0.2), rel=1e-14)
+        assert path.error_estimate <= 1e-11
 
 
 def plate(depth: float) -> TriangleMesh:

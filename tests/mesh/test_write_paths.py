@@ -12,7 +12,7 @@ from scipy.interpolate import BSpline
 import bodymeasure as bm
 from bodymeasure._typing import Array
 
-pytest.importorskip("pygeodesic")
+pytest.importorskip("igl")
 NAME = "nape, 'left' \u00fc"
 SQUARE = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 0.0]])
 

@@ -11,7 +11,6 @@ import pytest
 import bodymeasure as bm
 
 pyvista = pytest.importorskip("pyvista", minversion="0.48")
-pytest.importorskip("pygeodesic")
 pytest.importorskip("igl")
 
 from bodymeasure.plugin.remembered import mesh_of  # noqa: E402
