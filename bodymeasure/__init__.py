@@ -55,6 +55,7 @@ __all__ = [
     "PolynomialCollocation",
     "RBFCollocation",
     "Ritz",
+    "Scan",
     "ScanFit",
     "SeamCrossing",
     "Severity",
@@ -63,6 +64,7 @@ __all__ = [
     "TautStatus",
     "TautTape",
     "Tessellation",
+    "TriangleMeshError",
     "Unit",
     "approximation_error",
     "body_girth",
@@ -91,6 +93,7 @@ __all__ = [
     "rbf_coefficients",
     "read_atlas",
     "read_population",
+    "read_scan",
     "sample_names",
     "solve_geodesic",
     "taut_tape",
@@ -119,6 +122,7 @@ _HOMES = (
     "mesh",
     "measure",
     "chart",
+    "fit",
     "report",
 )
 
@@ -164,7 +168,9 @@ if TYPE_CHECKING:
         FitError,
         InputError,
         MissingExtraError,
+        TriangleMeshError,
     )
+    from bodymeasure.fit import Scan, read_scan
     from bodymeasure.formats import read_atlas, read_population, write_atlas, write_population
     from bodymeasure.geodesic import (
         WU_C2,

@@ -13,6 +13,10 @@ class FitError(InputError):
     """A mesh is not one of a body that the model of bodies can be fitted to."""
 
 
+class TriangleMeshError(InputError):
+    """A file holds a triangle mesh where an atlas is asked for; a body may be fitted to it."""
+
+
 class MissingExtraError(BodymeasureError, ImportError):
     """A feature needs a package that an optional extra installs."""
 

@@ -50,8 +50,8 @@ _FILE_OPTIONS = f"{__name__}.file_options"
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 
 
-def _keep(ctx: click.Context, parameter: click.Parameter, value: str | None) -> None:
-    if value is not None:
+def _keep(ctx: click.Context, parameter: click.Parameter, value: str | bool | None) -> None:
+    if value:
         name = str(parameter.name).removeprefix("file_")
         ctx.meta.setdefault(_FILE_OPTIONS, {})[name] = value
 
@@ -63,6 +63,13 @@ def _file_option(name: str, choices: Sequence[str], words: str) -> Callable[[_Co
 
 def file_options(command: _Command) -> _Command:
     """Add the options that say what the format of an atlas's file leaves out."""
+    command = click.option(
+        "--quads",
+        is_flag=True,
+        expose_value=False,
+        callback=_keep,
+        help="Make patches of a mesh of triangles, too, three or more for each.",
+    )(command)
     for name, choices, words in (
         ("--front", DIRECTIONS, "Direction in which the body looks; -y by default."),
         ("--up", DIRECTIONS, "Direction of up, if the file's format has none; +z by default."),
@@ -200,7 +207,7 @@ def load_atlas(
         kept = format_of(path).keeps
         # Formats with landmarks are those of bodymeasure, which have axes too.
         had = {"unit": "unit", "up": "landmarks", "front": "landmarks"}
-        given = {key: value for key, value in given.items() if had[key] not in kept}
+        given = {key: value for key, value in given.items() if had.get(key) not in kept}
     axes = {}
     if corrected and "landmarks" in format_of(path, options.get("format")).keeps:
         axes = {key: given.pop(key) for key in ("up", "front") if key in given}

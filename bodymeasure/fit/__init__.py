@@ -2,3 +2,7 @@
 
 The model of bodies is in `bodymeasure.fit.model`, the data that it is made of in `data`.
 """
+
+from bodymeasure.fit.scan import Scan, read_scan, scan_of
+
+__all__ = ["Scan", "read_scan", "scan_of"]

@@ -27,6 +27,8 @@ class ReadOptions:
         How far the patches of a mesh may lie from its surface, in the file's unit.
     interpolate : bool
         Whether the surface of a mesh runs through its vertices.
+    quads : bool
+        Whether a mesh of triangles becomes patches, too, three for each triangle.
     """
 
     unit: Unit | None = None
@@ -35,6 +37,7 @@ class ReadOptions:
     tolerance: float | None = None
     deviation: float | None = None
     interpolate: bool = False
+    quads: bool = False
 
     @classmethod
     def checked(
@@ -46,6 +49,7 @@ class ReadOptions:
         tolerance: float | None,
         deviation: float | None,
         interpolate: bool,
+        quads: bool,
     ) -> Self:
         """Return options as a user gives them.
 
@@ -66,6 +70,7 @@ class ReadOptions:
             tolerance,
             deviation,
             interpolate,
+            quads,
         )
 
     def known_unit(self, source: str, title: str) -> Unit:
@@ -110,7 +115,11 @@ class ReadOptions:
         InputError
             If one was given; the message names it.
         """
-        for name, given in (("deviation", self.deviation), ("interpolation", self.interpolate)):
+        for name, given in (
+            ("deviation", self.deviation),
+            ("interpolation", self.interpolate),
+            ("quads", self.quads),
+        ):
             if given:
                 raise InputError(f"{source}: holds patches and no mesh; leave the {name} out")
 

@@ -22,6 +22,7 @@ from bodymeasure.formats.obj import read as obj
 from bodymeasure.formats.obj import surfaces as obj_surfaces
 from bodymeasure.formats.obj.approximate import approximate
 from bodymeasure.formats.obj.mesh import Faces
+from bodymeasure.formats.obj.triangles import TRIANGLE_MESHES, no_atlas, require_quads
 from bodymeasure.formats.options import ReadOptions
 from bodymeasure.formats.patches import ReadPatches
 
@@ -93,6 +94,7 @@ def read_atlas(
     tolerance: float | None = None,
     deviation: float | None = None,
     interpolate: bool = False,
+    quads: bool = False,
 ) -> Atlas:
     """Read an atlas from a file; its extension decides the format.
 
@@ -121,6 +123,9 @@ def read_atlas(
         For meshes of polygons: whether the surface runs through the vertices, rather than have them
         as its control points. It suits meshes whose vertices lie on a body, as those of a scan do,
         which the surface would shrink otherwise.
+    quads : bool
+        Whether a mesh of triangles becomes patches, too, three or more for each triangle. Without
+        it, one is refused: to measure a body, fit an atlas to it.
 
     Returns
     -------
@@ -133,7 +138,8 @@ def read_atlas(
     ------
     InputError
         If the file is missing, unreadable or not valid, or it has no unit and none is given. The
-        message names the file and the place in it.
+        message names the file and the place in it. If it is a mesh of triangles, the error is a
+        `TriangleMeshError`.
 
     Examples
     --------
@@ -148,7 +154,7 @@ def read_atlas(
     (1, 'cm')
     """
     path = file_path(path)
-    options = ReadOptions.checked(unit, up, front, group, tolerance, deviation, interpolate)
+    options = ReadOptions.checked(unit, up, front, group, tolerance, deviation, interpolate, quads)
     # The content comes first: for a missing file or a folder, the extension does not matter.
     content = read_bytes(path)
     return decode(content, str(path), format_of(path, format), options)
@@ -181,6 +187,8 @@ def decode(content: bytes, source: str, form: Format, options: ReadOptions) -> A
                 "out, and merge vertices where it was made"
             )
         unit = options.known_unit(source, form.title)
+        if not options.quads:
+            require_quads(read.mesh.sizes, source, unit)
         atlas = _of_mesh(read, source, unit, options)
     if not options.groups:
         return atlas
@@ -325,7 +333,8 @@ def format_of(path: Path, name: str | None = None, *, writing: bool = False) -> 
     Raises
     ------
     InputError
-        If there is none; the message lists those that there are.
+        If there is none; the message lists those that there are. For meshes of triangles, the error
+        is a `TriangleMeshError`.
     """
     if name is not None:
         require_kind(name, str, "the format", f"one of {', '.join(FORMATS)}")
@@ -333,6 +342,8 @@ def format_of(path: Path, name: str | None = None, *, writing: bool = False) -> 
     allowed = [each for each, form in table.items() if form.write is not None or not writing]
     if key in allowed:
         return table[key]
+    if name is None and key in TRIANGLE_MESHES and not writing:
+        raise no_atlas(path)
     if key in table:
         written = ", ".join(end for end, form in EXTENSIONS.items() if form.write is not None)
         raise InputError(f"{path}: this format can only be read; expected one of {written}")

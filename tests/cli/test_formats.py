@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 from helpers.command_line import Run
-from helpers.surfaces.solids import CUBE, obj_text
+from helpers.surfaces.solids import CUBE, icosphere, obj_text
 
 from bodymeasure import Axes, InputError, load_sample, read_atlas, write_atlas
 
@@ -220,6 +220,31 @@ def test_what_an_approximation_costs_is_said_and_kept(run: Run, tmp_path: Path) 
     ran = run("convert", mesh, "--file-unit", "cm", "-o", tmp_path / "cube.bpt")
     assert "how well its patches approximate their surface; the file lacks these" in ran.err
     assert "the parameters of the faces of its file" in ran.err
+
+
+@pytest.mark.parametrize("command", ["convert", "check", "info", "diagonals", "report"])
+def test_a_mesh_of_triangles_needs_to_be_asked_for(run: Run, tmp_path: Path, command: str) -> None:
+    mesh, target = tmp_path / "ball.obj", tmp_path / "out"
+    mesh.write_text(obj_text(icosphere(1)))
+    output = {"convert": ("-o", f"{target}.atlas"), "report": ("-o", target)}.get(command, ())
+    ran = run(command, mesh, "--file-unit", "cm", *output)
+    assert ran.code == 2
+    assert "ball.obj: is a mesh of 80 triangles, and would become 240 patches" in ran.err
+    assert f"`bodymeasure fit {mesh} --file-unit cm`" in ran.err
+    assert list(tmp_path.iterdir()) == [mesh]
+    scan = tmp_path / "scan.stl"
+    scan.write_bytes(b"solid")
+    ran = run(command, scan, "--file-unit", "mm", *output)
+    assert ran.code == 2
+    assert f"`bodymeasure chart {scan} --file-unit UNIT`" in ran.err
+
+
+def test_a_mesh_of_triangles_becomes_patches_if_asked_for(run: Run, tmp_path: Path) -> None:
+    mesh, target = tmp_path / "ball.obj", tmp_path / "ball.atlas"
+    mesh.write_text(obj_text(icosphere(1)))
+    ran = run("convert", mesh, "--file-unit", "cm", "--quads", "--deviation", "inf", "-o", target)
+    assert ran.out.startswith(f"{target}: 240 patches,")
+    assert run("info", target, "--quads").err.startswith("Error")
 
 
 def test_wrong_axes_of_an_atlas_are_corrected(run: Run, tmp_path: Path) -> None:

@@ -144,8 +144,11 @@ def girth(atlas: Atlas) -> float:
 
 
 def test_a_sphere_of_triangles_has_its_girth_if_interpolated() -> None:
-    text, through = obj_text(icosphere(2)).encode(), ReadOptions(unit=UNIT, interpolate=True)
-    smoothed, interpolated = read(text, "obj"), read(text, "obj", through)
+    text = obj_text(icosphere(2)).encode()
+    smoothed, interpolated = (
+        read(text, "obj", ReadOptions(unit=UNIT, interpolate=each, quads=True))
+        for each in (False, True)
+    )
     # It has too many patches to be refined.
     assert len(smoothed) == 3 * 320
     assert approximation(smoothed).mesh_lengths == pytest.approx(0.0098, abs=1e-4)
@@ -162,7 +165,7 @@ def test_a_sphere_of_triangles_has_its_girth_if_interpolated() -> None:
 
 
 def test_a_surface_that_would_overshoot_is_refused(rng: np.random.Generator) -> None:
-    through = ReadOptions(unit=UNIT, interpolate=True)
+    through = ReadOptions(unit=UNIT, interpolate=True, quads=True)
     noisy = icosphere(3)
     radii = 1.0 + 0.2 * rng.normal(size=(len(noisy.vertices), 1))
     text = obj_text(noisy.with_vertices(radii * noisy.vertices))
@@ -181,7 +184,7 @@ def test_a_body_of_triangles_has_its_girths_if_interpolated() -> None:
     corners, sizes = mesh.faces.ravel(), np.full(len(mesh.faces), 3)
     text = obj_text(PolygonMesh(mesh.vertices, corners, sizes, NO_CREASES)).encode()
     for interpolate, low, high in ((False, -7e-3, -6e-3), (True, 0.0, 4e-4)):
-        options = ReadOptions(unit=Unit.M, axes=body.axes, interpolate=interpolate)
+        options = ReadOptions(unit=Unit.M, axes=body.axes, interpolate=interpolate, quads=True)
         atlas = decode(text, "file", FORMATS["obj"], options)
         hip = body.position(body.landmarks["side hip point left"])
         change = body_girth(atlas, hip).contact - body_girth(body, "side hip point left").contact

@@ -220,7 +220,7 @@ def test_a_surface_that_is_cut_off_is_told() -> None:
 def test_a_file_with_neither_or_both_is_refused() -> None:
     with pytest.raises(InputError, match=r"^file: holds neither surfaces \(surf\) nor faces"):
         read(b"v 0 0 0\n", "obj")
-    both = PLAIN + "f 1 2 3\n"
+    both = PLAIN + "f 1 2 4 3\n"
     with pytest.raises(InputError, match="holds free-form surfaces and faces; say which to take"):
         read(both.encode(), "obj")
     assert read(both.encode(), "obj-surfaces").digest == body_like(1, 2).digest

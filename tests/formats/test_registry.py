@@ -30,9 +30,10 @@ def test_unknown_extensions_are_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"body.stl: unknown kind of file '.stl'; .* \.atlas"):
         write_atlas(grid_atlas(1, 1), path)
     assert not path.exists()
-    path.write_bytes(b"solid")
-    with pytest.raises(InputError, match=r"unknown kind of file '.stl'; expected one of \.atlas"):
-        read_atlas(path)
+    unknown = tmp_path / "body.xyz"
+    unknown.write_bytes(b"1 2 3")
+    with pytest.raises(InputError, match=r"unknown kind of file '.xyz'; expected one of \.atlas"):
+        read_atlas(unknown)
 
 
 def test_faults_inside_name_the_file(tmp_path: Path) -> None:

@@ -22,6 +22,7 @@ tests/helpers/api_page.py` makes this page from the docstrings.
 # The subjects, each with the packages that hold its names.
 SUBJECTS = {
     "Bodies, files and samples": ("atlas", "formats", "samples", "bezier"),
+    "Bodies from scans": ("fit",),
     "Geodesics": ("geodesic",),
     "Girths, tapes and other measurements": ("measure", "section", "taut"),
     "Charts of body measurements": ("chart",),

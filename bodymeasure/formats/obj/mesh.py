@@ -14,11 +14,12 @@ import numpy as np
 from bodymeasure._typing import Bools, Ints
 from bodymeasure.atlas import Atlas, Axes, FileFaces, Unit
 from bodymeasure.atlas.size import require_size
-from bodymeasure.errors import InputError
+from bodymeasure.errors import InputError, TriangleMeshError
 from bodymeasure.formats.obj.approximate import Approximated
 from bodymeasure.formats.obj.faces import face_corners
 from bodymeasure.formats.obj.statements import ObjFile, Statement, labeled, parse
 from bodymeasure.formats.obj.tags import hole_faces, read_tags
+from bodymeasure.formats.obj.triangles import is_of_triangles, remedies
 from bodymeasure.formats.patches import unique_names
 from bodymeasure.subdivision import PolygonMesh
 
@@ -65,6 +66,8 @@ def from_statements(file: ObjFile, source: str) -> Faces:
             file.points, corners, sizes, ends, called, tagged=tags.corners, rounded=tags.rounded
         )
     except InputError as error:
+        if is_of_triangles(sizes):
+            raise TriangleMeshError(f"{source}: {error}; {remedies(source)}") from None
         raise InputError(f"{source}: {error}") from None
     holes = hole_faces(tags, mesh)
     if holes.all():
