@@ -59,9 +59,11 @@ def pose_derivatives(points: Array, bones: Bones, weights: csr_matrix, joints: I
     """
     frame = skeleton()
     shares = weights.toarray()
-    carried = np.einsum("jik,njk->nji", bones.turns, points[:, None] - bones.rest) + bones.places
+    offsets = bones.places - np.einsum("jik,jk->ji", bones.turns, bones.rest)
+    carried = points @ bones.turns.reshape(-1, 3).T + offsets.ravel()
+    carried = shares[..., None] * carried.reshape(len(points), -1, 3)
     chains = frame.carries[joints].T.astype(float)
-    arms = np.einsum("nji,jm->nmi", shares[..., None] * carried, chains)
+    arms = np.matmul(carried.transpose(0, 2, 1), chains).transpose(0, 2, 1)
     arms -= (shares @ chains)[..., None] * bones.places[joints]
     # The matrix of w x arm, by w.
     x, y, z = np.moveaxis(arms, -1, 0)
