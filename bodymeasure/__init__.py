@@ -34,6 +34,7 @@ __all__ = [
     "Finding",
     "FindingKind",
     "FitError",
+    "FittedBody",
     "GeodesicSolution",
     "Girth",
     "GivenLength",
@@ -76,6 +77,7 @@ __all__ = [
     "derive_landmarks",
     "diagonals",
     "extreme_girth",
+    "fit_body",
     "fork_point",
     "geodesic_alternatives",
     "geodesic_between",
@@ -170,7 +172,7 @@ if TYPE_CHECKING:
         MissingExtraError,
         TriangleMeshError,
     )
-    from bodymeasure.fit import Scan, read_scan
+    from bodymeasure.fit import FittedBody, Scan, fit_body, read_scan
     from bodymeasure.formats import read_atlas, read_population, write_atlas, write_population
     from bodymeasure.geodesic import (
         WU_C2,

@@ -41,7 +41,7 @@ ORDERS = {
     "cli": "console, tables · options · atlases, docs, landmarks, measuring, study · main",
     "compare": "names, records · readings · gaps, iso20685, plausible, read, shown · comparison,"
     " page",
-    "fit": "model, scan",
+    "fit": "model, scan · solving",
     "formats": "groups, json_faults, options, patches, scan_record, spline_patches, text ·"
     " atlas_json, bez, bpt, foreign, geomdl, npz, obj · mesh_vertices · registry",
     "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"

@@ -3,6 +3,9 @@
 The model of bodies is in `bodymeasure.fit.model`, the data that it is made of in `data`.
 """
 
+from bodymeasure.fit.fit import fit_body
+from bodymeasure.fit.result import FittedBody
 from bodymeasure.fit.scan import Scan, read_scan, scan_of
+from bodymeasure.fit.solving.judge import Scores
 
-__all__ = ["Scan", "read_scan", "scan_of"]
+__all__ = ["FittedBody", "Scan", "Scores", "fit_body", "read_scan", "scan_of"]

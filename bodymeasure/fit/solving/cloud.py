@@ -1,4 +1,4 @@
-"""A scan as points on its surface, evenly spread, with normals: meshes of any size cost the same."""
+"""A scan as points with normals, evenly spread: meshes of any size cost the same."""
 
 from dataclasses import dataclass, replace
 from typing import Any, Self

@@ -108,7 +108,7 @@ def _standing(cloud: Cloud, up: Array, front: Array | None) -> list[State]:
     ahead = front if front is not None else np.eye(3)[np.argmin(np.abs(up))]
     ahead = ahead - (ahead @ up) * up
     ahead /= np.linalg.norm(ahead)
-    base = Rotation.from_matrix(np.stack([np.cross(ahead, up) * -1.0, -ahead, up], axis=1))
+    base = Rotation.from_matrix(np.stack([np.cross(up, ahead), -ahead, up], axis=1))
     heights = cloud.points @ up
     low, high = np.percentile(heights, [0.05, 99.95])
     middle = cloud.points.mean(axis=0)
@@ -138,7 +138,7 @@ def _standing(cloud: Cloud, up: Array, front: Array | None) -> list[State]:
 def _arm(state: State, score: float, cloud: Cloud, side: str) -> tuple[float, State]:
     """Look for an arm anew, all else held, and return the better fit."""
     joint = skeleton().number(f"{side}Arm")
-    tried = []
+    tried: list[tuple[float, int, State]] = []
     for abduction, flexion in product(ABDUCTION, FLEXION):
         rotations = state.rotations.copy()
         sign = -1.0 if side == "Left" else 1.0

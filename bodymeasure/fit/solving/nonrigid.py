@@ -26,6 +26,7 @@ SOFTEST, STIFFEST = 0.3, 1000.0
 TANGENTIAL, ANYWHERE = 0.1, 0.002
 # Near a picked landmark the skin may slide by this part of that weight, within so many meters.
 NEAR_PICK, SLIDING = 0.04, 0.1
+# In multiples of the stiffness, which would keep a single vertex with its neighbors.
 PICK_WEIGHT = 10.0
 # A scan point's plane is the mean of so many, weighted by a Gaussian of so many meters.
 AVERAGED, WIDTH = 12, 0.005
@@ -70,10 +71,10 @@ def followed(
     moving = matrix[:, free].tocsr()
     roughness = umbrella()[:, free]
     stiff = kron(roughness.T @ roughness, identity(3), format="csc")
-    held, pulled = _regularized(vertices, free, picks)
-    displacement = np.zeros((len(free), 3))
     area = _area(vertices) / len(surface.covered)
-    suitable = np.clip(grain / area / DEPARTURE**2, SOFTEST, STIFFEST)
+    suitable = float(np.clip(grain / area / DEPARTURE**2, SOFTEST, STIFFEST))
+    held, pulled = _regularized(vertices, free, picks, PICK_WEIGHT * max(1.0, suitable))
+    displacement = np.zeros((len(free), 3))
     for number, stiffness in enumerate(suitable * np.array(STEPS)):
         moved = vertices.copy()
         moved[free] += displacement
@@ -98,7 +99,7 @@ def followed(
 
 
 def _regularized(
-    vertices: Array, free: Ints, picks: Mapping[int, Array]
+    vertices: Array, free: Ints, picks: Mapping[int, Array], weight: float
 ) -> tuple[csc_matrix, Array]:
     """What holds the vertices in their places, and what pulls them to the picks."""
     normals = normals_of(limit_matrix() @ vertices)[free]
@@ -111,8 +112,8 @@ def _regularized(
         near = cKDTree(vertices[list(picks)]).query(vertices[free])[0] < NEAR_PICK
         tangential[near] *= SLIDING
         chosen = limits[:, free]
-        attraction = PICK_WEIGHT * (chosen.T @ chosen)
-        pulled = PICK_WEIGHT * (chosen.T @ (wanted - limits @ vertices))
+        attraction = weight * (chosen.T @ chosen)
+        pulled = weight * (chosen.T @ (wanted - limits @ vertices))
     across = np.eye(3) - normals[:, :, None] * normals[:, None, :]
     blocks = tangential[:, None, None] * across + ANYWHERE * np.eye(3)
     at = np.arange(len(free))
@@ -158,4 +159,3 @@ def _area(vertices: Array) -> float:
     corners = vertices[body_model().quads]
     crossed = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
     return float(0.5 * np.linalg.norm(crossed, axis=1).sum())
-

@@ -115,4 +115,3 @@ def _limits() -> tuple[Array, Array, csr_matrix]:
     flat = model.components.transpose(1, 2, 0).reshape(len(model.mean), -1)
     components = (matrix @ flat).reshape(len(model.mean), 3, -1)
     return matrix @ model.mean, components, (matrix @ skeleton().weights).tocsr()
-

@@ -72,9 +72,7 @@ class Matches:
     gaps: Array
 
 
-def stepped(
-    state: State, cloud: Cloud, settings: Settings, vertices: Ints, scanned: Ints
-) -> State:
+def stepped(state: State, cloud: Cloud, settings: Settings, vertices: Ints, scanned: Ints) -> State:
     """Return a body after one step.
 
     Parameters
@@ -90,9 +88,7 @@ def stepped(
     return _moved(state, surface, found, settings)
 
 
-def matches(
-    surface: Surface, cloud: Cloud, vertices: Ints, scanned: Ints, reach: float
-) -> Matches:
+def matches(surface: Surface, cloud: Cloud, vertices: Ints, scanned: Ints, reach: float) -> Matches:
     """Match points of the body with the scan, and the other way round, where normals agree."""
     distance, nearest = cloud.tree.query(surface.points[vertices], distance_upper_bound=reach)
     kept = np.isfinite(distance)
