@@ -14,6 +14,7 @@ import numpy as np
 
 from bodymeasure.atlas import Atlas, Axes, Unit
 from bodymeasure.atlas.queries.closest import closest_points
+from bodymeasure.extremities import extremity_lengths
 from bodymeasure.formats import write_atlas
 
 from .control_mesh import ControlMesh, limit_positions, read_landmarks, read_mesh
@@ -88,7 +89,7 @@ def mannequins(source: Path) -> dict[str, Atlas]:
 
 
 def _with_landmarks(atlas: Atlas, source: Path, body: str) -> Atlas:
-    """The atlas with landmarks, and with their distances and those of the mesh as provenance."""
+    """The atlas with landmarks, head, hands and feet, and distances as provenance."""
     mesh = read_mesh(source / f"mesh_{body}.obj")
     numbers = read_landmarks(source / "landmarks.json")
     limits = limit_positions(mesh, list(numbers.values()))
@@ -108,7 +109,12 @@ def _with_landmarks(atlas: Atlas, source: Path, body: str) -> Atlas:
     }
     if outside:
         added["landmarks left out"] = f"not on what the atlas covers: {', '.join(outside)}"
-    return replace(atlas, landmarks=landmarks, provenance=dict(atlas.provenance) | added)
+    return replace(
+        atlas,
+        landmarks=landmarks,
+        provenance=dict(atlas.provenance) | added,
+        given=extremity_lengths(mesh.vertices, mesh.quads),
+    )
 
 
 def _onto_edge(parameter: float) -> float:

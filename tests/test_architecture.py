@@ -16,7 +16,7 @@ LAYERS = (
     ("bezier",),
     ("subdivision",),
     ("atlas",),
-    ("formats",),
+    ("extremities", "formats"),
     ("samples", "sample_patches"),
     ("geodesic", "oracle", "section"),
     ("mesh", "taut"),

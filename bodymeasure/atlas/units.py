@@ -84,6 +84,8 @@ class GivenLength:
     origin: str = ""
 
     def __post_init__(self) -> None:
+        for name in ("value", "error_estimate", "uncertainty"):
+            object.__setattr__(self, name, float(getattr(self, name)))
         if not 0.0 < self.value < float("inf"):
             raise InputError(f"a given length is {self.value}; expected a positive number")
         for what in ("error_estimate", "uncertainty"):

@@ -34,20 +34,21 @@ class Taken(dict[str, Measured]):
             raise InputError(f"{key!r} is needed to compute itself; define it by landmarks")
         self._begun.add(key)
         definition = self.definitions[key]
+        given = None
         try:
             if fault := next(definition.faults(), None):
                 raise InputError(fault.words)
             found = self._if_known(definition.measure(self.body, self))
         except MissingLandmarkError as error:
-            found = self._given(definition) or Measured(
-                definition, Outcome.MISSING_LANDMARK, str(error)
-            )
+            given = self._given(definition)
+            found = given or Measured(definition, Outcome.MISSING_LANDMARK, str(error))
         except InputError as error:
             found = Measured(definition, Outcome.REFUSED, str(error))
         except ConvergenceError as error:
             found = Measured(definition, Outcome.NOT_CONVERGED, str(error))
         unit = "deg" if definition.in_degrees else self.body.atlas.unit.value
-        found = with_input(approximated(found, self.body.atlas), self.body, self)
+        if given is None:
+            found = with_input(approximated(found, self.body.atlas), self.body, self)
         self[key] = replace(found, unit=unit)
         return self[key]
 
@@ -62,6 +63,8 @@ class Taken(dict[str, Measured]):
             length.origin,
             value=length.value,
             error_estimate=length.error_estimate,
+            input_uncertainty=length.uncertainty or None,
+            surface_uncertainty=length.uncertainty,
         )
 
     def _if_known(self, found: Measured) -> Measured:

@@ -212,6 +212,8 @@ def test_a_given_length_stands_in_for_missing_landmarks() -> None:
         assert {one.outcome for one in chart.measured} == {Outcome.MEASURED}
         assert chart["top"].value == pytest.approx(5.0 * scale, rel=1e-15)
         assert chart["top"].error_estimate == pytest.approx(0.01 * scale, rel=1e-15)
+        assert chart["top"].input_uncertainty == pytest.approx(0.5 * scale, rel=1e-15)
+        assert chart["head"].input_uncertainty is None
         assert chart["top"].reason == "By hand."
         # A body that has the landmark is measured.
         assert chart["front"].value == pytest.approx(1.5 * scale, rel=1e-12)

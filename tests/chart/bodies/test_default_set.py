@@ -98,8 +98,14 @@ def test_all_of_it_is_measured(name: str) -> None:
     assert failed == {}
     assert chart.missing_landmarks == {}
     for one in chart.measured:
-        assert one.reason == "", one.definition.key
-        assert 0.0 <= one.error_estimate <= 1e-5 * one.value, one.definition.key
+        key = one.definition.key
+        if key in chart.atlas.given:
+            assert one.reason == chart.atlas.given[key].origin
+            assert 0.0 <= one.error_estimate <= 1e-3 * one.value, key
+            continue
+        assert one.reason == "", key
+        # Of what is computed from the stature, the mesh below the atlas is the less exact part.
+        assert 0.0 <= one.error_estimate <= 1e-5 * one.value, key
         assert one.tapes or isinstance(one.definition, FormulaMeasure)
         assert one.landmarks
 
@@ -133,7 +139,9 @@ def test_both_sides_agree(name: str) -> None:
             pairs += 1
             for length, mirrored in ((one.contact, other.contact), (one.taut, other.taut)):
                 assert mirrored == pytest.approx(length, rel=1e-6, nan_ok=True)
-            assert other.value == pytest.approx(one.value, rel=1e-6)
+            # The meshes of head, hands and feet are mirror images to a micrometer.
+            given = one.definition.key in chart.atlas.given
+            assert other.value == pytest.approx(one.value, rel=5e-5 if given else 1e-6)
     assert pairs > 30
 
 
