@@ -1,5 +1,6 @@
 """Meshes of every kind of file, and what is done to them."""
 
+import struct
 from pathlib import Path
 from typing import Any
 
@@ -80,3 +81,28 @@ def test_polygons_are_cut_into_triangles(tmp_path: Path) -> None:
     assert len(scan.triangles) == 3 + 5
     assert "Cut 1 polygon into triangles." in scan.notes
     assert _closed(scan) > 0.0
+
+
+@pytest.mark.parametrize("order", ["<", ">"])
+def test_binary_ply_files_may_have_polygons_of_several_sizes(tmp_path: Path, order: str) -> None:
+    vertices, triangles = TALL
+    # The first two triangles of the second ring are one quad; colors stand before and after.
+    quad = (*triangles[2], triangles[3][2])
+    faces = [tuple(face) for face in triangles[[0, 1]].tolist()] + [quad]
+    faces += [tuple(face) for face in triangles[4:].tolist()]
+    name = {"<": "little", ">": "big"}[order]
+    header = (
+        f"ply\nformat binary_{name}_endian 1.0\nelement vertex {len(vertices)}\n"
+        "property double x\nproperty double y\nproperty double z\nproperty uchar red\n"
+        f"element face {len(faces)}\nproperty short group\n"
+        "property list uchar int vertex_indices\nend_header\n"
+    )
+    content = header.encode()
+    content += b"".join(struct.pack(f"{order}3dB", *row, 7) for row in vertices.tolist())
+    for face in faces:
+        content += struct.pack(f"{order}hB{len(face)}i", -1, len(face), *face)
+    path = tmp_path / "mixed.ply"
+    path.write_bytes(content)
+    scan = read_scan(path, file_unit="m")
+    assert scan.notes[0] == "Cut 1 polygon into triangles."
+    assert _closed(scan) == pytest.approx(volume(TALL), rel=1e-6)

@@ -1,6 +1,7 @@
 """The triangles in a mesh file's content, as they are there."""
 
 import io
+import struct
 import warnings
 from collections.abc import Callable
 from pathlib import Path
@@ -10,7 +11,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError, MissingExtraError
-from bodymeasure.fit.scan import stl
+from bodymeasure.fit.scan import announced, ply, stl
 from bodymeasure.formats.obj.faces import obj_faces
 from bodymeasure.wording import counted
 
@@ -120,14 +121,21 @@ def require_few(path: Path, triangles: int) -> None:
 def _obj(content: bytes, path: Path) -> Triangles:
     require_few(path, content.count(b"\nf "))
     found = obj_faces(content, str(path))
-    return _fans(found.points, found.corners, found.sizes, found.notes)
+    return _fans(found.points, found.corners, found.sizes, path, found.notes)
 
 
-def _fans(points: Array, corners: Ints, sizes: Ints, notes: tuple[str, ...] = ()) -> Triangles:
+def _fans(
+    points: Array, corners: Ints, sizes: Ints, path: Path, notes: tuple[str, ...] = ()
+) -> Triangles:
     """Cut polygons, whose corners follow each other, into triangles with their first corners."""
-    sizes = np.maximum(sizes, 0)
+    if (sizes < 3).any():
+        face = int(np.argmax(sizes < 3))
+        raise InputError(
+            f"{path}: face {face + 1} has {counted(int(sizes[face]), 'corner')}; expected "
+            "three or more; correct it, or export the file again"
+        )
     first = np.cumsum(sizes) - sizes
-    each = np.maximum(sizes - 2, 0)
+    each = sizes - 2
     start = np.repeat(first, each)
     step = np.arange(each.sum()) - np.repeat(np.cumsum(each) - each, each)
     triangles = np.stack(
@@ -155,15 +163,26 @@ def _stl(content: bytes, path: Path) -> Triangles:
 
 
 def _ply(content: bytes, path: Path) -> Triangles:
-    return _by_trimesh(content, path)
+    require_few(path, announced.require_ply(content, path))
+    try:
+        return _by_trimesh(content, path)
+    except InputError as error:
+        try:
+            points, corners, sizes = ply.read_polygons(content)
+        except (ArithmeticError, LookupError, TypeError, ValueError, struct.error):
+            raise error from None
+    return _fans(points, corners, sizes, path)
 
 
 def _off(content: bytes, path: Path) -> Triangles:
+    require_few(path, announced.require_off(content, path))
     return _by_trimesh(content, path)
 
 
 def _gltf(content: bytes, path: Path) -> Triangles:
-    return _by_trimesh(content, path)
+    notes = announced.require_gltf(content, path, 3 * MOST_TRIANGLES)
+    found = _by_trimesh(content, path)
+    return found._replace(notes=(*found.notes, *notes))
 
 
 def _by_trimesh(content: bytes, path: Path) -> Triangles:

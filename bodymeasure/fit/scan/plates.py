@@ -48,7 +48,11 @@ def plates(vertices: Array, triangles: Ints) -> Bools:
     places, row = _places(vertices, triangles)
     area = np.linalg.norm(areas, axis=1)
     spread = (area / np.bincount(row))[row]
-    for normal in _hull_normals(vertices):
+    try:
+        normals = _hull_normals(vertices)
+    except scipy.spatial.QhullError:  # all vertices lie in one plane
+        return ~found
+    for normal in normals:
         heights = vertices @ normal
         depth = heights.max() - places @ normal
         facing = areas @ normal
@@ -89,10 +93,7 @@ def _deepest(depth: Array, area: Array) -> tuple[int, int]:
 
 def _hull_normals(vertices: Array) -> list[Array]:
     """Return the outward normals of the largest flat sides of the hull of a mesh."""
-    try:
-        hull = scipy.spatial.ConvexHull(vertices)
-    except scipy.spatial.QhullError:  # all vertices lie in one plane
-        return []
+    hull = scipy.spatial.ConvexHull(vertices)
     normals = hull.equations[:, :3]
     corners = vertices[hull.simplices]
     area = 0.5 * np.linalg.norm(

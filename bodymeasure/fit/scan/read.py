@@ -72,7 +72,7 @@ def read_scan(
     _check_axes(up, front)
     require_bytes(path)
     found = load(read_bytes(path), path)
-    return _scan(found, str(path), unit, up, front, path.stem)
+    return made(found, str(path), unit, up, front, path.stem)
 
 
 @one_blas_thread()
@@ -125,12 +125,13 @@ def scan_of(
             f"{len(points) - 1}"
         )
     found = Triangles(points, corners.astype(np.int64))
-    return _scan(found, source, unit, up, front, name)
+    return made(found, source, unit, up, front, name)
 
 
-def _scan(
+def made(
     found: Triangles, source: str, unit: Unit, up: str | None, front: str | None, name: str
 ) -> Scan:
+    """Return the scan of a mesh in a unit; `source` names it in errors, and `name` afterwards."""
     meters = Triangles(found.vertices * unit.meters, found.triangles, found.notes)
     try:
         mesh, plate = cleaned(meters, unit)

@@ -45,7 +45,7 @@ def read_text(content: bytes, source: str) -> Array:
         the line.
     """
     words = Words()
-    corners = 0
+    corners, last = 0, b""
     for number, line in enumerate(io.BytesIO(content), 1):
         found = line.split()
         keyword = found[0].lower() if found else b""
@@ -68,6 +68,7 @@ def read_text(content: bytes, source: str) -> Array:
                 f"{source}, line {number}: begins with {keyword[:24].decode('utf-8', 'replace')!r}"
                 "; expected a line of an STL file, as vertex x y z; export the file again"
             )
-    if corners:
-        raise InputError(f"{source}: ends within a facet; it is cut off, export it again")
+        last = keyword or last
+    if last != b"endsolid":
+        raise InputError(f"{source}: does not end with endsolid; it is cut off, export it again")
     return np.ascontiguousarray(words.numbers(source).reshape(-1, 3))

@@ -62,11 +62,11 @@ def welded(found: Triangles) -> Triangles:
     if not kept.all():
         notes.append(f"Dropped {counted(int((~kept).sum()), 'triangle')} without area.")
         triangles = triangles[kept]
+    if not len(triangles):
+        raise InputError("all triangles are without area; export the mesh again")
     triangles, repeated = _once(triangles)
     if repeated:
         notes.append(f"Dropped {counted(repeated, 'triangle')} that repeat others.")
-    if not len(triangles):
-        raise InputError("all triangles are without area; export the mesh again")
     return Triangles(*used_only(vertices, triangles), tuple(notes))
 
 

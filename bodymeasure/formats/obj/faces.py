@@ -39,7 +39,8 @@ def obj_faces(content: bytes, source: str) -> ObjFaces:
     file = parse(content, source)
     faces = [each for each in file.statements() if each.keyword in ("f", "fo")]
     corners = face_corners(faces, file, source)
-    return ObjFaces(file.points, corners, np.array([len(face.words) for face in faces]), file.notes)
+    sizes = np.array([len(face.words) for face in faces], dtype=np.int64)
+    return ObjFaces(file.points, corners, sizes, file.notes)
 
 
 def face_corners(faces: list[Statement], file: ObjFile, source: str) -> Ints:

@@ -18,27 +18,39 @@ def box(low: tuple[float, float, float], high: tuple[float, float, float]) -> Me
     return corners, np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
 
 
-def ellipsoid(center: tuple[float, float, float], axes: tuple[float, float, float]) -> Mesh:
-    """An ellipsoid of 32 by 16 segments, outwards."""
-    u = np.linspace(0.0, 2.0 * np.pi, 32, endpoint=False)
-    v = np.linspace(0.0, np.pi, 17)[1:-1]
+def ellipsoid(
+    center: tuple[float, float, float], axes: tuple[float, float, float], rows: int = 16
+) -> Mesh:
+    """An ellipsoid of twice as many segments as rows, outwards."""
+    around = 2 * rows
+    u = np.linspace(0.0, 2.0 * np.pi, around, endpoint=False)
+    v = np.linspace(0.0, np.pi, rows + 1)[1:-1]
     ring = np.stack(
         [
             np.outer(np.sin(v), np.cos(u)),
             np.outer(np.sin(v), np.sin(u)),
-            np.outer(np.cos(v), np.ones(32)),
+            np.outer(np.cos(v), np.ones(around)),
         ],
         axis=-1,
     )
     points = np.concatenate([ring.reshape(-1, 3), [[0, 0, 1], [0, 0, -1]]])
+    last = (rows - 2) * around
+    top, bottom = last + around, last + around + 1
     faces = []
-    for i in range(32):
-        j = (i + 1) % 32
-        faces += [(480, i, j), (481, 14 * 32 + j, 14 * 32 + i)]
-        for row in range(14):
-            a, b, c, d = row * 32 + i, row * 32 + j, row * 32 + 32 + i, row * 32 + 32 + j
-            faces += [(a, c, d), (a, d, b)]
+    for i in range(around):
+        j = (i + 1) % around
+        faces += [(top, i, j), (bottom, last + j, last + i)]
+        for row in range(0, last, around):
+            faces += [(row + i, row + around + i, row + around + j)]
+            faces += [(row + i, row + around + j, row + j)]
     return points * axes + np.asarray(center), np.array(faces, dtype=np.int64)
+
+
+def chair() -> Mesh:
+    """A chair of boxes: a seat, a back and four legs."""
+    legs = [box((x, y, 0.0), (x + 0.04, y + 0.04, 0.45)) for x in (0.0, 0.41) for y in (0.0, 0.41)]
+    seat, back = box((0, 0, 0.45), (0.45, 0.45, 0.5)), box((0, 0.41, 0.5), (0.45, 0.45, 1.1))
+    return joined(seat, back, *legs)
 
 
 def joined(*meshes: Mesh) -> Mesh:
