@@ -1,0 +1,1 @@
+"""Pictures of bodies over the scans that they were fitted to."""
