@@ -7,6 +7,7 @@ import io
 import os
 import signal
 import sys
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -23,6 +24,7 @@ from bodymeasure.wording import hint
 COMMANDS = {
     "report": "measuring.report",
     "chart": "measuring.chart",
+    "fit": "fitting.fit",
     "compare": "measuring.compare",
     "landmarks": "landmarks.group",
     "diagonals": "measuring.diagonals",
@@ -37,9 +39,11 @@ COMMANDS = {
 }
 
 EXIT_BAD_INPUT = 2
-# The exit codes of a command that a signal ended, as shells have them: 128 + SIGINT or SIGPIPE.
+# The exit codes of a command that a signal ended, as shells have them: 128 + SIGINT, SIGPIPE or
+# SIGTERM.
 EXIT_INTERRUPTED = 130
 EXIT_BROKEN_PIPE = 141
+EXIT_TERMINATED = 143
 
 # The errors of writing to a stream; any other has nothing to do with the stream.
 STREAM_ERRORS = (errno.EPIPE, errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
@@ -51,6 +55,33 @@ class _OutputError(Exception):
     def __init__(self, cause: OSError) -> None:
         super().__init__(cause.strerror or str(cause))
         self.is_closed_pipe = isinstance(cause, BrokenPipeError)
+
+
+class _TerminatedError(BaseException):
+    """The process was asked to end. No handler of exceptions takes it for a failure."""
+
+
+@contextmanager
+def _ended_in_order() -> Iterator[None]:
+    """Let SIGTERM end this process as an interrupt does, so that nothing half-written is left."""
+    if threading.current_thread() is not threading.main_thread():
+        # Only the main thread may say what a signal does; programs that run this in another do.
+        yield
+        return
+    process = os.getpid()
+
+    def end(number: int, _frame: object) -> None:
+        if os.getpid() == process:
+            raise _TerminatedError
+        # A worker, which has inherited this, ends at once.
+        signal.signal(number, signal.SIG_DFL)
+        os.kill(os.getpid(), number)
+
+    before = signal.signal(signal.SIGTERM, end)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 @contextmanager
@@ -143,7 +174,8 @@ def main(arguments: list[str] | None = None) -> None:
         # A name whose characters the terminal's encoding lacks is no reason to stop.
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
-        code = app.main(arguments, prog_name="bodymeasure", standalone_mode=False)
+        with _ended_in_order():
+            code = app.main(arguments, prog_name="bodymeasure", standalone_mode=False)
     except click.ClickException as error:
         error.show()
         code = error.exit_code
@@ -155,6 +187,9 @@ def main(arguments: list[str] | None = None) -> None:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         print_note("Interrupted; no half-written file is left.", style="")
         code = EXIT_INTERRUPTED
+    except _TerminatedError:
+        print_note("Terminated; no half-written file is left.", style="")
+        code = EXIT_TERMINATED
     except _OutputError as error:
         if not error.is_closed_pipe:
             print_error(f"the output cannot be written ({error})")

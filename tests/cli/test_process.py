@@ -36,6 +36,7 @@ def fsync(descriptor):
 os.fsync = fsync
 """
 INTERRUPTED = "Interrupted; no half-written file is left.\n"
+TERMINATED = "Terminated; no half-written file is left.\n"
 
 
 def running(group: int) -> bool:
@@ -54,7 +55,18 @@ def running(group: int) -> bool:
     return not Path("/proc/self/stat").exists()
 
 
-def test_an_interrupt_of_the_comparison_leaves_nothing(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("sent", "to_all", "code", "words"),
+    [
+        # A terminal sends the signal to all processes of the group.
+        (signal.SIGINT, True, 130, INTERRUPTED),
+        (signal.SIGTERM, True, 143, TERMINATED),
+        (signal.SIGTERM, False, 143, TERMINATED),
+    ],
+)
+def test_an_interrupt_of_the_comparison_leaves_nothing(
+    tmp_path: Path, sent: signal.Signals, to_all: bool, code: int, words: str
+) -> None:
     write_atlas(part_of_a_body(100, 140), tmp_path / "part.atlas")
     process = start(
         "report",
@@ -67,11 +79,10 @@ def test_an_interrupt_of_the_comparison_leaves_nothing(tmp_path: Path) -> None:
     )
     assert process.stdout is not None
     assert process.stdout.readline().startswith("comparing with libigl")
-    # A terminal sends the signal to all processes of the group.
-    os.killpg(process.pid, signal.SIGINT)
+    (os.killpg if to_all else os.kill)(process.pid, sent)
     out, err = process.communicate(timeout=60)
-    assert process.returncode == 130
-    assert err.strip() == INTERRUPTED.strip()
+    assert process.returncode == code
+    assert err.strip() == words.strip()
     assert "drawing" not in out
     assert os.listdir(tmp_path) == ["part.atlas"]  # noqa: PTH208
     patience = 100
