@@ -32,6 +32,8 @@ class Chart:
     landmark_uncertainty : mapping of str to float
         On a body that was fitted to a scan: the root mean square distance of each landmark from the
         place where it belongs, in the atlas's unit.
+    only : tuple of str
+        The keys and presets that were asked for; none if all of the set were.
 
     Examples
     --------
@@ -55,6 +57,7 @@ class Chart:
     seconds: float = 0.0
     versions: Mapping[str, str] = field(default_factory=dict)
     landmark_uncertainty: Mapping[str, float] = field(default_factory=dict)
+    only: tuple[str, ...] = ()
 
     def __getitem__(self, key: str) -> Measured:
         """The measurement of that key.

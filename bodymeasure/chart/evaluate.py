@@ -105,6 +105,7 @@ def measure_chart(
         time.perf_counter() - begin,
         package_versions(PACKAGES),
         body.trust.uncertainty,
+        tuple(only),
     )
 
 

@@ -69,7 +69,7 @@ class Readings:
 def readings_of(document: ChartDocument) -> Readings:
     """Return the values of a chart, under the name of the body."""
     name = document.name or "a body"
-    return readings_of_subjects(name, [document.name], [document])
+    return readings_of_subjects(name, [document.subject or document.name], [document])
 
 
 def readings_of_subjects(

@@ -1,5 +1,6 @@
 import json
 import re
+from dataclasses import replace
 
 import msgspec
 import pytest
@@ -9,6 +10,7 @@ from bodymeasure.chart import Definitions, MeasurementDefinition
 from bodymeasure.errors import InputError
 from bodymeasure.report.body import (
     FREESEWING_KEYS,
+    asked_freesewing,
     chart_document,
     check_codes,
     missing_freesewing,
@@ -43,6 +45,15 @@ def test_values_are_in_millimeters_and_degrees(unit: str) -> None:
     missing = missing_freesewing(document)
     assert sorted([*missing, *content["measurements"]]) == sorted(KEYS)
     assert f"Missing: {', '.join(missing)}." in content["notes"]
+
+
+def test_only_keys_of_what_was_asked_for_can_be_missing() -> None:
+    chart = replace(hand_made_chart(), only=("bust_girth",))
+    document = chart_document(chart, "cm")
+    asked = asked_freesewing(document)
+    assert set(missing_freesewing(document)) < set(asked) < set(KEYS)
+    notes = json.loads(to_freesewing(document))["notes"]
+    assert "head" not in notes
 
 
 def _set(*measurements: MeasurementDefinition) -> Definitions:

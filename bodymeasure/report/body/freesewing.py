@@ -38,9 +38,23 @@ def to_freesewing(document: ChartDocument) -> bytes:
 
 
 def missing_freesewing(document: ChartDocument) -> tuple[str, ...]:
-    """Return the keys of FreeSewing for which the chart has no value, in alphabetical order."""
+    """Return the keys of FreeSewing for which the chart has no value, in alphabetical order.
+
+    Where only some measurements were asked for, these are keys of theirs.
+    """
     chosen = _chosen(document)
-    return tuple(key for key in FREESEWING_KEYS if key not in chosen)
+    return tuple(key for key in asked_freesewing(document) if key not in chosen)
+
+
+def asked_freesewing(document: ChartDocument) -> tuple[str, ...]:
+    """Return the keys of FreeSewing that a chart is asked for: all, or those of some measurements.
+
+    They are in alphabetical order.
+    """
+    if not document.only:
+        return FREESEWING_KEYS
+    asked = {record.freesewing for record in document.measurements}
+    return tuple(key for key in FREESEWING_KEYS if key in asked)
 
 
 def _chosen(document: ChartDocument) -> dict[str, BodyRecord]:

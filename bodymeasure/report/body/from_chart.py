@@ -22,7 +22,7 @@ from bodymeasure.report.units import DEGREES, ValueUnit
 
 
 def chart_document(
-    chart: Chart, unit: Unit | str, *, created: datetime | None = None
+    chart: Chart, unit: Unit | str, *, subject: str = "", created: datetime | None = None
 ) -> ChartDocument:
     """Return all that a chart holds, as the content of its ``measurements.json``.
 
@@ -31,6 +31,9 @@ def chart_document(
     chart : Chart
     unit : Unit or str
         Unit of the lengths; angles stay in degrees.
+    subject : str
+        The name by which tables and comparisons know the body, such as that of its file; the name
+        of the atlas if not given.
     created : datetime, optional
         The time that the document states; the present if not given.
     """
@@ -40,10 +43,12 @@ def chart_document(
     numbers = {key: number for number, key in enumerate(valued, start=1)}
     return ChartDocument(
         name=atlas.name,
+        subject=subject or atlas.name,
         created=(created or datetime.now(UTC)).isoformat(timespec="seconds"),
         unit=unit.value,
         definitions=chart.definitions.name,
         definitions_words=chart.definitions.words,
+        only=list(chart.only),
         atlas_digest=atlas.digest,
         provenance={str(key): str(value) for key, value in atlas.provenance.items()},
         approximation=list(approximation_sentences(atlas, unit)) or UNSET,

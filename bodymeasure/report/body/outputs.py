@@ -89,7 +89,7 @@ def write_chart(
     expected = "a Chart, as measure_chart returns it"
     require_members(chart, ("atlas", "measured"), "the chart", expected)
     file_path(folder, "the folder")
-    document = chart_document(chart, unit)
+    document = chart_document(chart, unit, subject=stem)
     drawn = _drawn(chart) if pictures is True else pictures or None
     contents = {name.format(stem=stem): make(document) for name, make in OUTPUTS.items()}
     return write_files(folder, {"chart.html": render_chart(document, drawn), **contents})

@@ -172,10 +172,17 @@ class ChartDocument(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     schema: Annotated[Literal["bodymeasure chart"], Meta(description="The kind of file.")] = SCHEMA
     version: Annotated[Literal[1], Meta(description="The version of this layout.")] = VERSION
     name: Annotated[str, Meta(description="What the atlas shows.")]
+    subject: Annotated[
+        str, Meta(description="The name by which tables and comparisons know the body.")
+    ] = ""
     created: Annotated[str, Meta(description="The time at which it was made, in ISO 8601.")]
     unit: Annotated[LengthUnit, Meta(description="Unit of every length.")]
     definitions: Annotated[str, Meta(description="Name of the set of definitions.")]
     definitions_words: Annotated[str, Meta(description="Description of the set of definitions.")]
+    only: Annotated[
+        list[str],
+        Meta(description="The keys and presets that were asked for; empty if all of the set were."),
+    ] = []
     atlas_digest: Annotated[
         str, Meta(description="SHA-256 of the control points and their unit, in hexadecimal.")
     ]

@@ -7,7 +7,6 @@ from msgspec import UNSET
 from bodymeasure.report.body.records import BodyRecord, ChartDocument
 from bodymeasure.report.body.tape import change_text, small_text
 from bodymeasure.report.numbers import NONE, SPACE
-from bodymeasure.wording import counted
 
 
 def input_text(record: BodyRecord) -> str:
@@ -42,11 +41,5 @@ def scan_sentences(document: ChartDocument) -> list[str]:
             f"values uncertain by ± {least} to ± {most}, half of them by more than ± {middle}. The "
             "true value lies within twice that in about 19 of 20 cases, if the scan itself is of "
             "the right size, and shows skin and no clothes."
-        )
-    if scan.uncovered:
-        sentences.append(
-            f"{counted(len(scan.uncovered), 'patch', 'patches')} of the body "
-            f"{'is' if len(scan.uncovered) == 1 else 'are'} not on the scan; what is measured "
-            "there has no value."
         )
     return [*sentences, *scan.warnings]

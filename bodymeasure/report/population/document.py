@@ -1,12 +1,12 @@
 """The charts of several bodies as one document."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from statistics import fmean, median, stdev
 
 from bodymeasure.errors import InputError
 from bodymeasure.report.body.records import BodyRecord, ChartDocument
-from bodymeasure.report.population.records import MeasurementSummary, PopulationDocument
+from bodymeasure.report.population.records import Failure, MeasurementSummary, PopulationDocument
 
 
 def population_document(
@@ -14,6 +14,7 @@ def population_document(
     charts: Sequence[ChartDocument],
     *,
     created: datetime | None = None,
+    failures: Mapping[str, str] | None = None,
 ) -> PopulationDocument:
     """Return the charts of several bodies as one document, with summaries.
 
@@ -25,6 +26,8 @@ def population_document(
         In one unit, at least one.
     created : datetime, optional
         The time that the document states; the present if not given.
+    failures : mapping of str to str, optional
+        The bodies that could not be charted, each with the reason.
 
     Raises
     ------
@@ -41,6 +44,9 @@ def population_document(
         unit=charts[0].unit,
         definitions=charts[0].definitions,
         subjects=list(subjects),
+        failures=[
+            Failure(subject=subject, reason=reason) for subject, reason in (failures or {}).items()
+        ],
         summaries=_summaries(charts),
         charts=list(charts),
     )

@@ -57,6 +57,12 @@ def _sentences(document: PopulationDocument) -> list[str]:
         f"{whole} of {total} measurements have a value on every subject"
         + (f"; {counted(missing, 'value')} in all are missing." if missing else "."),
     ]
+    if document.failures:
+        verb = "is" if len(document.failures) == 1 else "are"
+        sentences.append(
+            f"{counted(len(document.failures), 'body', 'bodies')} could not be "
+            f"charted and {verb} not among them."
+        )
     return sentences
 
 

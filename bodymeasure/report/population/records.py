@@ -26,6 +26,13 @@ class MeasurementSummary(Struct, frozen=True, kw_only=True, forbid_unknown_field
     maximum: float | None
 
 
+class Failure(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A body that could not be charted."""
+
+    subject: str
+    reason: str
+
+
 class PopulationDocument(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """The charts of several bodies by one set of definitions."""
 
@@ -35,5 +42,9 @@ class PopulationDocument(Struct, frozen=True, kw_only=True, forbid_unknown_field
     unit: Annotated[LengthUnit, Meta(description="Unit of every length.")]
     definitions: Annotated[str, Meta(description="Name of the set of definitions.")]
     subjects: Annotated[list[str], Meta(description="Their names, in the order of the charts.")]
+    failures: Annotated[
+        list[Failure],
+        Meta(description="The bodies that could not be charted, which are no subjects here."),
+    ] = []
     summaries: list[MeasurementSummary]
     charts: list[ChartDocument]
