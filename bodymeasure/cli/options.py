@@ -63,16 +63,33 @@ def _file_option(name: str, choices: Sequence[str], words: str) -> Callable[[_Co
 
 def file_options(command: _Command) -> _Command:
     """Add the options that say what the format of an atlas's file leaves out."""
-    command = click.option(
+    return scan_options(quads_option(command))
+
+
+def quads_option(command: _Command) -> _Command:
+    """Add the option that takes a mesh of triangles for an atlas."""
+    return click.option(
         "--quads",
         is_flag=True,
         expose_value=False,
         callback=_keep,
         help="Make patches of a mesh of triangles, too, three or more for each.",
     )(command)
+
+
+def scan_options(command: _Command) -> _Command:
+    """Add the options that say what the file of a scan leaves out."""
     for name, choices, words in (
-        ("--front", DIRECTIONS, "Direction in which the body looks; -y by default."),
-        ("--up", DIRECTIONS, "Direction of up, if the file's format has none; +z by default."),
+        (
+            "--front",
+            DIRECTIONS,
+            "Direction in which the body looks; -y by default, or found in a scan.",
+        ),
+        (
+            "--up",
+            DIRECTIONS,
+            "Direction of up, if the file's format has none; +z by default, or found in a scan.",
+        ),
         (
             "--file-unit",
             [unit.value for unit in Unit],
@@ -92,6 +109,14 @@ def _of_atlas(name: str = "atlas", **settings: Any) -> Callable[[_Command], _Com
 atlas_argument = _of_atlas(metavar="ATLAS")
 optional_atlas_argument = _of_atlas(metavar="[ATLAS]", default=DEFAULT_SAMPLE, required=False)
 several_atlases_argument = _of_atlas("atlases", metavar="[ATLAS]...", nargs=-1)
+_meshes = click.argument("meshes", metavar="MESH...", nargs=-1, required=True)
+
+
+def several_scans_argument(command: _Command) -> _Command:
+    """Add the argument MESH... together with the options that a fit reads."""
+    return _meshes(scan_options(command))
+
+
 # The choice of a unit that stands for the one of the atlas's own file.
 OWN = "file"
 unit_option = click.option(
@@ -126,6 +151,14 @@ only_option = click.option(
     callback=lambda _ctx, _parameter, value: names_in_list(value),
     help="Only these measurements, separated by commas: keys, which may lack their _left or "
     "_right, and presets such as core, tops and trousers.",
+)
+picks_option = click.option(
+    "--landmarks",
+    "picks",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="CSV file of landmarks that you picked on the scan, with the columns name, x, y and z in "
+    "the scan's own coordinates; they win over those of the body model, and pull the fit.",
 )
 # Options whose help, and whose default, differ from command to command.
 folder_option = partial(
@@ -201,8 +234,7 @@ def load_atlas(
         If it is neither, or not a valid atlas.
     """
     path = path_of_atlas(name)
-    context = click.get_current_context(silent=True)
-    given = {} if context is None else dict(context.meta.get(_FILE_OPTIONS, {}))
+    given = file_settings()
     if if_none and given:
         kept = format_of(path).keeps
         # Formats with landmarks are those of bodymeasure, which have axes too.
@@ -214,6 +246,12 @@ def load_atlas(
     with _notes():
         atlas = read_atlas(path, **given, **options)
     return replace(atlas, axes=replace(atlas.axes, **axes)) if axes else atlas
+
+
+def file_settings() -> dict[str, Any]:
+    """Return what the user says about a file: its unit, where up and the front are, and quads."""
+    context = click.get_current_context(silent=True)
+    return {} if context is None else dict(context.meta.get(_FILE_OPTIONS, {}))
 
 
 def lacks_unit(name: str) -> bool:

@@ -158,3 +158,14 @@ def test_the_unit_and_axes_of_an_atlas_whose_format_has_none(
     ran = run("compare", "female_average", "male_average", "--file-unit", "cm")
     assert (ran.code, ran.out) == (2, "")
     assert "is in m, but the unit cm was given" in ran.err
+
+
+def test_a_folder_that_chart_has_written_is_compared(tmp_path: Path, run: Run) -> None:
+    folder = tmp_path / "chart"
+    written = run("chart", "--only", "bust_span", "-o", folder, "--no-pictures")
+    assert written.code == 0
+    ran = run("compare", folder, folder / "measurements.json")
+    assert ran.code == 0
+    assert re.search(r"^Bust .* 0\.0", ran.out, re.M)
+    # The subject is called as in the chart of several bodies.
+    assert json.loads((folder / "measurements.json").read_bytes())["subject"] == "female_average"

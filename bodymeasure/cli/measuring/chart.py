@@ -7,16 +7,23 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
-from rich.text import Text
 
 from bodymeasure.cli.console import (
-    RESULTS,
     count_calls,
     print_files,
     print_note,
     print_table,
     progress_bar,
 )
+from bodymeasure.cli.fitting.files import fitted_in_words, write_fit
+from bodymeasure.cli.fitting.scans import is_scan, require_fit, scan_subject
+from bodymeasure.cli.measuring.chart_tables import (
+    population_facts,
+    print_chart,
+    print_population,
+    summary_table,
+)
+from bodymeasure.cli.measuring.many_scans import Charting, chart_scans
 from bodymeasure.cli.measuring.paths import check_paths_file, tape_curves, write_curves
 from bodymeasure.cli.measuring.subjects import Subject, charts_of, subjects_of
 from bodymeasure.cli.options import (
@@ -33,30 +40,24 @@ from bodymeasure.cli.options import (
     no_pictures_option,
     only_option,
     paths_option,
+    picks_option,
     require,
+    require_sound,
     several_atlases_argument,
     unit_option,
 )
-from bodymeasure.cli.tables import facts_table, new_table
 from bodymeasure.errors import InputError
 from bodymeasure.files import output_folder
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
     from bodymeasure.atlas import Atlas
     from bodymeasure.chart import Chart, Definitions
-    from bodymeasure.report.body import BodyRecord, ChartDocument, TapePictures
-    from bodymeasure.report.population import PopulationDocument
+    from bodymeasure.report.body import ChartDocument, TapePictures
 
 EXIT_NOT_MEASURED = 1
 # Outcomes of measurements that lack a landmark. No body has all landmarks of the default set.
 ABSENT = ("missing landmark", "missing operand")
 SIDES = 4
-# The number of names that are listed of what could not be measured; the page has all.
-NAMED = 6
-# The number of points to pick that are listed.
-PICKS = 3
 
 
 def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) -> None:
@@ -90,6 +91,7 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) ->
     help="Print the default set, which may be copied and changed, and exit.",
 )
 @only_option
+@picks_option
 @paths_option
 @click.option(
     "--sensitivity",
@@ -106,6 +108,7 @@ def chart(
     output: Path | None,
     form: str | None,
     only: tuple[str, ...],
+    picks: Path | None,
     paths_file: Path | None,
     sensitivity: bool,
     unit: str,
@@ -117,8 +120,12 @@ def chart(
     They follow the smooth surface across its patches, and the tape is drawn taut where that is
     asked for. ATLAS is the average female sample if not given.
 
+    ATLAS may be a scan, a triangle mesh in STL, PLY, OBJ, OFF or GLB: a body is fitted to it first,
+    as `bodymeasure fit` does, and each value has the uncertainty of the scan beside it.
+
     Several of them, a folder of atlases or an .npz file of many bodies give one table with a row
-    for each subject: population.html, wide.csv, summary.csv and measurements.csv.
+    for each subject: population.html, wide.csv, summary.csv and measurements.csv. With scans among
+    them, what fails is listed and the rest done, and a second run goes on where the first ended.
 
     The measurements are defined by a file: the default set (--print-set), or one of yours. Where
     both sides are measured, the files for pattern programs hold the wearer's right one.
@@ -146,9 +153,29 @@ def chart(
     )
     if paths_file is not None:
         check_paths_file(paths_file)
+    scans = [name for name in atlases if is_scan(name)]
+    if scans:
+        require_fit(page=output is not None, pictures=pictures_wanted)
+    if picks is not None and (not scans or len(atlases) > 1):
+        raise click.UsageError("--landmarks are the picks of one scan; chart it by itself.")
     several = len(atlases) > 1
+    if several and scans and output is not None:
+        if paths_file is not None:
+            raise click.UsageError("--paths is for one body; chart them one by one.")
+        return chart_scans(
+            atlases,
+            output,
+            Charting(loaded_definitions, unit, only, sensitivity, despite_errors),
+            pictures=pictures_wanted,
+        )
     load = partial(load_sound_atlas, despite_errors=despite_errors, if_none=several)
-    bodies = subjects_of(atlases or (DEFAULT_SAMPLE,), load, despite_errors=despite_errors)
+    fit = None if not scans or several else scan_subject(scans[0], picks)
+    if fit is None:
+        bodies = subjects_of(atlases or (DEFAULT_SAMPLE,), load, despite_errors=despite_errors)
+    else:
+        print_note(fitted_in_words(fit), style="dim")
+        require_sound(fit.atlas, scans[0], despite_errors=despite_errors)
+        bodies = [Subject(Path(scans[0]).stem, fit.atlas)]
     if len(bodies) > 1:
         unit = length_unit(unit, bodies[0].atlas)
         if paths_file is not None:
@@ -169,21 +196,26 @@ def chart(
     )
     if output is None:
         measured = measuring()
-        document = chart_document(measured, unit)
+        document = chart_document(measured, unit, subject=bodies[0].name)
         if paths_file is not None:
             write_curves(paths_file, body, tape_curves(measured))
-        _print(document, form or "table")
+        print_chart(document, form or "table")
         return _exit_code(document, asked_for=asked_for)
     with output_folder(output):
         measured = measuring()
         pictures = _pictures(measured) if pictures_wanted else None
         stem = bodies[0].name
+        # Whatever fails does so before the folder has its files.
+        if paths_file is not None:
+            write_curves(paths_file, body, tape_curves(measured))
+        fits: tuple[Path, ...] = ()
+        if fit is not None:
+            place = output / f"{stem}.atlas"
+            fits = write_fit(fit, place, page=True, pictures=pictures_wanted)
         files = write_chart(measured, output, unit=unit, stem=stem, pictures=pictures or False)
-    document = chart_document(measured, unit)
-    if paths_file is not None:
-        write_curves(paths_file, body, tape_curves(measured))
-        files = (*files, paths_file)
-    print_table(_summary(document, time.perf_counter() - begin))
+        files = (*files, *fits, *(() if paths_file is None else (paths_file,)))
+    document = chart_document(measured, unit, subject=stem)
+    print_table(summary_table(document, time.perf_counter() - begin))
     print_files(files)
     if pictures is not None and pictures.note:
         print_note(pictures.note)
@@ -205,50 +237,14 @@ def _population(
     names = [name for name, _ in bodies]
     if output is None:
         document = population_document(names, charting())
-        _print_population(document, form or "table")
+        print_population(document, form or "table")
     else:
         with output_folder(output):
             document = population_document(names, charting())
             files = write_population_chart(document, output)
-        print_table(_population_facts(document))
+        print_table(population_facts(document))
         print_files(files)
     return EXIT_NOT_MEASURED if any(each.missing for each in document.summaries) else 0
-
-
-def _print_population(document: "PopulationDocument", form: str) -> None:
-    from bodymeasure.report.body import tape_text
-    from bodymeasure.report.population import long_csv
-    from bodymeasure.report.serial import to_json
-
-    if form == "json":
-        click.echo(to_json(document), nl=False)
-        return
-    if form == "csv":
-        click.echo(long_csv(document), nl=False)
-        return
-    table = new_table(
-        "measurement", "subjects", f"mean, {document.unit}", "deviation", "least", "greatest"
-    )
-    for each in document.summaries:
-        degrees = "°" if each.unit != document.unit else ""
-        values = (each.mean, each.deviation, each.minimum, each.maximum)
-        shown = (tape_text(value, each.unit) + degrees for value in values)
-        table.add_row(Text(each.name), str(each.subjects), *shown)
-    print_table(table)
-
-
-def _population_facts(document: "PopulationDocument") -> "Table":
-    table = facts_table(f"{len(document.subjects)} subjects")
-    table.add_row("set", Text(document.definitions))
-    table.add_row("subjects", Text(_first(document.subjects)))
-    total = len(document.summaries)
-    whole = sum(each.missing == 0 for each in document.summaries)
-    color = "green" if whole == total else "yellow"
-    table.add_row("measured", Text(f"{whole:,} of {total:,} on every subject", color))
-    lacking = [f"{each.name} ({each.missing})" for each in document.summaries if each.missing]
-    if lacking:
-        table.add_row("", Text(f"without a value on some: {_first(lacking)}", "yellow"))
-    return table
 
 
 def measured_chart(
@@ -301,118 +297,3 @@ def _exit_code(document: "ChartDocument", *, asked_for: bool) -> int:
     harmless = ("measured", *(() if asked_for else ABSENT))
     wanting = "measured" not in outcomes or any(each not in harmless for each in outcomes)
     return EXIT_NOT_MEASURED if wanting else 0
-
-
-def _print(document: "ChartDocument", form: str) -> None:
-    from bodymeasure.report.body import chart_to_csv, scan_sentences
-    from bodymeasure.report.serial import to_json
-
-    # Bytes are UTF-8, whatever the encoding of the terminal.
-    if form == "json":
-        click.echo(to_json(document), nl=False)
-    elif form == "csv":
-        click.echo(chart_to_csv(document), nl=False)
-    else:
-        print_table(_table(document))
-        for sentence in (*(document.approximation or ()), *scan_sentences(document)):
-            RESULTS.print(Text(f"\n{sentence}"), soft_wrap=True)
-        reasons = _reasons(document)
-        if reasons:
-            RESULTS.print(Text("\n".join(["", *reasons])), soft_wrap=True)
-
-
-def _reasons(document: "ChartDocument") -> list[str]:
-    """Return why measurements have no value, and remarks, each cause once."""
-    from bodymeasure.report.body import absences, gains, remarked
-
-    lines = []
-    for each in gains(document):
-        lines.append(f"pick {each.landmarks} to gain {each.count}: {each.measurements}")
-        lines += (f"    {place}" for place in each.places)
-    if lines:
-        lines.append("`bodymeasure landmarks add` adds landmarks.")
-    lines += (f"{each.names}: {each.reason}" for each in absences(document))
-    return [*lines, *(f"{record.name}: {record.reason}" for record in remarked(document))]
-
-
-def _table(document: "ChartDocument") -> "Table":
-    from bodymeasure.report.body import input_text, largest_shift, tailor_inches, tape_text
-
-    inches = document.unit == "inch"
-    lengths = (document.unit, *(("fraction",) if inches else ()), "along skin", "taut", "error")
-    shifted = any(record.shifts for record in document.measurements)
-    lengths = (*lengths, *(("5 mm off",) if shifted else ()))
-    if document.scan:
-        lengths = (*lengths, "from the scan")
-    if document.approximation:
-        lengths = (*lengths, "approximation", "on the mesh")
-    table = new_table("measurement", *lengths, "status", words=("status",))
-    group = ""
-    for record in document.measurements:
-        if record.group != group:
-            group = record.group
-            table.add_row(Text(group, "bold"))
-        error = record.error_estimate
-        angle = record.unit != document.unit
-
-        def shown(value: float | None, unit: str = record.unit, error: float | None = error) -> str:
-            return "" if value is None else tape_text(value, unit, error)
-
-        value = f"{shown(record.value)}°" if angle and record.value is not None else None
-        fraction = "" if angle or record.value is None else tailor_inches(record.value, error)
-        good = record.outcome == "measured"
-        table.add_row(
-            Text(record.name),
-            value or shown(record.value),
-            *((fraction,) if inches else ()),
-            shown(record.contact),
-            shown(record.taut),
-            "" if error is None or record.value is None else f"{error:.0e}",
-            *((largest_shift(record),) if shifted else ()),
-            *((input_text(record),) if document.scan else ()),
-            *(_costs(record) if document.approximation else ()),
-            Text(record.outcome, "" if good else "yellow"),
-        )
-    return table
-
-
-def _costs(record: "BodyRecord") -> tuple[str, str]:
-    """Return the error from the approximation and the difference on the mesh."""
-    error, difference = record.approximation_error, record.mesh_difference
-    return f"{error:.0e}" if error else "", f"{difference:+.1g}" if difference else ""
-
-
-def _summary(document: "ChartDocument", seconds: float) -> "Table":
-    """Return the facts that a reader wants to know first."""
-    from bodymeasure.report.body import FREESEWING_KEYS, gains, missing_freesewing
-
-    table = facts_table(document.name)
-    total, measured = len(document.measurements), document.outcomes.get("measured", 0)
-    table.add_row("set", Text(document.definitions))
-    table.add_row(
-        "measured", Text(f"{measured:,} of {total:,}", "green" if measured == total else "yellow")
-    )
-    for outcome in document.outcomes:
-        if outcome != "measured":
-            table.add_row("", Text(f"{outcome}: {_named(document, outcome)}", "yellow"))
-    for number, pick in enumerate(gains(document)[:PICKS]):
-        words = f"{pick.landmarks}, which gains {pick.count}"
-        table.add_row("" if number else "to pick", Text(words, "yellow"))
-    absent = missing_freesewing(document)
-    given = len(FREESEWING_KEYS) - len(absent)
-    table.add_row("FreeSewing", f"{given} of {len(FREESEWING_KEYS)} keys")
-    if absent:
-        table.add_row("", Text(f"missing: {', '.join(absent)}"))
-    table.add_row("time", f"{seconds:.1f} s")
-    return table
-
-
-def _named(document: "ChartDocument", outcome: str) -> str:
-    return _first([record.name for record in document.measurements if record.outcome == outcome])
-
-
-def _first(names: list[str]) -> str:
-    """Return the first names, and how many more there are."""
-    more = len(names) - NAMED
-    # Names have commas in them.
-    return "; ".join(names[:NAMED]) + (f"; and {more} more" if more > 0 else "")

@@ -11,6 +11,7 @@ from rich.text import Text
 
 from bodymeasure.atlas import Unit
 from bodymeasure.cli.console import RESULTS, print_note, print_table
+from bodymeasure.cli.fitting.done import FILE as DONE
 from bodymeasure.cli.measuring.chart import measured_chart
 from bodymeasure.cli.measuring.subjects import Subject, charts_of, subjects_of
 from bodymeasure.cli.options import (
@@ -27,6 +28,7 @@ from bodymeasure.cli.options import (
 from bodymeasure.cli.tables import new_table
 from bodymeasure.errors import InputError
 from bodymeasure.files import require_writable, write_bytes
+from bodymeasure.formats import EXTENSIONS
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -39,6 +41,10 @@ EXIT_EXCEEDS = 1
 MINIMUM_SUBJECTS = 40
 # Suffixes of files of values; any other file is an atlas.
 READ_SUFFIXES = (".csv", ".json")
+# The file of values in a folder that `chart -o` has written.
+VALUES = "measurements.json"
+# Files of atlases but for .json, which may hold values.
+ATLASES = tuple(suffix for suffix in EXTENSIONS if suffix != ".json")
 WRITTEN_SUFFIXES = (".csv", ".json", ".html")
 COLORS = {"within": "green", "exceeds": "red", "too few subjects": "yellow"}
 
@@ -87,6 +93,8 @@ def compare(
     value, unit (m, cm, mm, inch, deg) and, if there are several, subject. --file-unit, --up and
     --front are for an atlas whose format says none.
 
+    A folder that `chart -o` has written stands for its measurements.json.
+
     A folder of atlases, an .npz file of many bodies, and the files of `chart` for several bodies
     are several subjects, which are paired by their names.
 
@@ -100,6 +108,7 @@ def compare(
     from bodymeasure.compare import known_from
 
     loaded = load_definitions(definitions)
+    first, second = map(_values_in, (first, second))
     atlases = [name for name in (first, second) if not _is_file_of_values(name)]
     # With one that lacks a unit, --file-unit is meant for it; else it must not contradict.
     if_none = any(path_of_atlas(name).is_dir() or lacks_unit(name) for name in atlases)
@@ -155,6 +164,17 @@ def _writer(output: Path | None) -> "Callable[[Comparison], bytes]":
     return write
 
 
+def _values_in(name: str) -> str:
+    """Return the file of values in a folder that `chart -o` has written; else the name as it is."""
+    folder = Path(name)
+    values = folder / VALUES
+    if not values.is_file():
+        return name
+    # Atlases are measured again, unless the chart's own fits are what lies beside the values.
+    atlases = any(file.suffix.lower() in ATLASES for file in folder.iterdir())
+    return str(values) if (folder / DONE).is_file() or not atlases else name
+
+
 def _is_file_of_values(name: str) -> bool:
     return Path(name).suffix.lower() in READ_SUFFIXES
 
@@ -171,7 +191,7 @@ def _readings(
     if len(subjects) == 1:
         # Errors that were to be refused were refused when the atlas was loaded.
         chart = measured_chart(subjects[0].atlas, definitions, despite_errors=True)
-        return readings_of(chart_document(chart, Unit.CM))
+        return readings_of(chart_document(chart, Unit.CM, subject=subjects[0].name))
     charts = charts_of(subjects, definitions, unit=Unit.CM)
     return readings_of_subjects(Path(name).name, [each for each, _ in subjects], charts)
 

@@ -110,11 +110,11 @@ def charts_of(
         raise InputError(f"the set {definitions.name!r} defines no measurement; add one to it")
     documents = []
     with progress_bar("measuring", len(subjects)) as progress:
-        for number, (_, atlas) in enumerate(subjects, start=1):
+        for number, (name, atlas) in enumerate(subjects, start=1):
             # Errors that were to be refused were refused when the atlas was loaded.
             chart = measure_chart(
                 atlas, definitions, only=only, sensitivity=sensitivity, despite_errors=True
             )
-            documents.append(chart_document(chart, unit))
+            documents.append(chart_document(chart, unit, subject=name))
             progress(number)
     return documents

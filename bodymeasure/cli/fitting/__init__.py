@@ -1,0 +1,1 @@
+"""Fitting bodies to scans: the command `fit`, and what other commands need of it."""
