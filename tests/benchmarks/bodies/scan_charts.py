@@ -1,0 +1,151 @@
+"""Charts of synthetic scans against the charts of the bodies that were scanned.
+
+python tests/benchmarks/bodies/scan_charts.py [--random N] [--first K] [--noise MM] [--keys KEYS]
+    [SCAN TRUTH UNIT ...]
+
+Random bodies of the space stand in random poses; each is scanned with noise, fitted and charted. A
+scan of yours is a mesh with the control vertices of its body (an .npz file with `vertices`) and a
+unit. Printed are the processor time of fit and chart, and for each measurement the share of true
+errors within twice the stated uncertainty, and their root mean square in units of it; and how far
+each landmark was off.
+"""
+
+import os
+
+os.environ["OMP_NUM_THREADS"] = "1"
+
+import argparse
+import time
+from collections import defaultdict
+from pathlib import Path
+
+import numpy as np
+
+import bodymeasure as bm
+from bodymeasure._typing import Array
+from bodymeasure.fit.model import (
+    atlas_of_vertices,
+    body_model,
+    limit_matrix,
+    posed,
+    skeleton,
+)
+from bodymeasure.scene.fits.pictures import Triangles, vertex_normals
+
+# Standard deviations of the coefficients, and of the angles of joints in radians.
+SPREAD, BENT = 0.9, 0.06
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("scans", nargs="*", help="triples of a mesh, its truth and its unit")
+    parser.add_argument("--random", type=int, default=0, help="number of random bodies")
+    parser.add_argument("--first", type=int, default=0, help="number of the first random body")
+    parser.add_argument("--noise", type=float, default=1.3, help="noise of the scan in mm")
+    parser.add_argument("--keys", default="", help="measurements, separated by commas")
+    options = parser.parse_args()
+    keys = [key for key in options.keys.split(",") if key]
+    ratios: dict[str, list[float]] = defaultdict(list)
+    errors: dict[str, list[float]] = defaultdict(list)
+    off: dict[str, list[float]] = defaultdict(list)
+    for number in range(options.first, options.first + options.random):
+        rng = np.random.default_rng([2026, number])
+        vertices = _body(rng)
+        points, triangles = _scan(vertices, 1e-3 * options.noise, rng)
+        _one(f"random {number}", (points, triangles), "m", vertices, keys, (ratios, errors, off))
+    for mesh, truth, unit in zip(*[iter(options.scans)] * 3, strict=True):
+        with np.load(truth) as data:
+            vertices = data["vertices"].astype(float)
+        _one(Path(mesh).stem, mesh, unit, vertices, keys, (ratios, errors, off))
+    print(f"\n{'measurement':36s} {'n':>3s} {'RMS, mm':>8s} {'within 2':>8s} {'RMS/unc.':>8s}")
+    for key in ratios:
+        print(_line(key, errors[key], ratios[key]))
+    print(
+        _line(
+            "all",
+            [e for each in errors.values() for e in each],
+            [r for each in ratios.values() for r in each],
+        )
+    )
+    print("\nlandmark, RMS mm along the skin")
+    for name, values in off.items():
+        print(
+            f"{name:24s} {1e3 * np.sqrt(np.mean(np.square(values))):6.1f} "
+            f"worst {1e3 * max(values):6.1f}"
+        )
+
+
+def _line(name: str, errors: list[float], ratios: list[float]) -> str:
+    within = np.mean(np.abs(ratios) < 2.0)
+    rms = np.sqrt(np.mean(np.square(ratios)))
+    size = 1e3 * np.sqrt(np.mean(np.square(errors)))
+    return f"{name:36s} {len(ratios):3d} {size:8.2f} {within:8.0%} {rms:8.2f}"
+
+
+def _body(rng: np.random.Generator) -> Array:
+    """Return the vertices of a random body in a random pose."""
+    count = len(body_model().components)
+    rotations = rng.normal(scale=BENT, size=(len(skeleton().parents), 3))
+    rotations[0] = 0.0
+    return posed(rng.normal(scale=SPREAD, size=count), rotations)
+
+
+def _scan(vertices: Array, noise: float, rng: np.random.Generator) -> tuple[Array, Array]:
+    """Return the limit surface of a body as triangles with noise along its normals."""
+    quads = body_model().quads
+    triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    points = np.asarray(limit_matrix() @ vertices)
+    normals = vertex_normals(Triangles(points, triangles))
+    return points + rng.normal(scale=noise, size=(len(points), 1)) * normals, triangles
+
+
+def _one(
+    name: str,
+    mesh: str | tuple[Array, Array],
+    unit: str,
+    vertices: Array,
+    keys: list[str],
+    found: tuple[dict[str, list[float]], dict[str, list[float]], dict[str, list[float]]],
+) -> None:
+    """Fit, chart and compare one scan."""
+    ratios, errors, off = found
+    begin = time.process_time()
+    fitted = bm.fit_body(mesh, file_unit=unit, up="+z")
+    middle = time.process_time()
+    chart = bm.measure_chart(fitted.atlas, only=keys, despite_errors=True)
+    end = time.process_time()
+    true_atlas = atlas_of_vertices(vertices)
+    truth = bm.measure_chart(true_atlas, only=keys, despite_errors=True)
+    for item in truth.measured:
+        key = item.definition.key
+        mine = next((m for m in chart.measured if m.definition.key == key), None)
+        if mine is None or item.unit == "deg" or not mine.input_uncertainty:
+            continue
+        error = mine.value - item.value
+        if np.isfinite(error):
+            ratios[key].append(error / mine.input_uncertainty)
+            errors[key].append(error)
+    # Where the true landmark lies in the frame of the fit, up to the noise: rigidly aligned.
+    turn, shift = _aligned(
+        np.asarray(limit_matrix() @ vertices), np.asarray(limit_matrix() @ fitted.vertices)
+    )
+    for landmark in fitted.atlas.landmarks:
+        if landmark in true_atlas.landmarks:
+            true = true_atlas.position(landmark) @ turn.T + shift
+            off[landmark].append(float(np.linalg.norm(fitted.atlas.position(landmark) - true)))
+    print(
+        f"{name}: fit {middle - begin:.1f} s, chart {end - middle:.1f} s of processor time",
+        flush=True,
+    )
+
+
+def _aligned(points: Array, targets: Array) -> tuple[Array, Array]:
+    """Return the rotation and the shift that take points to targets best."""
+    a, b = points.mean(axis=0), targets.mean(axis=0)
+    u, _, vt = np.linalg.svd((targets - b).T @ (points - a))
+    turn = u @ np.diag([1.0, 1.0, np.sign(np.linalg.det(u @ vt))]) @ vt
+    return turn, b - turn @ a
+
+
+if __name__ == "__main__":
+    main()
