@@ -19,7 +19,7 @@ from bodymeasure.cli.options import (
 )
 from bodymeasure.cli.tables import facts_table, new_table
 from bodymeasure.errors import InputError
-from bodymeasure.files import make_folder, output_folder, require_writable
+from bodymeasure.files import output_folder, require_writable
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -78,11 +78,11 @@ def fit(
     if path.suffix.lower() != ".atlas":
         if path.suffix and not path.is_dir():
             raise InputError(f"{path}: expected a name that ends in .atlas, or a folder")
-        make_folder(path)
         path = path / f"{scan.name}.atlas"
-    require_writable(path)
-    body = fitted(scan.path, picks)
-    files = write_fit(body, path, page=page, pictures=pictures)
+    with output_folder(path.parent):
+        require_writable(path)
+        body = fitted(scan.path, picks)
+        files = write_fit(body, path, page=page, pictures=pictures)
     print_table(fit_table(body.atlas, time.perf_counter() - begin))
     print_files(files)
     for sentence in body.warnings:

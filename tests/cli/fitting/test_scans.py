@@ -47,6 +47,10 @@ def scans(folder: Path, *names: str) -> list[Path]:
     return [folder / f"{name}.ply" for name in names]
 
 
+def rows_of(file: Path) -> list[dict[str, str]]:
+    return list(csv.DictReader(file.read_text("utf-8").splitlines()))
+
+
 def files(folder: Path) -> set[str]:
     return {file.name for file in folder.iterdir()}
 
@@ -97,7 +101,7 @@ def test_many_scans_are_done_but_for_the_bad_ones_and_once(
     ran = run("fit", *given, *options)
     assert ran.code == 1
     assert "1 of 3 failed:\n  bad: " in ran.err
-    rows = list(csv.DictReader((tmp_path / "out" / "fits.csv").open(encoding="utf-8")))
+    rows = rows_of(tmp_path / "out" / "fits.csv")
     assert [(row["subject"], row["result"]) for row in rows] == [
         ("anna", "fitted"), ("ben", "fitted"), ("bad", "failed")
     ]  # fmt: skip
@@ -108,7 +112,7 @@ def test_many_scans_are_done_but_for_the_bad_ones_and_once(
     assert fits == ["anna", "bad", "ben", "bad"]
     table = (tmp_path / "out" / "wide.csv").read_text("utf-8").splitlines()
     assert [line.split(",")[0] for line in table] == ["subject", "anna", "ben"]
-    long = list(csv.DictReader((tmp_path / "out" / "measurements.csv").open(encoding="utf-8")))
+    long = rows_of(tmp_path / "out" / "measurements.csv")
     assert len(long) == 2 * 3
     assert all(float(row["input_uncertainty"]) > 0.0 for row in long)
     content = json.loads((tmp_path / "out" / "measurements.json").read_bytes())
@@ -147,7 +151,7 @@ def test_a_run_that_was_killed_goes_on(
 
 
 @pytest.mark.slow
-def test_bad_scans_is_refused_and_nothing_written(
+def test_bad_scans_are_refused_and_nothing_written(
     run: Run, tmp_path: Path, fits: list[str]
 ) -> None:
     (bad,) = scans(tmp_path / "scans", "bad")
@@ -185,6 +189,6 @@ def test_atlases_among_scans_are_charted_as_they_are(
         "--only", "bust_span", "-o", tmp_path / "out",
     )  # fmt: skip
     assert (ran.code, fits) == (0, ["coarse"])
-    rows = list(csv.DictReader((tmp_path / "out" / "measurements.csv").open(encoding="utf-8")))
+    rows = rows_of(tmp_path / "out" / "measurements.csv")
     assert [row["input_uncertainty"] != "" for row in rows] == [True, False]
     assert np.isfinite([float(row["value"]) for row in rows]).all()
