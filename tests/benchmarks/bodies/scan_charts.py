@@ -114,7 +114,10 @@ def _one(
     middle = time.process_time()
     chart = bm.measure_chart(fitted.atlas, only=keys, despite_errors=True)
     end = time.process_time()
-    true_atlas = atlas_of_vertices(vertices)
+    # The true body in the frame of the fit, in which heights, depths and sides are measured.
+    limits = (np.asarray(limit_matrix() @ each) for each in (vertices, fitted.vertices))
+    turn, shift = _aligned(*limits)
+    true_atlas = atlas_of_vertices(vertices @ turn.T + shift)
     truth = bm.measure_chart(true_atlas, only=keys, despite_errors=True)
     for item in truth.measured:
         key = item.definition.key
@@ -125,13 +128,9 @@ def _one(
         if np.isfinite(error):
             ratios[key].append(error / mine.input_uncertainty)
             errors[key].append(error)
-    # Where the true landmark lies in the frame of the fit, up to the noise: rigidly aligned.
-    turn, shift = _aligned(
-        np.asarray(limit_matrix() @ vertices), np.asarray(limit_matrix() @ fitted.vertices)
-    )
     for landmark in fitted.atlas.landmarks:
         if landmark in true_atlas.landmarks:
-            true = true_atlas.position(landmark) @ turn.T + shift
+            true = true_atlas.position(landmark)
             off[landmark].append(float(np.linalg.norm(fitted.atlas.position(landmark) - true)))
     print(
         f"{name}: fit {middle - begin:.1f} s, chart {end - middle:.1f} s of processor time",
