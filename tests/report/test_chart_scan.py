@@ -48,7 +48,7 @@ def test_the_page_adds_it_up_in_words() -> None:
     assert "The file&#39;s unit is mm." in page
     assert "It does not include the error of the scan" not in page
     _, second = scan_sentences(document())
-    assert "uncertain by ± " in second
+    assert "uncertain by ±\N{NO-BREAK SPACE}" in second
     assert "about 19 of 20 cases" in second
 
 

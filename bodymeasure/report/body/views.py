@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from msgspec import UNSET
 
 from bodymeasure.report.body.records import BodyRecord, ChartDocument, LandmarkShift, whole_error
-from bodymeasure.report.body.scan_words import input_text, scan_sentences
+from bodymeasure.report.body.scan_words import input_text, scan_sentences, scan_tile
 from bodymeasure.report.body.tape import change_text, small_text, tailor_inches, tape_text
 from bodymeasure.report.numbers import MINUS, NONE, as_bound
 from bodymeasure.report.templating import Image
@@ -214,7 +214,8 @@ def tiles(document: ChartDocument) -> list[tuple[str, str, str]]:
             small_text(error.error_estimate, error.unit) if error else NONE,
             error.name if error else "",
         ),
-        (
+        scan_tile(document)
+        or (
             "Tape most above the skin",
             small_text(bridged.gap, bridged.unit) if bridged and bridged.gap else NONE,
             f"shorter when taut: {bridged.name}" if bridged and bridged.gap else "",

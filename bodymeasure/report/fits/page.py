@@ -119,10 +119,15 @@ def _tiles(atlas: Atlas, scan: ScanFit) -> list[tuple[str, str, str]]:
         ),
         (
             "Landmarks uncertain by",
-            f"{millimeters(min(off), 'm')} to {millimeters(max(off), 'm')}" if off else NONE,
+            _span(off) if off else NONE,
             "root mean square along the skin",
         ),
     ]
+
+
+def _span(lengths: list[float]) -> str:
+    least, most = millimeters(min(lengths), "m"), millimeters(max(lengths), "m")
+    return most if least == most else f"{least} to {most}"
 
 
 def _parts(atlas: Atlas, scan: ScanFit) -> list[Part]:
