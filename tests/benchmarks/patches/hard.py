@@ -9,14 +9,22 @@ that descends from it (`spline_paths.py`): a spline that is shorter is a miss.
 Run it by hand: ``python tests/benchmarks/patches/hard.py [--patches N] [--seed K]``; 40 patches of
 each kind take about a minute. The columns: patches; without a length, in %; lengths outside their
 error estimates; misses, longer than the spline by 1e-6; processor time in ms, median and most.
+
+``python tests/benchmarks/patches/hard.py FILE`` takes patches with known lengths from a file of the
+form of ``tests/data/hard_patches.json`` instead. There a length is wrong if it differs from the
+known one by more than its estimate and the doubt of the other, and a miss if it is so much longer.
+The numbers of those that have no length, are wrong, or take more than a second come last.
 """
 
 import os
 
 os.environ["OMP_NUM_THREADS"] = "1"
 import argparse
+import json
 import sys
 import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -32,6 +40,8 @@ from benchmarks.independent.spline_paths import descend, greville, lengths, refi
 from bodymeasure._typing import Array
 
 MISS, ROUNDING = 1e-6, 1e-12
+# The processor time, in ms, past which a patch of a file is named.
+SLOW = 1000.0
 POLYGON, SPANS = 1 << 15, (16, 64)
 EVEN = np.linspace(0.0, 1.0, 4)
 
@@ -144,32 +154,85 @@ def is_missed(net: Array, solution: bm.GeodesicSolution, ends: Array) -> bool:
     return bool(lengths(net[None], path)[0] < solution.length * (1.0 - MISS))
 
 
+@dataclass
+class Row:
+    """What became of the patches of one kind."""
+
+    kind: str
+    without: int = 0
+    wrong: int = 0
+    missed: int = 0
+    times: list[float] = field(default_factory=list)
+
+    def solve(self, net: Array, ends: Array) -> bm.GeodesicSolution:
+        begin = time.process_time()
+        solution = bm.solve_geodesic(net, *ends, on_failure="status")
+        self.times.append(1e3 * (time.process_time() - begin))
+        self.without += not solution.converged
+        return solution
+
+    def print(self) -> None:
+        count = len(self.times)
+        print(
+            f"{self.kind:10s} {count:7d} {100 * self.without / count:10.1f} "
+            f"{self.wrong:6d} {self.missed:7d} "
+            f"{np.median(self.times):11.0f} {max(self.times):7.0f}",
+            flush=True,
+        )
+
+
+def random_patches(
+    kind: Callable[[np.random.Generator], Array], seed: list[int], count: int
+) -> Row:
+    rng, row = np.random.default_rng(seed), Row(kind.__name__)
+    for _ in range(count):
+        net, ends = kind(rng), rng.random((2, 2))
+        if rng.random() < 0.5:
+            ends[rng.integers(2), rng.integers(2)] = rng.integers(2)
+        solution = row.solve(net, ends)
+        if solution.converged:
+            row.wrong += is_wrong(net, solution, known(kind, net, ends))
+            row.missed += is_missed(net, solution, ends)
+    return row
+
+
+def patches_of(file: Path) -> tuple[list[Row], list[str]]:
+    """The patches of a file by kind and all together, and what is to be said of single ones."""
+    rows: dict[str, Row] = {}
+    total, remarks = Row("all"), []
+    for number, case in enumerate(json.loads(file.read_text())):
+        row = rows.setdefault(case["kind"], Row(case["kind"]))
+        solution = row.solve(np.array(case["points"]), np.array([case["start"], case["end"]]))
+        total.times.append(row.times[-1])
+        total.without += not solution.converged
+        words = [] if solution.converged else [solution.status.name]
+        words += [f"{row.times[-1]:.0f} ms"] if row.times[-1] > SLOW else []
+        if solution.converged:
+            longer = float(solution.length - case["length"])
+            allowed = float(solution.error_estimate) + case["doubt"] + ROUNDING * case["length"]
+            wrong, missed = abs(longer) > allowed, longer > allowed
+            row.wrong, row.missed = row.wrong + wrong, row.missed + missed
+            total.wrong, total.missed = total.wrong + wrong, total.missed + missed
+            words += [f"{longer / case['length']:.1e} longer than known"] if wrong else []
+        remarks += [f"{number:4d} {case['kind']}: {', '.join(words)}"] if words else []
+    return [*rows.values(), total], remarks
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("file", nargs="?", type=Path, help="patches with known lengths")
     parser.add_argument("--patches", type=int, default=40, help="of each kind")
     parser.add_argument("--seed", type=int, default=3)
     options = parser.parse_args()
     print("kind       patches  without %  wrong  missed  ms: median    most")
-    for number, kind in enumerate(KINDS):
-        rng = np.random.default_rng([options.seed, number])
-        without = wrong = missed = 0
-        times = []
-        for _ in range(options.patches):
-            net, ends = kind(rng), rng.random((2, 2))
-            if rng.random() < 0.5:
-                ends[rng.integers(2), rng.integers(2)] = rng.integers(2)
-            begin = time.process_time()
-            solution = bm.solve_geodesic(net, *ends, on_failure="status")
-            times.append(1e3 * (time.process_time() - begin))
-            without += not solution.converged
-            if solution.converged:
-                wrong += is_wrong(net, solution, known(kind, net, ends))
-                missed += is_missed(net, solution, ends)
-        print(
-            f"{kind.__name__:10s} {options.patches:7d} {100 * without / options.patches:10.1f} "
-            f"{wrong:6d} {missed:7d} {np.median(times):11.0f} {max(times):7.0f}",
-            flush=True,
-        )
+    if options.file is None:
+        for number, kind in enumerate(KINDS):
+            random_patches(kind, [options.seed, number], options.patches).print()
+        return
+    rows, remarks = patches_of(options.file)
+    for row in rows:
+        row.print()
+    print("\n".join(remarks))
 
 
 if __name__ == "__main__":
