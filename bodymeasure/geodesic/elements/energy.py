@@ -1,4 +1,4 @@
-r"""The path of least energy, made of elements, in the box [0, 1]^2.
+r"""The energy of a path made of elements, by all its unknowns.
 
 With :math:`w_i` the parts of the length that the elements are to have, and :math:`E_i` their
 energies over unit intervals of time, :math:`\sum 2 E_i / w_i \ge L^2`, and they are equal where
@@ -6,15 +6,16 @@ each element has its part and a constant speed. So the path of least energy is a
 joints are where the parts say, and its speed is constant.
 """
 
-from functools import lru_cache
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
-from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.elements.path import DEGREE, ElementPath
-from bodymeasure.geodesic.lengths.functionals import energy
-from bodymeasure.geodesic.numerics.box_newton import BoxMinimum, SecondOrder, minimize_in_box
+from bodymeasure.geodesic.lengths.functionals import Functional, energy
+from bodymeasure.geodesic.numerics.box_newton import SecondOrder
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
@@ -23,29 +24,27 @@ ALL_NODES = slice(None)
 BANDS = 2 * (DEGREE + 1)
 
 
-def least_energy(
-    surface: Surface, path: ElementPath, idle: Bools, most_steps: int
-) -> tuple[ElementPath, BoxMinimum]:
-    """Return the path of least energy near a path.
+@dataclass(frozen=True, eq=False)
+class PathEnergy:
+    """The energy of paths that are made of elements as one path is.
 
     Parameters
     ----------
     surface : Surface
         The surface of one problem.
     path : ElementPath
-    idle : ndarray of bool, shape (unknowns,)
-        Unknowns that stay what they are.
-    most_steps : int
-        The most steps of Newton's method.
+        A path with the parts that the elements are to have.
     """
-    elements = len(path.widths)
-    own = surface.take(np.zeros(elements, np.int64))
-    space, places = polynomial_space(DEGREE), _places(elements)
-    factor = 1.0 / path.widths[:, None]
 
-    def expand(unknowns: Array) -> SecondOrder:
-        whole = energy(own, space, path.moved(unknowns).values, ALL_NODES)
-        count = len(unknowns)
+    surface: Surface
+    path: ElementPath
+
+    def expanded(self, unknowns: Array, functional: Functional = energy) -> SecondOrder:
+        """Return the energy to the second order, or another functional of the elements."""
+        places, count = _places(len(self.path.widths)), len(unknowns)
+        values = self.path.moved(unknowns).values
+        whole = functional(self._own, polynomial_space(DEGREE), values, ALL_NODES)
+        factor = 1.0 / self.path.widths[:, None]
         gradient: Array = np.zeros(count)
         gradient += np.bincount(places.rows, (whole.gradient * factor).ravel(), count)
         lower = whole.hessian[:, places.lower[0], places.lower[1]] * factor
@@ -54,8 +53,19 @@ def least_energy(
         value = float(whole.value @ factor[:, 0])
         return SecondOrder(value, gradient, bands.reshape(BANDS, count))
 
-    minimum = minimize_in_box(expand, path.unknowns, idle, most_steps)
-    return path.moved(minimum.unknowns), minimum
+    @cached_property
+    def stiffness(self) -> Array:
+        """The second derivative, by each node's place in space, of the energy; shape (nodes,)."""
+        space = polynomial_space(DEGREE)
+        own = space.quadrature.weights @ space.at_quadrature[1] ** 2
+        result = np.zeros(DEGREE * len(self.path.widths) + 1)
+        for number, width in enumerate(self.path.widths):
+            result[number * DEGREE : (number + 1) * DEGREE + 1] += own / width
+        return result
+
+    @cached_property
+    def _own(self) -> Surface:
+        return self.surface.take(np.zeros(len(self.path.widths), np.int64))
 
 
 class _Places(NamedTuple):

@@ -14,7 +14,7 @@ from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.geodesic.contact.joined import ContactPath
 from bodymeasure.geodesic.contact.legs import Contact, End
 from bodymeasure.geodesic.elements.cuts import cuts
-from bodymeasure.geodesic.elements.energy import least_energy
+from bodymeasure.geodesic.elements.descent import least_energy
 from bodymeasure.geodesic.elements.measure import ElementLength, measure_elements
 from bodymeasure.geodesic.elements.path import DEGREE, ElementPath, from_polygon
 from bodymeasure.geodesic.solving.protocol import EdgeContact

@@ -64,7 +64,20 @@ def energy(
     nodes : slice
         The nodes by whose values the derivatives are taken.
     """
-    terms = _terms(surface, space, values)
+    return _energy(_terms(surface, space, values), space, nodes)
+
+
+def energy_of_a_flat_surface(
+    surface: Surface, space: TrialSpace, values: Array, nodes: slice = INNER_NODES
+) -> SecondOrder:
+    """Return `energy` with J^T J for its Hessian, as in a plane, which has no negative eigenvalue.
+
+    The parameters are those of `energy`.
+    """
+    return _energy(_terms(surface, space, values)._replace(bend={}), space, nodes)
+
+
+def _energy(terms: "_Terms", space: TrialSpace, nodes: slice) -> SecondOrder:
     density = 0.5 * dot(terms.velocity, terms.velocity)
     return _integrated(space, nodes, density, (terms.gradient, terms.second), (0, 1))
 

@@ -25,7 +25,7 @@ ROUNDING = 4e-15
 LINE = np.linspace(0.0, 1.0, 33)[:, None]
 
 
-FAST = ("cyl", "rat")
+FAST = ("cyl", "rat", "thin")
 
 
 @pytest.mark.parametrize(
