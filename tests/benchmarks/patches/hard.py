@@ -11,9 +11,10 @@ each kind take about a minute. The columns: patches; without a length, in %; len
 error estimates; misses, longer than the spline by 1e-6; processor time in ms, median and most.
 
 ``python tests/benchmarks/patches/hard.py FILE`` takes patches with known lengths from a file of the
-form of ``tests/data/hard_patches.json`` instead. There a length is wrong if it differs from the
-known one by more than its estimate and the doubt of the other, and a miss if it is so much longer.
-The numbers of those that have no length, are wrong, or take more than a second come last.
+form of ``tests/data/hard_patches.json`` instead. There a length is a miss if it is longer than the
+known one by more than its estimate and the doubt of the other, and wrong if it is so much shorter
+and not that of its path, by the same polygons. The numbers of those that have no length, differ
+from the known one, or take more than a second come last.
 """
 
 import os
@@ -202,18 +203,21 @@ def patches_of(file: Path) -> tuple[list[Row], list[str]]:
     total, remarks = Row("all"), []
     for number, case in enumerate(json.loads(file.read_text())):
         row = rows.setdefault(case["kind"], Row(case["kind"]))
-        solution = row.solve(np.array(case["points"]), np.array([case["start"], case["end"]]))
+        net = np.array(case["points"])
+        solution = row.solve(net, np.array([case["start"], case["end"]]))
         total.times.append(row.times[-1])
         total.without += not solution.converged
-        words = [] if solution.converged else [solution.status.name]
+        words = [] if solution.converged else [bm.Status(solution.status).name]
         words += [f"{row.times[-1]:.0f} ms"] if row.times[-1] > SLOW else []
         if solution.converged:
             longer = float(solution.length - case["length"])
             allowed = float(solution.error_estimate) + case["doubt"] + ROUNDING * case["length"]
-            wrong, missed = abs(longer) > allowed, longer > allowed
+            wrong, missed = longer < -allowed and is_wrong(net, solution, np.nan), longer > allowed
             row.wrong, row.missed = row.wrong + wrong, row.missed + missed
             total.wrong, total.missed = total.wrong + wrong, total.missed + missed
-            words += [f"{longer / case['length']:.1e} longer than known"] if wrong else []
+            part = abs(longer) / case["length"]
+            words += [f"{part:.1e} longer than known"] if missed else []
+            words += [f"{part:.1e} shorter than known"] if longer < -allowed else []
         remarks += [f"{number:4d} {case['kind']}: {', '.join(words)}"] if words else []
     return [*rows.values(), total], remarks
 
