@@ -65,8 +65,11 @@ def main() -> None:
             print("   ", body.scores, *body.warnings, sep="\n    ")
             print("   ", ", ".join(f"{name} {gap:.1f}" for name, gap in names))
     if len(rows) > 1:
-        parts = [np.concatenate(part) for part in list(zip(*rows, strict=True))[:3]]
-        print_row("together", Row(*parts, seconds=sum(row.seconds for row in rows)))
+        surface = np.concatenate([row.surface for row in rows])
+        landmarks = np.concatenate([row.landmarks for row in rows])
+        girths = np.concatenate([row.girths for row in rows])
+        seconds = sum(row.seconds for row in rows)
+        print_row("together", Row(surface, landmarks, girths, seconds))
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20
     print(f"peak memory {memory:.2f} GiB, with that of the comparison")
 
@@ -101,7 +104,7 @@ def surface_distances(atlas: bm.Atlas, truth: Array, shown: Bools) -> Array:
     squares = igl.point_mesh_squared_distance(points, limit_positions(mesh), triangles(mesh.quads))[
         0
     ]
-    return np.sqrt(squares)
+    return np.asarray(np.sqrt(squares))
 
 
 def girth_errors(atlas: bm.Atlas, true: bm.Atlas) -> Array:
