@@ -6,7 +6,7 @@ import sys
 os.environ["OMP_NUM_THREADS"] = os.environ.get("OMP_NUM_THREADS", "1")
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, settings
+from hypothesis import HealthCheck, Phase, settings
 
 # Compiled modules are kept even where the environment says otherwise: without them, each process
 # that a test starts would compile the package anew.
@@ -19,7 +19,19 @@ settings.register_profile(
     "local", deadline=None, max_examples=50, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.register_profile("ci", settings.get_profile("local"), derandomize=True, print_blob=True)
-settings.load_profile("ci" if os.environ.get("CI") else "local")
+PROFILE = "ci" if os.environ.get("CI") else "local"
+# Each example of a slow test takes a second or more, and shrinking one that fails takes hundreds.
+settings.register_profile(
+    "slow",
+    settings.get_profile(PROFILE),
+    phases=(Phase.explicit, Phase.reuse, Phase.generate),
+)
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Choose how examples are made, before the tests are read."""
+    quick = config.getoption("markexpr") == "not slow"
+    settings.load_profile(PROFILE if quick else "slow")
 
 
 @pytest.fixture

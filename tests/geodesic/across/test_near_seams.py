@@ -5,14 +5,17 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from helpers.many_patches import sphere, torus
+from helpers.many_patches import SURFACES, sphere, torus
 from helpers.surfaces.near_boundaries import beside, near_points, random_near_point
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import bodymeasure as bm
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.queries.closest import closest_points
+from bodymeasure.geodesic.across.routes.topology import topology
+from bodymeasure.geodesic.across.search.ends import checked_points
+from bodymeasure.geodesic.across.search.leg import first_routes
 
 # The quick tests take some of them, the slow ones the others.
 QUICK = (-16.0, -12.0, -9.0, -7.0)
@@ -89,13 +92,60 @@ def test_a_mesh_path_that_leaves_out_the_piece_before_a_seam(away: float) -> Non
         assert abs(path.length - exact) <= path.error_estimate
 
 
+def beside_corner(rng: np.random.Generator, patch: int, corner: tuple[float, float]) -> AtlasPoint:
+    """A point each of whose parameters is on the edge at a corner, or a hair off it."""
+    parameters = (
+        edge if rng.random() < 0.3 else beside(edge, rng.uniform(-16.0, -1.0)) for edge in corner
+    )
+    return AtlasPoint(patch, *parameters)
+
+
+@pytest.mark.parametrize("name", ["sphere", "ellipsoid", "torus", "female_average"])
+def test_a_way_leads_from_beside_a_corner_to_any_other_corner(
+    name: str, rng: np.random.Generator
+) -> None:
+    atlas = SURFACES[name]()
+    neighbors = topology(atlas).neighbors
+    for number in range(10):
+        corner = AtlasPoint(int(rng.integers(len(atlas))), *map(float, rng.integers(2, size=2)))
+        around = neighbors.same(corner)
+        if number % 2:
+            # The corner opposite to it.
+            around.append(AtlasPoint(corner.patch, 1.0 - corner.u, 1.0 - corner.v))
+        there = around[-1] if number % 2 else around[int(rng.integers(len(around)))]
+        start, end = (beside_corner(rng, place.patch, place[1:]) for place in (corner, there))
+        ends = checked_points(atlas, (start, end), ("start", "end")).points
+        if neighbors.are_same(*ends):
+            continue
+        (first, *_) = first_routes(atlas, neighbors, (ends[0], ends[1]))
+        assert first.ends is not None
+        assert all(map(neighbors.are_same, first.ends, ends))
+
+
+@pytest.mark.parametrize("away", [0.0, 1e-15, 1e-11, 1e-4])
+def test_from_beside_a_corner_to_the_patch_diagonally_opposite(away: float) -> None:
+    corner = torus().position(AtlasPoint(5, 1.0, 1.0))
+    start = AtlasPoint(5, 1.0 - away, 1.0 - away)
+    around = topology(torus()).neighbors.same(AtlasPoint(5, 1.0, 1.0))
+    (opposite,) = (place for place in around if place[1:] == (0.0, 0.0))
+    for step in (1e-9, 0.2):
+        end = AtlasPoint(opposite.patch, step, step)
+        path = bm.geodesic_between(torus(), start, end)
+        leg = np.linalg.norm(torus().position(start) - corner)
+        through = bm.geodesic_between(torus(), AtlasPoint(5, 1.0, 1.0), end)
+        # The chord is shorter than the arc by the third order.
+        allowed = path.error_estimate + through.error_estimate + leg**3
+        assert through.length - leg - allowed <= path.length
+        assert path.length <= through.length + leg + allowed
+
+
 def test_triangles_of_random_points_near_boundaries(rng: np.random.Generator) -> None:
     for _ in range(8):
         first, second, third = (random_near_point(rng, torus()) for _ in range(3))
         assert_triangle(torus(), (first, second, third))
 
 
-@settings(max_examples=10, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=10)
 @given(st.tuples(*[near_points(torus())] * 3))
 def test_triangles_of_any_points_near_boundaries(
     points: tuple[AtlasPoint, AtlasPoint, AtlasPoint],

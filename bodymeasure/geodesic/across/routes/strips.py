@@ -25,8 +25,6 @@ from bodymeasure.geodesic.across.routes.faces import FaceMesh, OnFace
 MOST_ROUNDS = 60
 # The other side of a vertex is shorter if its angle is less than two right ones by this.
 STRAIGHT = 1e-9
-# A point whose barycentric coordinate is below this is on the side, except for rounding.
-ON_SIDE = 1e-12
 # Rounds that make the way shorter by less than this part of it are only rounding.
 SHORTER = 1e-12
 
@@ -128,10 +126,10 @@ def _trimmed(mesh: FaceMesh, faces: list[int], ends: tuple[OnFace, OnFace]) -> _
 
 
 def _on_next(mesh: FaceMesh, place: OnFace, face: int) -> OnFace | None:
-    """The same point on the next face, if it lies on the side between both."""
+    """The same point on the next face, if it lies exactly on the side between both."""
     weights = dict(zip(mesh.faces[place.face], place.weights, strict=True))
     shared = [weights.pop(corner, 0.0) for corner in mesh.faces[face]]
-    return OnFace(face, shared) if sum(weights.values()) <= ON_SIDE else None
+    return OnFace(face, shared) if not any(weights.values()) else None
 
 
 def _strip_along(
