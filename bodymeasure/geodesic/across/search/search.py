@@ -18,6 +18,7 @@ from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.budget import LOOP, PATH, Budget
 from bodymeasure.geodesic.across.search.repair import detours, other_loops, other_routes
+from bodymeasure.geodesic.across.search.simpler import without_empty_return
 from bodymeasure.geodesic.across.search.tried import TriedRoutes
 from bodymeasure.geodesic.status import Status
 from bodymeasure.trust import NEGLIGIBLE
@@ -258,7 +259,7 @@ def repaired(
     """
     degree, missed, improved = best.problem.space.size, 0.0, True
     while improved:
-        improved = False
+        improved, best = False, _simplified(search, best)
         for route in _wanted(search, best):
             if isinstance(route, PathPart):
                 return best, missed, route
@@ -277,6 +278,19 @@ def repaired(
                 break
             missed = max(missed, best.length - other.length)
     return best, missed, None
+
+
+def _simplified(search: Search, best: RefinedPath) -> RefinedPath:
+    """Return a path without its empty pieces that only change sides of a seam."""
+    while not search.budget.has_run_out():
+        simpler = without_empty_return(best)
+        if simpler is None:
+            break
+        search.budget.spend(simpler)
+        if simpler.length > best.length * (1.0 + ROUNDING):
+            break
+        best = simpler
+    return best
 
 
 def _wanted(search: Search, best: RefinedPath) -> Iterator[Route | PathPart]:
