@@ -11,6 +11,9 @@ from bodymeasure.geodesic.numerics.banded import BoxModels
 
 # The most steps. From straight lines, three to fifteen are usual; the rest is for bad routes.
 MAX_STEPS = 80
+# Steps of large systems are few: at most so many entries of Hessians are looked at in all, which
+# takes a second, but always some steps are made.
+MAX_ENTRIES, FEWEST = 3e6, 12
 # At rest when a step would lower the value by less than this part: the next one would, since
 # Newton's method squares its error, lower it by far less than rounding.
 REST = 1e-14
@@ -87,6 +90,7 @@ def minimize_in_box(
         The most steps.
     """
     place, here, damping = start, expand(start), FIRST
+    most_steps = min(most_steps, max(FEWEST, int(MAX_ENTRIES / here.bands.size)))
     converged, iterations = False, 0
     while iterations < most_steps and not converged and damping <= MOST:
         iterations += 1

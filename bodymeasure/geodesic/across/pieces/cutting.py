@@ -14,6 +14,7 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.topology.neighbors import Crossing
+from bodymeasure.geodesic.across.pieces.budget import Budget
 from bodymeasure.geodesic.across.pieces.error import joint_jumps, piece_errors, route_length
 from bodymeasure.geodesic.across.pieces.problem import RouteProblem
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, measured, sharpened
@@ -36,7 +37,7 @@ NEAREST = 0.15
 
 
 def cut_until_known(
-    atlas: Atlas, refined: RefinedPath, tolerance: float
+    atlas: Atlas, refined: RefinedPath, tolerance: float, budget: Budget
 ) -> tuple[RefinedPath, Length]:
     """Return a path with its pieces cut until its length is known, or the budget is used up.
 
@@ -49,13 +50,18 @@ def cut_until_known(
         A path with two ends.
     tolerance : float
         The relative error that is wanted.
+    budget : Budget
     """
     path = _resolved(atlas, refined, [()] * len(refined.lengths))
+    budget.spend(path)
     found = [(path, route_length(path)[0])]
     for _ in range(MOST_ROUNDS):
         path, length = found[-1]
         errors = piece_errors(path)
         if length.error <= tolerance * length.raw or len(errors) >= MOST_PARTS:
+            break
+        if budget.left <= 0.0:
+            # The length may be good enough.
             break
         least = max(tolerance / (2.0 * len(errors)), WORST * _largest(errors))
         worst = errors > least
@@ -66,6 +72,7 @@ def cut_until_known(
             worst[joints] = worst[joints + 1] = True
         cuts = [(_middle(path, piece),) if worst[piece] else () for piece in range(len(errors))]
         path = _resolved(atlas, path, cuts)
+        budget.spend(path)
         found.append((path, route_length(path)[0]))
     return min(found, key=lambda one: float(one[1].error))
 

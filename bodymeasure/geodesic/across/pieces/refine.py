@@ -120,6 +120,9 @@ def sharpened(refined: RefinedPath, idle: Bools) -> RefinedPath:
         problem = copy(problem)
         problem.epsilon *= SHARPER**2
         minimum = minimize_in_box(problem.expand, refined.minimum.unknowns, idle)
+        if not minimum.converged:
+            # The estimate of the error knows of pieces that are still smoothed.
+            break
         sharper = measured(problem, replace(minimum, held=minimum.held | (held & idle)))
         refined = replace(sharper, steps=refined.steps + sharper.steps)
     return refined

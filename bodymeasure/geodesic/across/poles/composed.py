@@ -17,7 +17,7 @@ from bodymeasure.geodesic.across.poles.junction import (
     passage,
     stiffness_at_pole,
 )
-from bodymeasure.geodesic.across.search.leg import ROUNDING, STANDSTILL
+from bodymeasure.geodesic.across.search.leg import ROUNDING, STANDSTILL, Ends
 from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.status import Status
 
@@ -29,8 +29,6 @@ LOOSE = 1e-14
 # A path has the largest error of its direction at its ends: so many times that which its length has
 # on the whole.
 SLOPES = 10.0
-
-Ends = tuple[AtlasPoint, AtlasPoint]
 
 
 def composed_path(

@@ -53,6 +53,8 @@ def course_of(neighbors: Neighbors, path: AtlasPath) -> Course | None:
     before = path.points[0]
     for piece in path.pieces:
         points = piece.space.functions.values(SAMPLES) @ piece.values.T
+        # The ends are exactly on their seams and poles.
+        points[[0, -1]] = piece.values[:, [0, -1]].T
         points = np.clip(points, 0.0, 1.0)
         if pieces and waiting and _are_near(waiting[0].after, piece.end(0)):
             crossing = _crossing(neighbors, waiting[0].before, waiting[0].after)
@@ -85,7 +87,9 @@ def _are_near(place: AtlasPoint, other: AtlasPoint) -> bool:
 def course_along(refined: RefinedPath) -> Course:
     """Return the course of a path that was refined, without the cuts within its patches."""
     route = refined.route
-    points = np.clip(refined.values @ refined.problem.space.functions.values(SAMPLES).T, 0.0, 1.0)
+    points = refined.values @ refined.problem.space.functions.values(SAMPLES).T
+    points[:, :, [0, -1]] = refined.values[:, :, [0, -1]]
+    points = np.clip(points, 0.0, 1.0)
     pieces: list[tuple[int, Array]] = [(route.patches[0], points[0].T)]
     crossings: list[Crossing] = []
     for crossing, here in zip(route.crossings, points[1:], strict=True):

@@ -48,6 +48,11 @@ class Poles(NamedTuple):
     positions: Array
     widths: Array
 
+    def place(self, number: int) -> AtlasPoint:
+        """Return the place of a pole, the same one for all sides that are collapsed to it."""
+        first = int(np.argmax(self.point == self.point[number]))
+        return AtlasPoint(int(self.patch[first]), *on_side(int(self.side[first]), 0.5))
+
 
 @lru_cache(maxsize=4)
 def poles_of(atlas: Atlas) -> Poles:

@@ -5,13 +5,14 @@ import numpy as np
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors
+from bodymeasure.geodesic.across.pieces.budget import Budget
 from bodymeasure.geodesic.across.pieces.error import route_length
 from bodymeasure.geodesic.across.pieces.part import PathPart
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
-from bodymeasure.geodesic.across.poles.composed import Ends
 from bodymeasure.geodesic.across.poles.course import Course, course_along
 from bodymeasure.geodesic.across.poles.cuts import FIRST, cut, refined_cut
+from bodymeasure.geodesic.across.search.leg import Ends
 from bodymeasure.geodesic.across.search.search import GOOD_ENOUGH, TOLERANCE
 from bodymeasure.geodesic.status import Status
 
@@ -22,12 +23,17 @@ DEGREES, MOST_CUTS = (8, 12, 16, 24), 8
 CORNER = 1e-3
 
 
-def graded_path(atlas: Atlas, neighbors: Neighbors, ends: Ends, course: Course) -> AtlasPath | None:
+def graded_path(
+    atlas: Atlas, neighbors: Neighbors, ends: Ends, course: Course, budget: Budget
+) -> AtlasPath | None:
     """Return the shortest path along a course, cut about poles; None if it has no good length."""
     size, first = course.length(atlas), FIRST
     cuts = cut(neighbors, course, first)
     for _ in range(MOST_CUTS):
+        if budget.has_run_out():
+            return None
         refined = refined_cut(atlas, cuts, DEGREES[0], size)
+        budget.spend(refined)
         course = course_along(refined)
         if cuts.hold(refined):
             first *= 2.0
@@ -40,7 +46,11 @@ def graded_path(atlas: Atlas, neighbors: Neighbors, ends: Ends, course: Course) 
         return None
     for degree in DEGREES:
         if degree > DEGREES[0]:
+            if budget.left <= 0.0:
+                # The length may be good enough.
+                break
             refined = refined_cut(atlas, cuts, degree, size, refined)
+            budget.spend(refined)
         length, _ = route_length(refined)
         if length.error <= TOLERANCE * length.raw:
             break

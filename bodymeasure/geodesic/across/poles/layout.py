@@ -30,10 +30,15 @@ class _Line:
     farthest: float
 
     @classmethod
-    def through(cls, first: float, second: float, turn: float) -> "_Line":
-        """Return the line from (first, 0) to (second, turn)."""
+    def through(cls, first: float, second: float, turn: float, away: float) -> "_Line":
+        """Return the line from (first, 0) to (second, turn).
+
+        If it nearly goes straight on, it bends so that it passes at the distance that is given: on
+        a curved surface that may be many times what it is in the plane.
+        """
         side = np.sqrt((first - second) ** 2 + 4.0 * first * second * np.sin(0.5 * turn) ** 2)
         least = first * second * np.sin(turn) / side if side > 0.0 else first
+        least = away if turn > 0.5 * np.pi else least
         least = float(np.clip(least, LEAST * min(first, second), min(first, second)))
         inward = first >= second * np.cos(turn)
         foot = float(np.arccos(least / first)) * (1.0 if inward else -1.0)
@@ -52,7 +57,7 @@ class _Line:
 
 
 def past_pole(
-    fan: Fan, before: Course, after: Course, lengths: tuple[float, float]
+    fan: Fan, before: Course, after: Course, lengths: tuple[float, float], away: float
 ) -> Course | None:
     """Return the course of two legs that meet at a pole, past it on the side of the smaller angle.
 
@@ -63,6 +68,8 @@ def past_pole(
         The legs to the pole and from it.
     lengths : pair of float
         Their lengths.
+    away : float
+        About how far from the pole the shortest path passes.
 
     Returns
     -------
@@ -80,7 +87,7 @@ def past_pole(
     (patch, inward), (other, outward) = before.pieces[-1], after.pieces[0]
     kept, near = _shortened(fan, patch, inward, lengths[0] <= WHOLE * lengths[1])
     beyond, there = _shortened(fan, other, outward[::-1], lengths[1] <= WHOLE * lengths[0])
-    line = _Line.through(near, there, turn)
+    line = _Line.through(near, there, turn, away)
     offset = first - fan.sectors[numbers[0]].begin
     pieces, crossings = _over_sectors(fan, line, (numbers[0], offset, numbers[1]), (turn, onward))
     pieces[0] = (patch, np.vstack([kept, pieces[0][1][1:]]))

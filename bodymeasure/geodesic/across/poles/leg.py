@@ -1,25 +1,26 @@
 """Legs of paths over an atlas that may pass close by a pole or begin beside one."""
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.topology.neighbors import Neighbors, on_side
+from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.bezier import evaluate
+from bodymeasure.geodesic.across.pieces.budget import PATH, Budget
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
-from bodymeasure.geodesic.across.poles.composed import Ends, beside_pole, composed_path, radial
+from bodymeasure.geodesic.across.poles.composed import beside_pole, composed_path, radial
 from bodymeasure.geodesic.across.poles.course import Course, course_along, course_of
 from bodymeasure.geodesic.across.poles.fan import Poles, fan_at, poles_of
 from bodymeasure.geodesic.across.poles.graded import graded_path
 from bodymeasure.geodesic.across.poles.layout import past_pole
 from bodymeasure.geodesic.across.poles.pole_to_pole import between_poles
 from bodymeasure.geodesic.across.routes.route import Route
-from bodymeasure.geodesic.across.search.budget import PATH, Budget
-from bodymeasure.geodesic.across.search.leg import first_routes, leg_along, shortest_leg
-from bodymeasure.geodesic.across.search.search import GOOD_ENOUGH, Search, repaired
+from bodymeasure.geodesic.across.search.leg import Ends, first_routes, leg_along, shortest_leg
+from bodymeasure.geodesic.across.search.search import GOOD_ENOUGH, TOLERANCE, Search, repaired
 from bodymeasure.geodesic.across.search.tried import TriedRoutes
 from bodymeasure.geodesic.lengths.length import TRUSTED_CORRECTION
 
@@ -42,6 +43,24 @@ DEPTH = 2
 MOST_CLOSE = (0, 1, 2)
 
 
+class Ground(NamedTuple):
+    """What all steps of the way to a path need.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    neighbors : Neighbors
+    budget : Budget
+    legs : dict
+        The legs to poles and from them that were found, by their ends and the depth.
+    """
+
+    atlas: Atlas
+    neighbors: Neighbors
+    budget: Budget
+    legs: dict[tuple[Ends, int], AtlasPath]
+
+
 def leg_between(
     atlas: Atlas, neighbors: Neighbors, start: AtlasPoint, end: AtlasPoint
 ) -> AtlasPath:
@@ -50,59 +69,83 @@ def leg_between(
     A path that passes close by a pole is composed of the geodesics to the pole and from it, if it
     is so close that no more is needed (`junction`); else it is cut about the pole (`cuts`).
     """
-    path = _between(atlas, neighbors, (start, end), DEPTH)
-    other = between_poles(atlas, neighbors, (start, end)) if len(poles_of(atlas).patch) else None
+    ground, ends = Ground(atlas, neighbors, Budget(PATH), {}), (start, end)
+    if not len(poles_of(atlas).patch):
+        return shortest_leg(atlas, neighbors, ends, ground.budget)
+    other = between_poles(atlas, neighbors, ends, ground.budget)
     if other is None or not other.converged:
-        return path
+        return _between(ground, ends, DEPTH)
+    if other.error_estimate <= TOLERANCE * other.length and not _is_undercut(ground, other):
+        return other
+    path = _between(ground, ends, DEPTH)
     shorter = other.length + other.error_estimate < path.length - path.error_estimate
     return other if shorter or not path.converged else path
 
 
-def _between(atlas: Atlas, neighbors: Neighbors, ends: Ends, depth: int) -> AtlasPath:
-    if depth == 0 or not len(poles_of(atlas).patch) or neighbors.are_same(*ends):
-        return shortest_leg(atlas, neighbors, *ends)
+def _is_undercut(ground: Ground, path: AtlasPath) -> bool:
+    """Return whether a path along one of the likeliest routes is shorter, even roughly."""
+    ends = path.points[0], path.points[-1]
+    routes = first_routes(ground.atlas, ground.neighbors, ends, ground.budget)
+    least = path.length - path.error_estimate
+    return any(rough.length < least for rough in map(partial(_rough, ground), routes) if rough)
+
+
+def _between(ground: Ground, ends: Ends, depth: int) -> AtlasPath:
+    atlas, neighbors, budget = ground[:3]
+    if depth == 0 or neighbors.are_same(*ends):
+        return shortest_leg(atlas, neighbors, ends, budget)
     beside = beside_pole(atlas, neighbors, ends)
     if beside is not None:
         return beside
     found: list[AtlasPath] = []
     far: list[Route] = []
-    for route in first_routes(atlas, neighbors, ends):
-        rough = _rough(atlas, route)
+    for route in first_routes(atlas, neighbors, ends, budget):
+        rough = _rough(ground, route)
         pole = None if rough is None else _close_pole(atlas, neighbors, ends, rough)
         if rough is None or pole is None:
             far.append(route)
         elif len(found) < MOST_CLOSE[depth]:
-            found.append(_by_pole(atlas, neighbors, ends, (pole, rough), depth))
+            found.append(_by_pole(ground, ends, (pole, rough), depth))
     if far or not found:
         found.append(
-            leg_along(atlas, neighbors, ends, far) if far else shortest_leg(atlas, neighbors, *ends)
+            leg_along(atlas, neighbors, ends, far, budget)
+            if far
+            else shortest_leg(atlas, neighbors, ends, budget)
         )
     return min(found, key=lambda path: (not path.converged, path.length))
 
 
+def _leg(ground: Ground, ends: Ends, depth: int) -> AtlasPath:
+    """Return the leg between a point and a pole: all routes close by that pole have the same."""
+    if (ends, depth) not in ground.legs:
+        ground.legs[ends, depth] = _between(ground, ends, depth)
+    return ground.legs[ends, depth]
+
+
 def _by_pole(
-    atlas: Atlas,
-    neighbors: Neighbors,
-    ends: Ends,
-    near: tuple[AtlasPoint, RefinedPath],
-    depth: int,
+    ground: Ground, ends: Ends, near: tuple[AtlasPoint, RefinedPath], depth: int
 ) -> AtlasPath:
     """Return the shortest path along a route that leads close by a pole."""
-    past = _past(atlas, neighbors, ends, near, depth)
+    past = _past(ground, ends, near, depth)
     if past is not None and past.path is not None:
         return past.path
-    plain = leg_along(atlas, neighbors, ends, [near[1].problem.route])
+    routes = [near[1].problem.route]
+    plain = leg_along(ground.atlas, ground.neighbors, ends, routes, ground.budget)
     composed = None if past is None else past.composed
     if composed is None or plain.converged:
         return plain
     return composed if composed.error_estimate <= GOOD_ENOUGH * composed.length else plain
 
 
-def _rough(atlas: Atlas, route: Route) -> RefinedPath | None:
+def _rough(ground: Ground, route: Route) -> RefinedPath | None:
     """Return the shortest path along a route, roughly."""
     straight = [(start.patch, np.array([start[1:], end[1:]])) for start, end in route.pieces]
-    size = Course(tuple(straight), route.crossings).length(atlas)
-    return refine(atlas, route, ROUGH, size) if size > 0.0 else None
+    size = Course(tuple(straight), route.crossings).length(ground.atlas)
+    if not size > 0.0:
+        return None
+    rough = refine(ground.atlas, route, ROUGH, size)
+    ground.budget.spend(rough)
+    return rough
 
 
 def _close_pole(
@@ -119,9 +162,8 @@ def _close_pole(
     for number in np.argsort(away / np.minimum(poles.widths, length), kind="stable").tolist():
         if away[number] >= max(NEAR * min(poles.widths[number], length), AT * poles.widths[number]):
             return None
-        place = AtlasPoint(int(poles.patch[number]), *on_side(int(poles.side[number]), 0.5))
         if poles.point[number] not in passed:
-            return place
+            return poles.place(number)
     return None
 
 
@@ -148,19 +190,15 @@ class _Past(NamedTuple):
 
 
 def _past(
-    atlas: Atlas,
-    neighbors: Neighbors,
-    ends: Ends,
-    near: tuple[AtlasPoint, RefinedPath],
-    depth: int,
+    ground: Ground, ends: Ends, near: tuple[AtlasPoint, RefinedPath], depth: int
 ) -> _Past | None:
     """Return the path close by a pole; None if the legs have no good lengths."""
-    place, rough = near
+    (place, rough), (atlas, neighbors, budget) = near, ground[:3]
     fan = fan_at(atlas, place)
     if fan is None:
         return None
     first, second = (
-        radial(fan, leg) or _between(atlas, neighbors, leg, depth - 1)
+        radial(fan, leg) or _leg(ground, leg, depth - 1)
         for leg in ((ends[0], place), (place, ends[1]))
     )
     if not (first.converged and second.converged):
@@ -180,16 +218,16 @@ def _past(
     good = []
     before, after = course_of(neighbors, first), course_of(neighbors, second)
     if before is not None and after is not None:
-        course = past_pole(fan, before, after, (first.length, second.length))
-        path = None if course is None else graded_path(atlas, neighbors, ends, course)
+        course = past_pole(fan, before, after, (first.length, second.length), gained.away)
+        path = None if course is None else graded_path(atlas, neighbors, ends, course, budget)
         if path is not None and gained.away < CLOSE * min(first.length, second.length):
             return _Past(path, composed)
         good.append(path)
-    good.append(graded_path(atlas, neighbors, ends, course_along(rough)))
+    good.append(graded_path(atlas, neighbors, ends, course_along(rough), budget))
     shortest = min((path.length for path in good if path), default=np.inf)
     if good[-1] is None and shortest > rough.length:
-        search = Search(atlas, neighbors, rough.problem.size, Budget(PATH))
+        search = Search(atlas, neighbors, rough.problem.size, budget)
         best, _, _ = repaired(search, rough, TriedRoutes((rough.route,)))
-        good.append(graded_path(atlas, neighbors, ends, course_along(best)))
+        good.append(graded_path(atlas, neighbors, ends, course_along(best), budget))
     path = min((path for path in good if path), key=lambda path: path.length, default=None)
     return _Past(path, composed)

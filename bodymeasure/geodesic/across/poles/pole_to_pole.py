@@ -4,27 +4,32 @@ Several geodesics of nearly equal lengths may join two poles, as on an ellipsoid
 Which of them the shortest path between points beside the poles follows, their directions tell.
 """
 
-from collections.abc import Iterator
+from functools import lru_cache
 
 import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import Neighbors, on_side
+from bodymeasure.geodesic.across.pieces.budget import PATH, Budget
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
-from bodymeasure.geodesic.across.poles.composed import Ends, composed_path, radial
-from bodymeasure.geodesic.across.poles.fan import Fan, fan_at, poles_of
+from bodymeasure.geodesic.across.poles.composed import composed_path, radial
+from bodymeasure.geodesic.across.poles.fan import fan_at, poles_of
 from bodymeasure.geodesic.across.routes.route import Route
-from bodymeasure.geodesic.across.search.leg import first_routes, leg_along, shortest_leg
+from bodymeasure.geodesic.across.routes.topology import topology
+from bodymeasure.geodesic.across.search.leg import Ends, first_routes, leg_along, shortest_leg
 
 # Both ends are within this part of the patches' widths from their poles.
 CLOSE = 1e-2
 # A geodesic between the poles is sought from the middle of each sector, so far along it.
 AWAY = 0.3
+# There may be hundreds of sectors: geodesics are sought from so many of them, evenly spread.
+MOST = 6
 
 
-def between_poles(atlas: Atlas, neighbors: Neighbors, ends: Ends) -> AtlasPath | None:
+def between_poles(
+    atlas: Atlas, neighbors: Neighbors, ends: Ends, budget: Budget
+) -> AtlasPath | None:
     """Return the shortest path over the geodesics between two poles, close to which its ends are.
 
     None if the ends are not close to two poles, or their legs have no lengths.
@@ -36,11 +41,11 @@ def between_poles(atlas: Atlas, neighbors: Neighbors, ends: Ends) -> AtlasPath |
     if near is None or far is None:
         return None
     outer = (near, (ends[0], poles[0])), (far, (poles[1], ends[1]))
-    legs = [radial(fan, leg) or shortest_leg(atlas, neighbors, *leg) for fan, leg in outer]
+    legs = [radial(fan, leg) or shortest_leg(atlas, neighbors, leg, budget) for fan, leg in outer]
     if not all(leg.converged and leg.length > 0.0 for leg in legs):
         return None
     found = []
-    for middle in _geodesics(atlas, neighbors, near, poles[1]):
+    for middle in _geodesics(atlas, poles[0], poles[1]):
         first = composed_path((ends[0], poles[1]), near, (legs[0], middle))
         whole = None if first is None else composed_path(ends, far, (first[0], legs[1]))
         if first is not None and whole is not None and not first[1].conjugate:
@@ -49,29 +54,39 @@ def between_poles(atlas: Atlas, neighbors: Neighbors, ends: Ends) -> AtlasPath |
 
 
 def _pole_beside(atlas: Atlas, place: AtlasPoint) -> AtlasPoint | None:
-    """Return a place of the pole close to a point, on the same patch; None if there is none."""
+    """Return the place of the pole close to a point on the same patch; None if there is none."""
     poles = poles_of(atlas)
     for number in np.flatnonzero(poles.patch == place.patch).tolist():
         away = np.linalg.norm(atlas.position(place) - poles.positions[number])
         if 0.0 < away < CLOSE * poles.widths[number]:
-            side = int(poles.side[number])
-            return AtlasPoint(place.patch, *on_side(side, place[2 - EDGES[side].fixed_axis]))
+            return poles.place(number)
     return None
 
 
-def _geodesics(
-    atlas: Atlas, neighbors: Neighbors, fan: Fan, end: AtlasPoint
-) -> Iterator[AtlasPath]:
-    """Yield geodesics from a pole, one for each sector; several may be the same."""
-    poles = poles_of(atlas)
-    for number, sector in enumerate(fan.sectors):
+@lru_cache(maxsize=16)
+def _geodesics(atlas: Atlas, start: AtlasPoint, end: AtlasPoint) -> tuple[AtlasPath, ...]:
+    """Return geodesics between two poles, which are kept for the next path.
+
+    Each is sought from the middle of another sector; several may be the same.
+    """
+    neighbors, poles, fan = topology(atlas).neighbors, poles_of(atlas), fan_at(atlas, start)
+    assert fan is not None
+    count, budget = len(fan.sectors), Budget(PATH)
+    most = min(count, MOST)
+    found: list[AtlasPath] = []
+    for number in sorted({count * step // most for step in range(most)}):
+        sector = fan.sectors[number]
         on = (poles.patch == sector.patch) & (poles.side == sector.side)
         middle = np.array([0.5 * sector.angle]), AWAY * poles.widths[on]
         place = AtlasPoint(sector.patch, *fan.places(number, *middle)[0].tolist())
         pole = AtlasPoint(sector.patch, *on_side(sector.side, 0.5))
-        for route in first_routes(atlas, neighbors, (place, end))[:1]:
+        for route in first_routes(atlas, neighbors, (place, end), budget)[:1]:
             assert route.ends is not None
             ends = pole, route.ends[1]
-            path = leg_along(atlas, neighbors, ends, [Route(ends, route.crossings, route.along)])
+            routes = [Route(ends, route.crossings, route.along)]
+            path = leg_along(atlas, neighbors, ends, routes, budget)
             if path.converged:
-                yield path
+                found.append(path)
+        if budget.left <= 0.0:
+            break
+    return tuple(found)

@@ -9,6 +9,7 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.bezier import evaluate
+from bodymeasure.geodesic.across.pieces.budget import Budget
 from bodymeasure.geodesic.across.pieces.part import PathPart, PathPiece
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
 from bodymeasure.geodesic.across.routes.graph import patch_graph
@@ -27,27 +28,32 @@ ROUNDING = 4e-15
 # The trial space of a path that stays where it is.
 STANDSTILL = polynomial_space(1)
 
+Ends = tuple[AtlasPoint, AtlasPoint]
+
 
 def shortest_leg(
-    atlas: Atlas, neighbors: Neighbors, start: AtlasPoint, end: AtlasPoint
+    atlas: Atlas, neighbors: Neighbors, ends: Ends, budget: Budget | None = None
 ) -> AtlasPath:
     """Return the shortest path between two points that was found."""
+    start, end = ends
     if neighbors.are_same(start, end):
         return _standstill(atlas, neighbors, start, end)
-    routes = first_routes(atlas, neighbors, (start, end))
+    routes = first_routes(atlas, neighbors, ends, budget)
     if routes:
-        return leg_along(atlas, neighbors, (start, end), routes)
+        return leg_along(atlas, neighbors, ends, routes, budget)
     none = Length(*map(np.asarray, (np.nan, 0.0, np.inf, 0.0, UNKNOWN, False)))
     return AtlasPath.of(atlas, (start, end), PathPart((), (), none), Status.NO_ROUTE)
 
 
 def first_routes(
-    atlas: Atlas, neighbors: Neighbors, ends: tuple[AtlasPoint, AtlasPoint]
+    atlas: Atlas, neighbors: Neighbors, ends: Ends, budget: Budget | None = None
 ) -> list[Route]:
     """Return the routes along which the shortest path may lead, the likeliest first.
 
     There are none if no seams join the points.
     """
+    if budget is not None:
+        budget.spend_on_routes()
     mesh = patch_graph(atlas).mesh
     routes = (route_of(neighbors, mesh, ends, way) for way in first_ways(atlas, *ends))
     # Different ways may lead along one route.
@@ -57,8 +63,9 @@ def first_routes(
 def leg_along(
     atlas: Atlas,
     neighbors: Neighbors,
-    points: tuple[AtlasPoint, AtlasPoint],
+    points: Ends,
     routes: Sequence[Route],
+    budget: Budget | None = None,
 ) -> AtlasPath:
     """Return the shortest path along one of some routes, or along others that they lead to."""
     # The length of the path that is straight in (u, v) on each patch.
@@ -68,7 +75,7 @@ def leg_along(
     size = float(np.linalg.norm(np.diff(samples, axis=1), axis=2).sum())
     if size == 0.0:
         return _standstill(atlas, neighbors, *points)
-    found = shortest_along(atlas, neighbors, routes, size)
+    found = shortest_along(atlas, neighbors, routes, size, budget)
     return AtlasPath.of(atlas, points, found.part, found.status)
 
 

@@ -11,12 +11,12 @@ from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.across.contact.solve import held_path
+from bodymeasure.geodesic.across.pieces.budget import LOOP, PATH, Budget
 from bodymeasure.geodesic.across.pieces.cutting import cut_until_known
 from bodymeasure.geodesic.across.pieces.error import LoopKind, route_length
 from bodymeasure.geodesic.across.pieces.part import PathPart
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
 from bodymeasure.geodesic.across.routes.route import Route
-from bodymeasure.geodesic.across.search.budget import LOOP, PATH, Budget
 from bodymeasure.geodesic.across.search.repair import detours, other_loops, other_routes
 from bodymeasure.geodesic.across.search.simpler import without_empty_return
 from bodymeasure.geodesic.across.search.tried import TriedRoutes
@@ -80,7 +80,11 @@ class SearchResult:
 
 
 def shortest_along(
-    atlas: Atlas, neighbors: Neighbors, routes: Sequence[Route], size: float
+    atlas: Atlas,
+    neighbors: Neighbors,
+    routes: Sequence[Route],
+    size: float,
+    budget: Budget | None = None,
 ) -> SearchResult:
     """Return the shortest path or loop along one of several routes, or along others beside them.
 
@@ -95,6 +99,8 @@ def shortest_along(
         At least one; the likeliest first.
     size : float
         About the length of the path.
+    budget : Budget, optional
+        What the search may take; as much as any may if not given.
 
     Raises
     ------
@@ -104,7 +110,7 @@ def shortest_along(
     closed = routes[0].closed
     if closed and not all(route.crossings for route in routes):
         raise InputError(NO_LOOP)
-    search = Search(atlas, neighbors, size, Budget(LOOP if closed else PATH))
+    search = Search(atlas, neighbors, size, budget or Budget(LOOP if closed else PATH))
     begun: list[_Begun] = []
     for route in routes:
         if begun and search.budget.has_run_out():
@@ -218,8 +224,7 @@ def _along(search: Search, begun: _Begun) -> SearchResult:
         if good and degree > SLIDING and (exact or degree >= ORDINARY):
             break
         if degree == ORDINARY and not (contact or closed):
-            cut, known = cut_until_known(search.atlas, best, TOLERANCE)
-            search.budget.spend(cut)
+            cut, known = cut_until_known(search.atlas, best, TOLERANCE, search.budget)
             if cut.minimum.converged and known.is_known_to(GOOD_ENOUGH):
                 best, length, good = cut, replace(known, error=known.error + missed), True
                 break

@@ -3,11 +3,12 @@
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 
 # The work of one of Newton's steps: a part of its own, and one for each entry of the Hessian's
-# blocks. A unit takes some 0.25 microseconds.
-STEP, HELD = 3000.0, 20_000.0
-# What a search for a path may take, about 2 s, and what one for a loop may: from the hip to the
-# waist it takes a quarter of that.
-PATH, LOOP = 8e6, 8e7
+# blocks; that of a path of legs and arcs, for each piece; and that of first routes. A unit takes
+# some 0.4 microseconds.
+STEP, HELD, ROUTES = 3000.0, 40_000.0, 200_000.0
+# What a search for a path may take in all, about 1.5 s, and what one for a loop may: from the hip
+# to the waist it takes a quarter of that.
+PATH, LOOP = 4e6, 8e7
 
 
 class Budget:
@@ -31,6 +32,10 @@ class Budget:
     def spend_held(self, refined: RefinedPath) -> None:
         """Count the work of solving a path as legs and arcs."""
         self.left -= HELD * len(refined.lengths)
+
+    def spend_on_routes(self) -> None:
+        """Count the work of finding the routes between two points."""
+        self.left -= ROUTES
 
     def has_run_out(self) -> bool:
         """Return whether nothing is left; then what was to be done is left undone."""
