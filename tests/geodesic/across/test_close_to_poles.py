@@ -247,3 +247,13 @@ def test_a_point_a_hair_off_a_pole_is_reached_along_its_meridian(patch: int) -> 
     path = bm.geodesic_between(sphere(), *ends)
     exact = great_circle(*(sphere().position(place) for place in ends))
     assert path.length == pytest.approx(exact, abs=path.error_estimate + 1e-15)
+
+
+def test_the_course_past_a_pole_begins_at_the_distance_at_which_the_path_passes() -> None:
+    # In the plane, the line would pass the pole at a sixth of that distance, and from there
+    # Newton's method crept away for a quarter of a minute.
+    start = AtlasPoint(0, 0.2028260339594391, 0.4797911014611099)
+    end = AtlasPoint(6, 0.20246893446815994, 0.78055079415706)
+    path = bm.geodesic_between(sphere(), start, end)
+    exact = great_circle(sphere().position(start), sphere().position(end))
+    assert abs(path.length - exact) <= path.error_estimate <= 1e-9

@@ -6,7 +6,8 @@ from helpers.body_space import body_of
 
 import bodymeasure as bm
 from bodymeasure.atlas import AtlasPoint
-from bodymeasure.geodesic.across.search import search
+from bodymeasure.geodesic.across.pieces.budget import OVERDRAFT
+from bodymeasure.geodesic.across.poles import leg
 
 
 def round_a_bump() -> tuple[AtlasPoint, AtlasPoint]:
@@ -26,12 +27,12 @@ def test_a_path_on_the_other_side_of_a_bump_is_found() -> None:
 
 def test_what_runs_out_of_its_budget_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     body = bm.load_sample("female_average")
-    for budget, status in ((1.0, bm.Status.OUT_OF_BUDGET), (4e5, bm.Status.CUT_SHORT)):
-        monkeypatch.setattr(search, "PATH", budget)
+    for work, status in ((-OVERDRAFT, bm.Status.OUT_OF_BUDGET), (4e5, bm.Status.CUT_SHORT)):
+        monkeypatch.setattr(leg, "PATH", work)
         path = bm.geodesic_between(body, *round_a_bump(), on_failure="status")
         assert path.status is status
         assert path.error_estimate < 1e-6 * path.length or np.isnan(path.length)
-    monkeypatch.setattr(search, "PATH", 1.0)
+    monkeypatch.setattr(leg, "PATH", -OVERDRAFT)
     with pytest.raises(bm.ConvergenceError, match="used up its budget"):
         bm.geodesic_between(body, *round_a_bump())
 
@@ -71,3 +72,18 @@ def test_the_shorter_one_of_two_paths_along_one_route_is_found(
         path = bm.geodesic_between(body, *ends)
         assert path.length <= length + 2e-10
         assert path.error_estimate < 1e-9
+
+
+@pytest.mark.slow
+def test_a_path_is_not_held_by_changing_sides_of_a_seam_back_and_forth() -> None:
+    body = bm.load_sample("female_average")
+    ends = (
+        AtlasPoint(360, 0.27145160453010153, 0.8796511733349222),
+        AtlasPoint(208, 0.06421443731219101, 0.679181533021365),
+    )
+    for start, end in (ends, ends[::-1]):
+        path = bm.geodesic_between(body, start, end)
+        # With pieces of no length on either side of a seam it is 0.6821118363.
+        assert path.length <= 0.68211136299 + path.error_estimate
+        assert path.error_estimate < 1e-9
+        assert path.patches.count(361) == 1

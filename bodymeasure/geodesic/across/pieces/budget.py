@@ -8,7 +8,9 @@ from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 STEP, HELD, ROUTES = 3000.0, 40_000.0, 200_000.0
 # What a search for a path may take in all, about 1.5 s, and what one for a loop may: from the hip
 # to the waist it takes a quarter of that.
-PATH, LOOP = 4e6, 8e7
+PATH, LOOP = 3e6, 8e7
+# What may be taken beyond that to make the path at hand exact: without that there is no length.
+OVERDRAFT = 1e6
 
 
 class Budget:
@@ -36,6 +38,10 @@ class Budget:
     def spend_on_routes(self) -> None:
         """Count the work of finding the routes between two points."""
         self.left -= ROUTES
+
+    def is_overdrawn(self) -> bool:
+        """Return whether not even the path at hand may be refined further."""
+        return self.left <= -OVERDRAFT
 
     def has_run_out(self) -> bool:
         """Return whether nothing is left; then what was to be done is left undone."""

@@ -227,7 +227,11 @@ class AtlasPath:
             local = (way[here] - bounds[piece]) / length if length > 0.0 else 0.0 * way[here]
             local[times.ravel()[here] == 1.0] = 1.0
             matrix = self.pieces[piece].space.functions.values(np.clip(local, 0.0, 1.0))
-            parameters[here] = matrix @ self.pieces[piece].values.T
+            values = self.pieces[piece].values
+            places = matrix @ values.T
+            # The ends are exactly where they are, without rounding.
+            places[local == 0.0], places[local == 1.0] = values[:, 0], values[:, -1]
+            parameters[here] = places
         patch = np.array(self.patches, dtype=np.int64)[number]
         # Between the nodes, a polynomial along an edge may be outside by its own error.
         parameters = np.clip(parameters, 0.0, 1.0)

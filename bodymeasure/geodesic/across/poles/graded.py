@@ -19,6 +19,8 @@ from bodymeasure.geodesic.status import Status
 # Degrees of the polynomials on each part of a path that is cut, tried in turn. A path is cut anew
 # at most this many times, as it comes nearer to the pole or farther from it.
 DEGREES, MOST_CUTS = (8, 12, 16, 24), 8
+# Where Newton's method does not come to rest at so many degrees, it hardly does at others.
+MOST_FAILURES = 2
 # A piece of less than this part of a path is in a corner.
 CORNER = 1e-3
 
@@ -44,15 +46,17 @@ def graded_path(
         cuts = cut(neighbors, course, first)
     else:
         return None
+    failures = 0
     for degree in DEGREES:
         if degree > DEGREES[0]:
-            if budget.left <= 0.0:
+            if budget.is_overdrawn():
                 # The length may be good enough.
                 break
             refined = refined_cut(atlas, cuts, degree, size, refined)
             budget.spend(refined)
         length, _ = route_length(refined)
-        if length.error <= TOLERANCE * length.raw:
+        failures += not refined.minimum.converged
+        if length.error <= TOLERANCE * length.raw or failures == MOST_FAILURES:
             break
     held = (refined.minimum.held & ~refined.problem.idle).any()
     if held or cuts.hold(refined) or _runs_into_corner(neighbors, refined):

@@ -53,12 +53,15 @@ class Ground(NamedTuple):
     budget : Budget
     legs : dict
         The legs to poles and from them that were found, by their ends and the depth.
+    past : dict
+        The paths that begin as a line past a pole, by their ends and the pole.
     """
 
     atlas: Atlas
     neighbors: Neighbors
     budget: Budget
     legs: dict[tuple[Ends, int], AtlasPath]
+    past: dict[tuple[Ends, AtlasPoint], AtlasPath | None]
 
 
 def leg_between(
@@ -69,7 +72,7 @@ def leg_between(
     A path that passes close by a pole is composed of the geodesics to the pole and from it, if it
     is so close that no more is needed (`junction`); else it is cut about the pole (`cuts`).
     """
-    ground, ends = Ground(atlas, neighbors, Budget(PATH), {}), (start, end)
+    ground, ends = Ground(atlas, neighbors, Budget(PATH), {}, {}), (start, end)
     if not len(poles_of(atlas).patch):
         return shortest_leg(atlas, neighbors, ends, ground.budget)
     other = between_poles(atlas, neighbors, ends, ground.budget)
@@ -218,9 +221,13 @@ def _past(
     good = []
     before, after = course_of(neighbors, first), course_of(neighbors, second)
     if before is not None and after is not None:
-        course = past_pole(fan, before, after, (first.length, second.length), gained.away)
-        path = None if course is None else graded_path(atlas, neighbors, ends, course, budget)
-        if path is not None and gained.away < CLOSE * min(first.length, second.length):
+        lengths = first.length, second.length
+        if (ends, place) not in ground.past:
+            course = past_pole(fan, before, after, lengths, gained.away)
+            past = None if course is None else graded_path(atlas, neighbors, ends, course, budget)
+            ground.past[ends, place] = past
+        path = ground.past[ends, place]
+        if path is not None and gained.away < CLOSE * min(lengths):
             return _Past(path, composed)
         good.append(path)
     good.append(graded_path(atlas, neighbors, ends, course_along(rough), budget))

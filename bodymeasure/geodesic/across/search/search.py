@@ -18,7 +18,7 @@ from bodymeasure.geodesic.across.pieces.part import PathPart
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.repair import detours, other_loops, other_routes
-from bodymeasure.geodesic.across.search.simpler import without_empty_return
+from bodymeasure.geodesic.across.search.simpler import ROUNDING, simplified
 from bodymeasure.geodesic.across.search.tried import TriedRoutes
 from bodymeasure.geodesic.status import Status
 from bodymeasure.trust import NEGLIGIBLE
@@ -44,8 +44,8 @@ HOPELESS = 5e-3
 # but not one that is within rounding of another: mostly it is the same. So many are taken further.
 CLOSE, SAME, MOST_RIVALS = 1e-4, 1e-9, 3
 # A route is better if its path is shorter by this part of it: smaller differences are errors of the
-# trial space. One with fewer crossings is better if it is not longer by more than rounding.
-SHORTER, ROUNDING = 1e-9, 1e-12
+# trial space. One with fewer crossings is better if it is not longer by more than `ROUNDING`.
+SHORTER = 1e-9
 # Where a path runs along an edge it is no geodesic, and polynomials do not bend as sharply as it
 # does. Its error is then estimated as this many times the largest difference of its lengths at the
 # last three degrees.
@@ -188,7 +188,7 @@ def _along(search: Search, begun: _Begun) -> SearchResult:
     good = False
     for degree in degrees:
         if degree > degrees[0]:
-            if search.budget.left <= 0.0:
+            if search.budget.is_overdrawn():
                 # A length that is good enough does not need the next degree.
                 search.budget.cut_short |= not good
                 break
@@ -264,7 +264,7 @@ def repaired(
     """
     degree, missed, improved = best.problem.space.size, 0.0, True
     while improved:
-        improved, best = False, _simplified(search, best)
+        improved, best = False, simplified(best, search.budget)
         for route in _wanted(search, best):
             if isinstance(route, PathPart):
                 return best, missed, route
@@ -283,19 +283,6 @@ def repaired(
                 break
             missed = max(missed, best.length - other.length)
     return best, missed, None
-
-
-def _simplified(search: Search, best: RefinedPath) -> RefinedPath:
-    """Return a path without its empty pieces that only change sides of a seam."""
-    while not search.budget.has_run_out():
-        simpler = without_empty_return(best)
-        if simpler is None:
-            break
-        search.budget.spend(simpler)
-        if simpler.length > best.length * (1.0 + ROUNDING):
-            break
-        best = simpler
-    return best
 
 
 def _wanted(search: Search, best: RefinedPath) -> Iterator[Route | PathPart]:

@@ -4,13 +4,29 @@ from dataclasses import replace
 
 import numpy as np
 
+from bodymeasure.geodesic.across.pieces.budget import Budget
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
 
 # A piece of less than this part of the path is empty.
 EMPTY = 1e-4
+# A path with fewer crossings is better if it is not longer by more than this part.
+ROUNDING = 1e-12
 
 
-def without_empty_return(refined: RefinedPath) -> RefinedPath | None:
+def simplified(best: RefinedPath, budget: Budget) -> RefinedPath:
+    """Return a path without its empty pieces that only change sides of a seam."""
+    while not budget.has_run_out():
+        simpler = _without_empty_return(best)
+        if simpler is None:
+            break
+        budget.spend(simpler)
+        if simpler.length > best.length * (1.0 + ROUNDING):
+            break
+        best = simpler
+    return best
+
+
+def _without_empty_return(refined: RefinedPath) -> RefinedPath | None:
     """Return a path without two empty pieces by which it changes sides of a seam back and forth.
 
     Its course is the same, so that it is found from where it is, not from straight lines, from
