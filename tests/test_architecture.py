@@ -21,7 +21,8 @@ LAYERS = (
     ("geodesic", "oracle", "section"),
     ("mesh", "taut"),
     ("measure",),
-    ("chart", "fit"),
+    ("chart",),
+    ("fit",),
     ("scene",),
     ("report", "viewer"),
     ("bench", "compare", "paper"),
@@ -42,7 +43,7 @@ ORDERS = {
     " main",
     "compare": "names, records · readings · gaps, iso20685, plausible, read, shown · comparison,"
     " page",
-    "fit": "model, scan · solving",
+    "fit": "model, scan · completed, solving",
     "formats": "groups, json_faults, options, patches, scan_record, spline_patches, text ·"
     " atlas_json, bez, bpt, foreign, geomdl, npz, obj · mesh_vertices · registry",
     "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"

@@ -8,6 +8,7 @@ from bodymeasure.chart.accuracy import AccuracyClass
 from bodymeasure.chart.chart import Chart
 from bodymeasure.chart.definitions import Definitions, definitions_schema
 from bodymeasure.chart.evaluate import measure_chart
+from bodymeasure.chart.found import FoundLandmarks, found_landmarks
 from bodymeasure.chart.kinds.base import Iso, Measured, MeasurementDefinition, Outcome, Shift
 from bodymeasure.chart.landmarks.derive import Derived, derive_landmarks
 from bodymeasure.chart.landmarks.rules.base import LandmarkRule
@@ -23,6 +24,7 @@ __all__ = [
     "Chart",
     "Definitions",
     "Derived",
+    "FoundLandmarks",
     "Iso",
     "Lacking",
     "LandmarkRule",
@@ -37,6 +39,7 @@ __all__ = [
     "default_set",
     "definitions_schema",
     "derive_landmarks",
+    "found_landmarks",
     "lacking",
     "load_definitions",
     "measure_chart",

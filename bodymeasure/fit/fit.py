@@ -18,6 +18,7 @@ from bodymeasure.atlas import (
     closest_point,
 )
 from bodymeasure.errors import FitError, InputError
+from bodymeasure.fit.completed import completed
 from bodymeasure.fit.frame import frame_of, moved, upright
 from bodymeasure.fit.model import atlas_of_vertices, posed
 from bodymeasure.fit.picks import picks_of
@@ -155,6 +156,7 @@ def fit_body(
     at = {each: turn @ place + shift for each, place in picks.positions.items()}
     record = ScanFit(coverage.share, coverage.distance, {}, done, warnings)
     atlas = _with_landmarks(atlas, at, record)
+    atlas = completed(atlas, vertices, picked=tuple(at), distance=distance)
     reporter(progress, "checking")(1.0)
     return FittedBody(
         atlas=atlas,
