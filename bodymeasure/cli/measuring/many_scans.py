@@ -57,12 +57,11 @@ def chart_scans(names: Sequence[str], folder: Path, charting: Charting, *, pictu
     charts: dict[str, ChartDocument] = {}
     with output_folder(folder):
         batch = Batch(folder, page=True, pictures=pictures)
-        with progress_bar("bodies", len(scans)) as progress:
-            for number, scan in enumerate(scans, start=1):
-                found = _chart(scan, batch, charting)
-                if found is not None:
-                    charts[scan.name] = found
-                progress(number)
+        for number, scan in enumerate(scans, start=1):
+            print_note(f"{number} of {len(scans)}: {scan.path}", style="dim")
+            found = _chart(scan, batch, charting)
+            if found is not None:
+                charts[scan.name] = found
         if not charts:
             raise InputError("no body could be charted:" + batch.listed_failures())
         document = population_document(
@@ -81,7 +80,7 @@ def chart_scans(names: Sequence[str], folder: Path, charting: Charting, *, pictu
 
 def _chart(scan: NamedScan, batch: Batch, charting: Charting) -> "ChartDocument | None":
     """Return the chart of one body, as it is in the folder or taken now; None if it fails."""
-    from bodymeasure.chart import measure_chart
+    from bodymeasure.chart import both_sides, measure_chart, restricted
     from bodymeasure.report.body import ChartDocument, chart_document
     from bodymeasure.report.serial import to_json
 
@@ -106,10 +105,17 @@ def _chart(scan: NamedScan, batch: Batch, charting: Charting) -> "ChartDocument 
             require_sound(atlas, str(scan.path), despite_errors=despite_errors)
         else:
             atlas = load_sound_atlas(str(scan.path), despite_errors=despite_errors, if_none=True)
-        # Errors that were to be refused have been.
-        chart = measure_chart(
-            atlas, definitions, only=only, sensitivity=sensitivity, despite_errors=True
-        )
+        total = len(both_sides(restricted(definitions, only)[0].measurement))
+        with progress_bar(f"measuring {scan.name}", total) as progress:
+            chart = measure_chart(
+                atlas,
+                definitions,
+                only=only,
+                sensitivity=sensitivity,
+                progress=lambda done, _total: progress(done),
+                # Errors that were to be refused have been.
+                despite_errors=True,
+            )
     except MissingExtraError:
         # It would be the same for all.
         raise
