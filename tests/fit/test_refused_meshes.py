@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 import trimesh
-from helpers.scans.meshes import ellipsoid
+from helpers.scans.meshes import ellipsoid, joined
 
 from bodymeasure.errors import InputError
 from bodymeasure.fit.scan import load as loading
@@ -54,6 +54,22 @@ def test_a_bust_alone_is_too_short() -> None:
         InputError, match=r"is 0\.588 m long in the unit m, .* give the mesh of a whole body"
     ):
         scan_of(*ellipsoid((0, 0, 0), (0.2, 0.15, 0.3)), file_unit="m")
+
+
+def test_two_people_are_told_to_be_parted() -> None:
+    other = TALL[0] + np.array([0.8, 0.3, 0.0]), TALL[1]
+    with pytest.raises(InputError) as raised:
+        scan_of(*joined(TALL, other), file_unit="m")
+    assert str(raised.value) == (
+        "the mesh: holds 2 pieces of the size of a body, two of them 0.85 m apart; expected one "
+        "person: cut the others away, or save each in a file of its own"
+    )
+    # The front and the back of one person are closer.
+    vertices, triangles = TALL
+    front = vertices[triangles].mean(axis=1)[:, 1] < 0.0
+    behind = vertices + np.array([0.0, 0.01, 0.0])
+    halves = joined((vertices, triangles[front]), (behind, triangles[~front]))
+    assert "The mesh is in 2 pieces." in scan_of(*halves, file_unit="m").notes
 
 
 @pytest.mark.parametrize("name", ["cloud.obj", "cloud.ply"])

@@ -1,5 +1,7 @@
 """A mesh as a file has it made into a scan: welded, oriented, without small pieces and plates."""
 
+import itertools
+
 import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
@@ -24,6 +26,9 @@ LENGTHS = (1.0, 3.0)
 WIDELY = (0.3, 30.0)
 # In square meters: the smallest bodies have twice as much.
 LEAST_AREA = 0.5
+# Pieces with at least this part of the area each may be several people, if their middles are at
+# least so many meters apart across their length; the halves of one body are closer.
+ONE_OF_SEVERAL, APART = 0.2, 0.4
 # Triangles that are tried for whether a piece lies inside others, and how far outside them.
 _TRIED, _OUTSIDE = 500, 1e-4
 
@@ -52,6 +57,7 @@ def cleaned(found: Triangles, unit: Unit) -> tuple[Triangles, Bools]:
     kept = ~_inside_others(vertices, triangles, more)
     vertices, triangles = used_only(vertices, triangles[kept])
     _require_length(vertices, unit, LENGTHS)
+    _require_one(vertices, triangles)
     plate = plates(vertices, triangles)
     kept = _without_plates(vertices, triangles, plate, more)
     vertices, triangles = used_only(vertices, triangles[kept])
@@ -144,6 +150,25 @@ def _require_length(vertices: Array, unit: Unit, lengths: tuple[float, float]) -
         f"is {length:.3g} m long in the unit {unit}, and a body {LENGTHS[0]:g} to "
         f"{LENGTHS[1]:g} m; {remedy}"
     )
+
+
+def _require_one(vertices: Array, triangles: Ints) -> None:
+    """Refuse pieces of the size of bodies that stand side by side."""
+    area = np.linalg.norm(area_vectors(vertices, triangles), axis=1)
+    piece = pieces(vertices, triangles)
+    shares = np.bincount(piece, area) / area.sum()
+    corners = [vertices[triangles[piece == one]].reshape(-1, 3) for one in range(len(shares))]
+    large = [each for each, share in zip(corners, shares, strict=True) if share >= ONE_OF_SEVERAL]
+    for first, second in itertools.combinations(large, 2):
+        long = np.minimum(np.ptp(first, axis=0), np.ptp(second, axis=0)) >= LENGTHS[0]
+        step = first.mean(axis=0) - second.mean(axis=0)
+        apart = np.sqrt(step @ step - step**2)
+        if (long & (apart >= APART)).any():
+            raise InputError(
+                f"holds {len(large)} pieces of the size of a body, two of them "
+                f"{apart[long].max():.2g} m apart; expected one person: cut the others away, or "
+                "save each in a file of its own"
+            )
 
 
 def _without_plates(vertices: Array, triangles: Ints, plate: Bools, notes: list[str]) -> Bools:

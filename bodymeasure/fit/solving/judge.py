@@ -197,7 +197,8 @@ def refuse(scores: Scores) -> None:
     if not low <= scores.stature <= high:
         raise FitError(
             f"the fitted body is {scores.stature:.2f} m tall; expected an adult of {low:g} to "
-            f"{high:g} m; check the unit of the file (--file-unit)"
+            f"{high:g} m; check the unit of the file (--file-unit), and that the mesh is one of a "
+            "standing person and of nothing else"
         )
     if scores.covered < LEAST_COVERED:
         raise FitError(
