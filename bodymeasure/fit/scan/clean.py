@@ -1,6 +1,7 @@
 """A mesh as a file has it made into a scan: welded, oriented, without small pieces and plates."""
 
 import itertools
+from typing import NamedTuple, Self
 
 import numpy as np
 
@@ -33,6 +34,28 @@ ONE_OF_SEVERAL, APART = 0.2, 0.4
 _TRIED, _OUTSIDE = 500, 1e-4
 
 
+class _Mesh(NamedTuple):
+    """A mesh with the area and the piece of each triangle, which are counted once."""
+
+    vertices: Array
+    triangles: Ints
+    area: Array
+    piece: Ints
+
+    @classmethod
+    def of(cls, vertices: Array, triangles: Ints) -> Self:
+        area = np.linalg.norm(area_vectors(vertices, triangles), axis=1)
+        return cls(vertices, triangles, area, pieces(vertices, triangles))
+
+    def only(self, kept: Bools) -> Self:
+        """Return the mesh with some of its triangles; its pieces are counted anew."""
+        if kept.all():
+            return self
+        vertices, triangles = used_only(self.vertices, self.triangles[kept])
+        number = np.unique(self.piece[kept], return_inverse=True)[1].astype(np.int64)
+        return type(self)(vertices, triangles, self.area[kept], number)
+
+
 def cleaned(found: Triangles, unit: Unit) -> tuple[Triangles, Bools]:
     """Return the mesh of a body in meters, and which of its triangles may belong to a plate.
 
@@ -51,24 +74,21 @@ def cleaned(found: Triangles, unit: Unit) -> tuple[Triangles, Bools]:
     _require_length(found.vertices[np.isfinite(found.vertices).all(axis=1)], unit, WIDELY)
     vertices, triangles, notes = welded(found)
     more = list(notes)
-    kept = _without_small(vertices, triangles, more)
-    vertices, triangles = used_only(vertices, triangles[kept])
-    triangles = _turned_outwards(vertices, triangles, more)
-    kept = ~_inside_others(vertices, triangles, more)
-    vertices, triangles = used_only(vertices, triangles[kept])
-    _require_length(vertices, unit, LENGTHS)
-    _require_one(vertices, triangles)
-    plate = plates(vertices, triangles)
-    kept = _without_plates(vertices, triangles, plate, more)
-    vertices, triangles = used_only(vertices, triangles[kept])
-    return Triangles(vertices, triangles, tuple(more)), plate[kept]
+    mesh = _Mesh.of(vertices, triangles)
+    mesh = mesh.only(_large(mesh, more))
+    mesh = mesh._replace(triangles=_turned_outwards(mesh, more))
+    mesh = mesh.only(~_inside_others(mesh, more))
+    _require_length(mesh.vertices, unit, LENGTHS)
+    _require_one(mesh)
+    plate = plates(mesh.vertices, mesh.triangles)
+    kept = _without_plates(mesh, plate, more)
+    mesh = mesh.only(kept)
+    return Triangles(mesh.vertices, mesh.triangles, tuple(more)), plate[kept]
 
 
-def _without_small(vertices: Array, triangles: Ints, notes: list[str]) -> Bools:
+def _large(mesh: _Mesh, notes: list[str]) -> Bools:
     """Return which triangles belong to pieces that are not small."""
-    area = np.linalg.norm(area_vectors(vertices, triangles), axis=1)
-    piece = pieces(vertices, triangles)
-    share = np.bincount(piece, area) / area.sum()
+    share = np.bincount(mesh.piece, mesh.area) / mesh.area.sum()
     large = share >= SMALL
     if not large.any():
         raise InputError(
@@ -83,13 +103,12 @@ def _without_small(vertices: Array, triangles: Ints, notes: list[str]) -> Bools:
         )
     if large.sum() > 1:
         notes.append(f"The mesh is in {large.sum()} pieces.")
-    return np.asarray(large[piece])
+    return np.asarray(large[mesh.piece])
 
 
-def _turned_outwards(vertices: Array, triangles: Ints, notes: list[str]) -> Ints:
-    result, part, turned = oriented(vertices, triangles)
+def _turned_outwards(mesh: _Mesh, notes: list[str]) -> Ints:
+    result, part, turned = oriented(mesh.vertices, mesh.triangles)
     if turned.any():
-        area = np.linalg.norm(area_vectors(vertices, triangles), axis=1)
         whole = np.bincount(part, turned) == np.bincount(part)
         many = part.max() + 1
         if whole.all():
@@ -97,7 +116,7 @@ def _turned_outwards(vertices: Array, triangles: Ints, notes: list[str]) -> Ints
         elif whole.any():
             notes.append(
                 f"Turned {counted(int(whole.sum()), 'part')} of {many} right side out, "
-                f"{area[whole[part]].sum() / area.sum():.1%} of the area."
+                f"{mesh.area[whole[part]].sum() / mesh.area.sum():.1%} of the area."
             )
         single = turned & ~whole[part]
         if single.any():
@@ -108,9 +127,9 @@ def _turned_outwards(vertices: Array, triangles: Ints, notes: list[str]) -> Ints
     return result
 
 
-def _inside_others(vertices: Array, triangles: Ints, notes: list[str]) -> Bools:
+def _inside_others(mesh: _Mesh, notes: list[str]) -> Bools:
     """Return which triangles belong to pieces that lie inside others."""
-    piece = pieces(vertices, triangles)
+    vertices, triangles, _, piece = mesh
     result = np.zeros(len(triangles), dtype=np.bool_)
     if piece.max() == 0:
         return result
@@ -152,13 +171,15 @@ def _require_length(vertices: Array, unit: Unit, lengths: tuple[float, float]) -
     )
 
 
-def _require_one(vertices: Array, triangles: Ints) -> None:
+def _require_one(mesh: _Mesh) -> None:
     """Refuse pieces of the size of bodies that stand side by side."""
-    area = np.linalg.norm(area_vectors(vertices, triangles), axis=1)
-    piece = pieces(vertices, triangles)
-    shares = np.bincount(piece, area) / area.sum()
-    corners = [vertices[triangles[piece == one]].reshape(-1, 3) for one in range(len(shares))]
-    large = [each for each, share in zip(corners, shares, strict=True) if share >= ONE_OF_SEVERAL]
+    shares = np.bincount(mesh.piece, mesh.area) / mesh.area.sum()
+    if (shares >= ONE_OF_SEVERAL).sum() < 2:
+        return
+    large = [
+        mesh.vertices[mesh.triangles[mesh.piece == one]].reshape(-1, 3)
+        for one in np.flatnonzero(shares >= ONE_OF_SEVERAL)
+    ]
     for first, second in itertools.combinations(large, 2):
         long = np.minimum(np.ptp(first, axis=0), np.ptp(second, axis=0)) >= LENGTHS[0]
         step = first.mean(axis=0) - second.mean(axis=0)
@@ -171,15 +192,14 @@ def _require_one(vertices: Array, triangles: Ints) -> None:
             )
 
 
-def _without_plates(vertices: Array, triangles: Ints, plate: Bools, notes: list[str]) -> Bools:
+def _without_plates(mesh: _Mesh, plate: Bools, notes: list[str]) -> Bools:
     """Return which triangles belong to pieces that are no plates; soles are taken off `plate`."""
-    area = np.linalg.norm(area_vectors(vertices, triangles), axis=1)
+    area, piece = mesh.area, mesh.piece
     if area[~plate].sum() < LEAST_AREA:
         raise InputError(
             f"has {area[~plate].sum():.2g} m² beside its flat sides; expected the mesh of a body, "
             f"which has more than {LEAST_AREA:g} m²"
         )
-    piece = pieces(vertices, triangles)
     flat = np.bincount(piece, area * plate) >= MOSTLY * np.bincount(piece, area)
     if flat.any():
         notes.append(
