@@ -6,10 +6,7 @@ of rational patches, of the same shape; `distance` and `stretch` of an approxima
 (patches, 3, 2); and `header`, a text with everything else in JSON. Nothing is unpickled.
 """
 
-import ast
 import io
-import zipfile
-import zlib
 from collections.abc import Sequence
 from dataclasses import astuple, replace
 from typing import Any
@@ -32,19 +29,15 @@ from bodymeasure.atlas import (
 )
 from bodymeasure.errors import InputError
 from bodymeasure.formats.scan_record import ScanRecord, record_of, scan_of
+from bodymeasure.npz_arrays import npz_arrays
 
 FORMAT = "bodymeasure atlas"
 VERSION = 1
-# The largest expansion: coordinates of bodies shrink to a third or so, and a file that expands more
-# was made to fill the memory.
-MOST_EXPANSION = 200
-# The size in bytes up to which a file may expand more.
-_SMALL = 1 << 20
 # The kinds of values that each array may hold, as NumPy codes them.
 _KINDS = {
-    "points": "f",
-    "index": "iu",
     "header": "U",
+    "index": "iu",
+    "points": "f",
     "weights": "f",
     "distance": "f",
     "stretch": "f",
@@ -53,8 +46,7 @@ _KINDS = {
 # The arrays that some files lack: weights, the deviation of an approximation, and the parameters of
 # faces.
 _DEVIATION = ("distance", "stretch")
-_LAST = (*_DEVIATION, "corners")
-_OPTIONAL = {"weights", *_LAST}
+_OPTIONAL = frozenset({"weights", *_DEVIATION, "corners"})
 
 
 class _Header(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
@@ -91,7 +83,7 @@ def read(content: bytes, source: str) -> Atlas:
 
 def read_bodies(content: bytes, source: str) -> tuple[Atlas, ...]:
     """All atlases in a file's content."""
-    arrays = _arrays(content, source)
+    arrays = npz_arrays(content, source, _KINDS, _OPTIONAL)
     try:
         header = msgspec.json.decode(str(arrays["header"][()]).encode(), type=_Header)
         if (header.format, header.version) != (FORMAT, VERSION):
@@ -265,60 +257,3 @@ def _faces(header: _Header, arrays: dict[str, NDArray[Any]]) -> FileFaces | None
     if header.faces is None or "corners" not in arrays:
         raise InputError("holds a part of the parameters of faces; expected all of it, or none")
     return FileFaces(tuple(header.faces), arrays["corners"], header.faces_without_parameters)
-
-
-def _arrays(content: bytes, source: str) -> dict[str, NDArray[Any]]:
-    """The arrays of a file, none of them larger than the file can hold."""
-    try:
-        with zipfile.ZipFile(io.BytesIO(content)) as archive:
-            sizes = {info.filename: info.file_size for info in archive.infolist()}
-            there = {name for name in _KINDS if f"{name}.npy" in sizes}
-            if len(there) != len(archive.infolist()) or not there >= _KINDS.keys() - _OPTIONAL:
-                raise InputError(
-                    f"{source}: holds {', '.join(sorted(sizes)) or 'nothing'}; expected the arrays "
-                    f"{', '.join((*sorted(_KINDS.keys() - {*_LAST}), *_LAST))}"
-                )
-            if sum(sizes.values()) > MOST_EXPANSION * len(content) + _SMALL:
-                raise InputError(
-                    f"{source}: says that it expands to {sum(sizes.values())} bytes, which is too "
-                    f"much for a file of {len(content)}; it is damaged"
-                )
-            return {
-                name: _array(archive.read(f"{name}.npy"), kinds, f"{source}, {name}")
-                for name, kinds in _KINDS.items()
-                if name in there
-            }
-    except (
-        zipfile.BadZipFile,
-        zlib.error,
-        EOFError,
-        NotImplementedError,
-        RuntimeError,
-        OSError,
-        ValueError,
-    ) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError(f"{source}: is no .npz file, or damaged ({error})") from None
-
-
-def _array(content: bytes, kinds: str, place: str) -> NDArray[Any]:
-    """An array in NumPy's format, whose size is that of its bytes."""
-    file = io.BytesIO(content)
-    try:
-        version = np.lib.format.read_magic(file)
-        length = int.from_bytes(file.read(2 if version == (1, 0) else 4), "little")
-        described = ast.literal_eval(file.read(length).decode("latin1"))
-        shape, order = tuple(described["shape"]), described["fortran_order"]
-        dtype = np.dtype(described["descr"])
-        if dtype.kind not in kinds or dtype.hasobject:
-            raise ValueError(f"holds {dtype}")
-        data = content[file.tell() :]
-        count = 1
-        for size in shape:
-            count *= size
-        if count * dtype.itemsize != len(data) or min(shape, default=0) < 0:
-            raise ValueError(f"has shape {shape}, which {len(data)} bytes do not make")
-        return np.frombuffer(data, dtype).reshape(shape, order="F" if order else "C")
-    except (ValueError, TypeError, KeyError, SyntaxError, MemoryError, RecursionError) as error:
-        raise InputError(f"{place}: is no array ({error}); the file is damaged") from None
