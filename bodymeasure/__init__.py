@@ -89,6 +89,7 @@ __all__ = [
     "limb_girth",
     "load_definitions",
     "load_sample",
+    "map_body",
     "measure_atlas",
     "measure_chart",
     "measure_mesh",
@@ -99,12 +100,14 @@ __all__ = [
     "read_population",
     "read_scan",
     "sample_names",
+    "save_topology",
     "solve_geodesic",
     "taut_tape",
     "tessellate",
     "vertical_drop",
     "write_atlas",
     "write_chart",
+    "write_fitted",
     "write_glb",
     "write_paths",
     "write_population",
@@ -176,7 +179,15 @@ if TYPE_CHECKING:
         MissingExtraError,
         TriangleMeshError,
     )
-    from bodymeasure.fit import FittedBody, Scan, fit_body, read_scan
+    from bodymeasure.fit import (
+        FittedBody,
+        Scan,
+        fit_body,
+        map_body,
+        read_scan,
+        save_topology,
+        write_fitted,
+    )
     from bodymeasure.formats import read_atlas, read_population, write_atlas, write_population
     from bodymeasure.geodesic import (
         WU_C2,

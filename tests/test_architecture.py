@@ -12,7 +12,7 @@ from helpers.modules import FOLDERS, MODULES, ROOT, loaded_by
 # Each layer imports from those above it in this list, not from others of its own line.
 LAYERS = (
     ("_typing", "errors", "threads", "wording"),
-    ("arguments", "files", "trust"),
+    ("arguments", "files", "npz_arrays", "trust"),
     ("bezier",),
     ("subdivision",),
     ("atlas",),
@@ -43,7 +43,7 @@ ORDERS = {
     " main",
     "compare": "names, records · readings · gaps, iso20685, plausible, read, shown · comparison,"
     " page",
-    "fit": "model, scan · completed, solving",
+    "fit": "model, scan · completed, solving · topology · export",
     "formats": "groups, json_faults, options, patches, scan_record, spline_patches, text ·"
     " atlas_json, bez, bpt, foreign, geomdl, npz, obj · mesh_vertices · registry",
     "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"

@@ -3,9 +3,21 @@
 The model of bodies is in `bodymeasure.fit.model`, the data that it is made of in `data`.
 """
 
+from bodymeasure.fit.by_topology import map_body, save_topology
+from bodymeasure.fit.export import write_fitted
 from bodymeasure.fit.fit import fit_body
 from bodymeasure.fit.result import FittedBody
 from bodymeasure.fit.scan import Scan, read_scan, scan_of
 from bodymeasure.fit.solving.judge import Scores
 
-__all__ = ["FittedBody", "Scan", "Scores", "fit_body", "read_scan", "scan_of"]
+__all__ = [
+    "FittedBody",
+    "Scan",
+    "Scores",
+    "fit_body",
+    "map_body",
+    "read_scan",
+    "save_topology",
+    "scan_of",
+    "write_fitted",
+]

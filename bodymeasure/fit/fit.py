@@ -18,6 +18,7 @@ from bodymeasure.atlas import (
     closest_point,
 )
 from bodymeasure.errors import FitError, InputError
+from bodymeasure.fit.by_topology import map_body, map_known
 from bodymeasure.fit.completed import completed
 from bodymeasure.fit.frame import frame_of, moved, upright
 from bodymeasure.fit.model import atlas_of_vertices, posed
@@ -39,6 +40,7 @@ from bodymeasure.fit.solving.judge import (
 from bodymeasure.fit.solving.nonrigid import followed
 from bodymeasure.fit.solving.progress import Progress, reporter
 from bodymeasure.fit.solving.shape_pose import shape_and_pose
+from bodymeasure.fit.topology import Topology
 from bodymeasure.threads import one_blas_thread
 
 # Points of the scan with which the fit begins.
@@ -56,6 +58,8 @@ UNMARKED = {
 }
 # A patch with less scan than this takes its shape from the space of bodies.
 LEAST = 0.5
+# The topologies that are recognized.
+KNOWN = "known"
 
 
 @one_blas_thread()
@@ -66,6 +70,7 @@ def fit_body(
     up: str | None = None,
     front: str | None = None,
     landmarks: Mapping[str, ArrayLike] | None = None,
+    topology: str | PathLike[str] | Topology | None = KNOWN,
     name: str | None = None,
     progress: Progress | None = None,
 ) -> FittedBody:
@@ -86,6 +91,9 @@ def fit_body(
     landmarks : mapping of str to array_like of shape (3,), optional
         Landmarks that the user has picked on the scan, in the file's coordinates. They pull the
         fit, and take the place of the carried ones.
+    topology : str, path-like or Topology, optional
+        Bodies of a model with a fixed topology are mapped, not fitted: see `map_body`. As it is,
+        MakeHuman's hm08 is recognized; None fits every mesh as a scan.
     name : str, optional
         Of the atlas; that of the file if not given.
     progress : callable, optional
@@ -114,6 +122,10 @@ def fit_body(
     """
     require_progress(progress)
     report = reporter(progress, "reading")
+    mapped = _mapped(mesh, topology, landmarks, file_unit=file_unit, up=up, name=name)
+    if mapped is not None:
+        report(1.0)
+        return mapped
     scan = _scan(mesh, file_unit, up, front)
     report(0.5)
     source = scan.name or "the mesh"
@@ -179,6 +191,26 @@ def fit_body(
         ),
         warnings=warnings,
     )
+
+
+def _mapped(
+    mesh: str | PathLike[str] | Scan | tuple[ArrayLike, ArrayLike],
+    topology: str | PathLike[str] | Topology | None,
+    landmarks: object,
+    **how: Unit | str | None,
+) -> FittedBody | None:
+    """The body by the correspondence of its topology, or None if it is to be fitted."""
+    if topology is None:
+        return None
+    if topology == KNOWN:
+        picked = landmarks is not None
+        return None if picked or isinstance(mesh, Scan) else map_known(mesh, **how)
+    if isinstance(mesh, Scan) or landmarks is not None:
+        raise InputError(
+            "a topology was given; expected the mesh as its file numbers it, and no landmarks: "
+            "leave the topology out to fit the mesh as a scan"
+        )
+    return map_body(mesh, topology, **how)
 
 
 def _scan(

@@ -68,7 +68,7 @@ def read_scan(
     'Welded 36,096 vertices by position to 6,081.'
     """
     path = file_path(path)
-    unit = _unit(file_unit, str(path), path.suffix.lower() in IN_METERS)
+    unit = required_unit(file_unit, str(path), path.suffix.lower() in IN_METERS)
     _check_axes(up, front)
     require_bytes(path)
     found = load(read_bytes(path), path)
@@ -106,7 +106,7 @@ def scan_of(
         If the arrays are no mesh, the unit is missing, or the mesh has not the size of a body.
     """
     source = name or "the mesh"
-    unit = _unit(file_unit, source, False)
+    unit = required_unit(file_unit, source, False)
     _check_axes(up, front)
     points = numbers(vertices, "the vertices", "numbers of shape (n, 3)")
     corners = np.asarray(triangles)
@@ -140,7 +140,8 @@ def made(
     return Scan(mesh.vertices, mesh.triangles, plate, unit, up, front, name, mesh.notes)
 
 
-def _unit(given: Unit | str | None, source: str, in_meters: bool) -> Unit:
+def required_unit(given: Unit | str | None, source: str, in_meters: bool) -> Unit:
+    """Return the unit of a file, which the user gives unless its kind is in meters."""
     if given is not None:
         return Unit.parse(given)
     if in_meters:

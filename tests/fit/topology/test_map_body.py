@@ -1,0 +1,63 @@
+"""Whole bodies by their topology: the public functions."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from helpers.bodies_in_poses import body_in_pose
+from helpers.foreign_body import foreign_triangles, foreign_vertices
+
+import bodymeasure as bm
+from bodymeasure.fit.model import body_model, limit_matrix, shaped
+
+
+def test_hm08_is_recognized_and_not_fitted(tmp_path: Path) -> None:
+    vertices = body_in_pose(5)[0]
+    file = tmp_path / "anna.obj"
+    lines = [f"v {100 * x} {100 * z} {-100 * y}" for x, y, z in vertices.tolist()]
+    lines += [f"f {a} {b} {c} {d}" for a, b, c, d in (body_model().quads + 1).tolist()]
+    file.write_text("\n".join(lines), encoding="utf-8")
+    body = bm.fit_body(file, file_unit="cm")
+    again = bm.map_body((vertices, body_model().quads), "hm08", file_unit="m", name="anna")
+    assert body.atlas.name == "anna"
+    assert "mapped from anna" in body.atlas.provenance["source"]
+    assert np.abs(body.vertices - again.vertices).max() < 1e-6
+    assert body.atlas.scan is not None
+    assert body.atlas.scan.done[0].startswith("Mapped exactly")
+    # The wearer's left is left.
+    sides = [
+        body.atlas.position(body.atlas.landmarks[f"bust point {side}"])
+        for side in ("left", "right")
+    ]
+    assert sides[0][0] > 0.03 > -0.03 > sides[1][0]
+
+
+def test_a_stored_topology_maps_other_bodies(tmp_path: Path) -> None:
+    file = tmp_path / "model.npz"
+    mean = (limit_matrix() @ body_model().mean, body_model().quads)
+    rest = bm.map_body(mean, "hm08 through its vertices", file_unit="m")
+    model = (foreign_vertices(rest.vertices), foreign_triangles())
+    # The rest body stands where it was put, so that its file's frame is the atlas's.
+    at_home = replace(rest, transform=np.eye(4))
+    bm.save_topology(file, model, at_home, name="dual")
+    vertices, coefficients, _ = body_in_pose(6)
+    body = bm.map_body((1000.0 * foreign_vertices(vertices), model[1]), file, file_unit="mm")
+    assert body.atlas.scan is not None
+    assert "'dual'" in body.atlas.scan.done[0]
+    # Facets of 2 cm leave the surface by some tenths of a millimeter.
+    assert 0.1e-3 < body.scores.rms < 0.5e-3
+    stature = np.ptp((limit_matrix() @ shaped(coefficients))[:, 2])
+    assert abs(body.scores.stature - stature) < 0.02
+
+
+def test_what_cannot_be_mapped_is_refused(tmp_path: Path) -> None:
+    square = (np.eye(4, 3), [[0, 1, 2, 3]])
+    with pytest.raises(bm.InputError, match="is of no topology that is known"):
+        bm.map_body(square, file_unit="m")
+    with pytest.raises(bm.InputError, match="a mesh says no unit"):
+        bm.map_body(square)
+    with pytest.raises(bm.InputError, match=r"model\.npz: no such file"):
+        bm.map_body(square, tmp_path / "model.npz", file_unit="m")
+    with pytest.raises(bm.InputError, match="no landmarks: leave the topology out"):
+        bm.fit_body(square, file_unit="m", topology="hm08", landmarks={})
