@@ -66,6 +66,7 @@ __all__ = [
     "TautStatus",
     "TautTape",
     "Tessellation",
+    "Topology",
     "TriangleMeshError",
     "Unit",
     "approximation_error",
@@ -99,6 +100,7 @@ __all__ = [
     "read_atlas",
     "read_population",
     "read_scan",
+    "read_topology",
     "sample_names",
     "save_topology",
     "solve_geodesic",
@@ -182,9 +184,11 @@ if TYPE_CHECKING:
     from bodymeasure.fit import (
         FittedBody,
         Scan,
+        Topology,
         fit_body,
         map_body,
         read_scan,
+        read_topology,
         save_topology,
         write_fitted,
     )

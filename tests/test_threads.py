@@ -20,7 +20,8 @@ from bodymeasure.threads import one_blas_thread
 # They read and write files, or compute next to nothing.
 WITHOUT = {
     *("homogeneous", "load_definitions", "load_sample", "path_to_trimesh", "sample_names"),
-    *("read_atlas", "read_population", "write_atlas", "write_chart", "write_glb"),
+    *("read_atlas", "read_population", "read_topology"),
+    *("write_atlas", "write_chart", "write_glb"),
     *("write_paths", "write_population", "write_report"),
 }
 MANY = 3

@@ -9,14 +9,18 @@ from bodymeasure.fit.fit import fit_body
 from bodymeasure.fit.result import FittedBody
 from bodymeasure.fit.scan import Scan, read_scan, scan_of
 from bodymeasure.fit.solving.judge import Scores
+from bodymeasure.fit.topology import Gives, Topology, read_topology
 
 __all__ = [
     "FittedBody",
+    "Gives",
     "Scan",
     "Scores",
+    "Topology",
     "fit_body",
     "map_body",
     "read_scan",
+    "read_topology",
     "save_topology",
     "scan_of",
     "write_fitted",

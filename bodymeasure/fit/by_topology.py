@@ -64,9 +64,9 @@ def map_body(
         or (m, 4).
     topology : path-like, str or Topology, optional
         A file that `save_topology` wrote; ``"hm08"`` for MakeHuman's base mesh, with or without
-        its helper geometry, and those topologies of Anny that are parts of it; or ``"hm08 through
-        its vertices"``, whose surface runs through the vertices, not below them. Without it, hm08
-        is recognized by its faces.
+        its helper geometry, and those topologies of Anny that are parts of it; or ``"hm08 faces"``,
+        for a surface that is close to the mesh itself, not the smooth one within it. Without it,
+        hm08 is recognized by its faces.
     file_unit : Unit or str
         Unit of the mesh's coordinates; never guessed.
     up : str, optional
@@ -134,7 +134,7 @@ def save_topology(
     >>> import bodymeasure as bm
     >>> from bodymeasure.fit.model import body_model, limit_matrix
     >>> mesh = (limit_matrix() @ body_model().mean, body_model().quads)
-    >>> fitted = bm.map_body(mesh, "hm08 through its vertices", file_unit="m")
+    >>> fitted = bm.map_body(mesh, "hm08 faces", file_unit="m")
     >>> with TemporaryDirectory() as folder:
     ...     bm.save_topology(Path(folder, "model.npz"), mesh, fitted)
     ...     body = bm.map_body(mesh, Path(folder, "model.npz"), file_unit="m")

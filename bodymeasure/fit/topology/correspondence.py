@@ -7,14 +7,13 @@ import numpy as np
 from scipy.sparse import csr_matrix
 
 from bodymeasure._typing import Array, Ints
-from bodymeasure.fit.topology.surface import close_to_samples, through_vertices
+from bodymeasure.fit.topology.surface import close_to_samples
 
 
 class Gives(StrEnum):
     """What the map of a topology gives: control vertices, or points that our surface is to have."""
 
     VERTICES = "control vertices"
-    LIMITS = "points of the surface at the vertices"
     SAMPLES = "points of the surface at the vertices and in the middle of the quads"
 
 
@@ -28,7 +27,7 @@ class Topology:
         What the topology is called, ``"hm08"`` for instance.
     edges : ndarray of int, shape (k, 2)
         Edges that a mesh must have to be of this topology, by which it is recognized.
-    points : csr_matrix, shape (13380 or 26758, n)
+    points : csr_matrix, shape (13380, n) or (26758, n)
         Rows that add up to 1, for the first n vertices of a mesh.
     gives : Gives
         What the rows are.
@@ -65,9 +64,7 @@ def mapped_vertices(vertices: Array, topology: Topology) -> Array:
     ndarray, shape (13380, 3)
     """
     places = np.asarray(topology.points @ vertices[: topology.count])
-    if topology.gives is Gives.SAMPLES:
-        return close_to_samples(places)
-    return through_vertices(places) if topology.gives is Gives.LIMITS else places
+    return close_to_samples(places) if topology.gives is Gives.SAMPLES else places
 
 
 def edge_keys(edges: Ints, count: int) -> Ints:

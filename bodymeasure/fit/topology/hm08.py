@@ -10,7 +10,7 @@ matter: Anny's default mesh lacks 32 of these vertices.
 from functools import cache
 
 import numpy as np
-from scipy.sparse import csr_matrix, diags, eye
+from scipy.sparse import csr_matrix, diags, eye, vstack
 from scipy.sparse.linalg import splu
 
 from bodymeasure._typing import Ints
@@ -23,7 +23,7 @@ ANNY_LACKS = np.r_[1778:1794, 8450:8466]
 # RMS distance of the map's atlases from the limit surface of the mesh: 40 bodies had 0.22 mm in the
 # mean, and 0.36 at most.
 ACCURACY = 0.25e-3
-SURFACES = ("hm08", "hm08 through its vertices")
+SURFACES = ("hm08", "hm08 faces")
 _SOURCE = (
     "Mapped exactly from MakeHuman's base mesh hm08, of which our mesh is the body; natal cleft, "
     "navel and nipples are smoothed."
@@ -31,19 +31,20 @@ _SOURCE = (
 _CONTROL = (
     " The surface is the smooth one of which the mesh is the control mesh, as MakeHuman's is."
 )
-_THROUGH = " The surface runs through the vertices of the mesh."
+_FACES = " The surface is as close to the faces of the mesh as it can be."
 
 
 @cache
-def hm08_topologies(through: bool = False) -> tuple[Topology, ...]:
+def hm08_topologies(faces: bool = False) -> tuple[Topology, ...]:
     """Return the topologies of which hm08's body is a part: all of it, and that of Anny.
 
     Parameters
     ----------
-    through : bool
-        Whether the surface runs through the vertices; else they are its control vertices.
+    faces : bool
+        Whether the surface is to be close to the mesh; else it is the one of which the mesh is the
+        control mesh, which lies within it.
     """
-    return tuple(_part(lacking, through) for lacking in (np.empty(0, dtype=np.int64), ANNY_LACKS))
+    return tuple(_part(lacking, faces) for lacking in (np.empty(0, dtype=np.int64), ANNY_LACKS))
 
 
 @cache
@@ -53,7 +54,7 @@ def smoothed_vertices() -> Ints:
         return np.asarray(data["smoothed"], dtype=np.int64)
 
 
-def _part(lacking: Ints, through: bool) -> Topology:
+def _part(lacking: Ints, faces: bool) -> Topology:
     quads = body_model().quads
     there = np.ones(len(body_model().mean), dtype=bool)
     there[lacking] = False
@@ -64,13 +65,23 @@ def _part(lacking: Ints, through: bool) -> Topology:
     sides = np.concatenate([kept[:, [corner, (corner + 1) % 4]] for corner in range(4)])
     edges = np.unique(np.sort(number[sides], axis=1), axis=0)
     return Topology(
-        name=SURFACES[1] if through else SURFACES[0],
+        name=SURFACES[1] if faces else SURFACES[0],
         edges=edges,
-        points=_smoothing()[:, there],
-        gives=Gives.LIMITS if through else Gives.VERTICES,
-        source=_SOURCE + (_THROUGH if through else _CONTROL),
+        points=(_samples() if faces else _smoothing())[:, there],
+        gives=Gives.SAMPLES if faces else Gives.VERTICES,
+        source=_SOURCE + (_FACES if faces else _CONTROL),
         accuracy=ACCURACY,
     )
+
+
+@cache
+def _samples() -> csr_matrix:
+    """The map, (26758, 13380), to the vertices, smoothed, and to the middles of the quads."""
+    quads = body_model().quads
+    rows, weights = np.repeat(np.arange(len(quads)), 4), np.full(4 * len(quads), 0.25)
+    shape = (len(quads), len(body_model().mean))
+    middles = csr_matrix((weights, (rows, quads.ravel())), shape=shape)
+    return vstack([_smoothing(), middles @ _smoothing()]).tocsr()
 
 
 @cache

@@ -6,6 +6,7 @@ in JSON. Nothing is unpickled, and no coordinates of the model are in it.
 """
 
 import io
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
+from bodymeasure.arguments import file_path
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes, write_bytes
 from bodymeasure.fit.model import body_model
@@ -37,14 +39,39 @@ class _Header(msgspec.Struct, forbid_unknown_fields=True):
     accuracy: float
 
 
-def read_topology(path: Path) -> Topology:
-    """Read a correspondence.
+def read_topology(path: str | PathLike[str]) -> Topology:
+    """Read a correspondence, to map many bodies with it.
+
+    Parameters
+    ----------
+    path : path-like
+        A file that `save_topology` wrote.
+
+    Returns
+    -------
+    Topology
 
     Raises
     ------
     InputError
         If the file is missing, damaged or another kind of file.
+
+    Examples
+    --------
+    >>> from os import PathLike
+    from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> import bodymeasure as bm
+    >>> from bodymeasure.fit.model import body_model
+    >>> mesh = (body_model().mean, body_model().quads)
+    >>> fitted = bm.map_body(mesh, "hm08 faces", file_unit="m")
+    >>> with TemporaryDirectory() as folder:
+    ...     bm.save_topology(Path(folder, "model.npz"), mesh, fitted)
+    ...     topology = bm.read_topology(Path(folder, "model.npz"))
+    >>> topology.name, topology.count
+    ('model', 13380)
     """
+    path = file_path(path)
     arrays = npz_arrays(read_bytes(path), str(path), _KINDS)
     try:
         header = msgspec.json.decode(str(arrays["header"][()]).encode(), type=_Header)

@@ -48,24 +48,12 @@ def sample_matrix() -> csr_matrix:
     return vstack([limit_matrix(), limits]).tocsr()
 
 
-def through_vertices(places: Array) -> Array:
-    """Return the control vertices whose limits lie at places, shape (13380, 3)."""
-    return np.asarray(_limits().solve(places))
-
-
 def close_to_samples(places: Array) -> Array:
     """Return the control vertices whose surface is closest to places, shape (26758, 3).
 
     Least squares, so that the facets of a mesh on which the places lie average out.
     """
     return np.asarray(_squares().solve(sample_matrix().T @ places))
-
-
-@cache
-def _limits() -> Any:
-    # The limits determine the vertices: the symbol of the map on a regular mesh,
-    # 4 (2 + cos a) (2 + cos b) / 36, is nowhere below 1/9.
-    return splu(limit_matrix().tocsc())
 
 
 @cache

@@ -36,7 +36,7 @@ def test_hm08_is_recognized_and_not_fitted(tmp_path: Path) -> None:
 def test_a_stored_topology_maps_other_bodies(tmp_path: Path) -> None:
     file = tmp_path / "model.npz"
     mean = (limit_matrix() @ body_model().mean, body_model().quads)
-    rest = bm.map_body(mean, "hm08 through its vertices", file_unit="m")
+    rest = bm.map_body(mean, "hm08 faces", file_unit="m")
     model = (foreign_vertices(rest.vertices), foreign_triangles())
     # The rest body stands where it was put, so that its file's frame is the atlas's.
     at_home = replace(rest, transform=np.eye(4))
