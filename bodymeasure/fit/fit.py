@@ -125,7 +125,7 @@ def fit_body(
     mapped = _mapped(mesh, topology, landmarks, file_unit=file_unit, up=up, name=name)
     if mapped is not None:
         report(1.0)
-        return mapped
+        return replace(mapped, atlas=completed(mapped.atlas, mapped.vertices))
     scan = _scan(mesh, file_unit, up, front)
     report(0.5)
     source = scan.name or "the mesh"
