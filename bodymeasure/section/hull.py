@@ -30,6 +30,8 @@ ORDER_TOLERANCE = 1e-9
 # An arc that crosses its line within this part of the chord from its end starts there, except for
 # rounding.
 BEYOND = 1e-9
+# What a hull saves is lost in rounding where only this part of the chord lies outwards of it.
+FLAT = 1e-9
 
 
 class Hull(NamedTuple):
@@ -181,12 +183,11 @@ def _outer_corners(flat: Array, end: int, turn: float) -> Ints:
             "the surface winds about an end of the tape, so that a taut tape has no clear way out; "
             "choose ends that lie open, or measure along the skin"
         )
-    outside = np.flatnonzero(outwards > 0.0)
-    kept = np.union1d(outside, [0, end])
-    # A point inwards of the chord, so that the hull has an inside even if nothing lies outwards.
-    apex = 0.5 * (flat[0] + flat[end]) + np.sign(turn) * np.array([-chord[1], chord[0]])
-    corners = _hull_corners(np.concatenate([flat, apex[None]]), np.append(kept, len(flat)))
-    return np.union1d(corners[:-1], [0, end])
+    if not (outwards > FLAT * length).any():
+        return np.array([0, end])
+    # All that is kept lies to one side of the chord, so that the chord is a side of its hull.
+    kept = np.union1d(np.flatnonzero(outwards > 0.0), [0, end])
+    return np.union1d(_hull_corners(flat, kept), [0, end])
 
 
 def _hull_corners(flat: Array, rows: Ints) -> Ints:

@@ -1,5 +1,6 @@
 """Drops: lengths in vertical planes from a place to a level."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -13,12 +14,13 @@ from bodymeasure.atlas import AtlasPoint
 from bodymeasure.errors import InputError
 from bodymeasure.measure import Drop, vertical_drop
 from bodymeasure.samples import load_sample
-from bodymeasure.section import outer_hull, part, turned
+from bodymeasure.section import Plane, outer_hull, part, plane_section, signed_area, turned
 
 MEASURES = (
     ("back neck point", "back waist point", "median"),
     ("front neck point", "front waist point", "median"),
     ("side neck point {side}", "bust point {side}", "median"),
+    ("side neck point {side}", "back waist point", "median"),
     ("side waist point {side}", "side hip point {side}", "side"),
     ("shoulder point {side}", "elbow point {side}", "side"),
 )
@@ -110,6 +112,27 @@ def test_drops_of_bodies(name: str) -> None:
             both.append(found)
         assert both[0].contact == pytest.approx(both[-1].contact, rel=1e-6)
         assert both[0].taut == pytest.approx(both[-1].taut, rel=1e-6)
+
+
+def test_the_rounding_of_a_body_does_not_change_its_tapes(rng: np.random.Generator) -> None:
+    atlas = load_sample("male_average")
+    shaken = replace(atlas, points=atlas.points + 1e-16 * rng.normal(size=atlas.points.shape))
+    both = [
+        vertical_drop(one, "side neck point left", "back waist point") for one in (atlas, shaken)
+    ]
+    assert abs(both[0].taut - both[1].taut) < both[0].error_estimate < 1e-12
+    # The body is round from its side to the neck, where the tape lies on it.
+    assert both[0].hull.spans[0, 0] > 2.0
+
+
+@pytest.mark.parametrize("share", [0.4, 0.7, 0.9, 0.99])
+def test_a_tape_lies_on_all_of_a_convex_arc(share: float) -> None:
+    plane = Plane(at(0.0, 0.0, 1.5), at(0.0, 0.0, 1.0))
+    (loop,) = plane_section(tube([1.0, 1.0, 1.0, 1.0]), plane).loops
+    arc = part(loop, 0.3, 0.3 + share * loop.count)
+    hull = outer_hull(arc, signed_area(loop.positions @ plane.frame().T))
+    assert hull.length == pytest.approx(arc.length, rel=1e-13)
+    assert len(hull.bridges) == 0
 
 
 def test_the_level_tells_front_from_back() -> None:
