@@ -91,9 +91,9 @@ def measure_chart(
     taken = Taken(body, _by_key(needed.measurement))
     keys = [one.key for one in both_sides(chosen.measurement)]
     named = selected_keys(definitions, [name for name in only if name not in definitions.presets])
-    measured = []
+    measured, elsewhere = [], dict[str, tuple[Taken, Taken]]()
     for number, key in enumerate(keys, start=1):
-        measured.append(with_shifts(taken, key) if sensitivity else taken[key])
+        measured.append(with_shifts(taken, key, elsewhere) if sensitivity else taken[key])
         if progress is not None:
             progress(number, len(keys))
     return Chart(

@@ -18,7 +18,7 @@ DISTANCE = 0.005
 LEVEL = 0.05
 
 
-def with_shifts(taken: Taken, key: str) -> Measured:
+def with_shifts(taken: Taken, key: str, elsewhere: dict[str, tuple[Taken, Taken]]) -> Measured:
     """Return a measurement together with what its value owes to the places of its landmarks.
 
     Each landmark is moved by itself, 5 mm up over the skin and 5 mm to the side, and the
@@ -29,6 +29,9 @@ def with_shifts(taken: Taken, key: str) -> Measured:
     taken : Taken
         The measurements of the body.
     key : str
+    elsewhere : dict of str to pair of Taken
+        The measurements of the body with a landmark moved up, and to the side. What is taken for
+        one measurement is added, so that others that share its parts find them.
     """
     item, body = taken[key], taken.body
     if not np.isfinite(item.value):
@@ -37,17 +40,28 @@ def with_shifts(taken: Taken, key: str) -> Measured:
     names = [name for name in item.landmarks if name in body.landmarks]
     shifts = []
     for name in names:
-        higher, aside = _moved(body.atlas, body.landmarks[name])
-        up, across = (_value(taken, key, name, place) - item.value for place in (higher, aside))
+        if name not in elsewhere:
+            higher, aside = _moved(body.atlas, body.landmarks[name])
+            elsewhere[name] = _with(taken, name, higher), _with(taken, name, aside)
+        up, across = (_value(taken, one, key, name) - item.value for one in elsewhere[name])
         shifts.append(Shift(name, up, across))
     return replace(item, shifts=tuple(shifts))
 
 
-def _value(taken: Taken, key: str, name: str, place: AtlasPoint) -> float:
+def _with(taken: Taken, name: str, place: AtlasPoint) -> Taken:
+    """Return the measurements of the body with a landmark elsewhere; none is taken yet."""
+    body = taken.body
+    landmarks = {**body.landmarks, name: place}
+    return Taken(Body(body.atlas, landmarks, body.missing, body.trust), taken.definitions)
+
+
+def _value(taken: Taken, moved: Taken, key: str, name: str) -> float:
     """Return the value of a measurement with a landmark elsewhere; NaN if it has none then."""
-    landmarks = {**taken.body.landmarks, name: place}
-    body = Body(taken.body.atlas, landmarks, taken.body.missing, taken.body.trust)
-    return Taken(body, taken.definitions)[key].value
+    # What a formula is made of stays the same where the landmark has no part in it.
+    for operand in taken.definitions[key].operands:
+        if operand in taken and name not in taken[operand].landmarks:
+            moved.setdefault(operand, taken[operand])
+    return moved[key].value
 
 
 def _moved(atlas: Atlas, point: AtlasPoint) -> tuple[AtlasPoint, AtlasPoint]:
