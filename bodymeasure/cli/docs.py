@@ -19,6 +19,7 @@ PAGES = (
     "quickstart",
     "charts",
     "landmarks",
+    "scans",
     "python",
     "pyvista",
     "api",

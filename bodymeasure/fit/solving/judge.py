@@ -43,7 +43,7 @@ class Scores:
     Parameters
     ----------
     covered : float
-        Share of the body's surface, where the atlas is, that has scan within 12 mm.
+        Share of the vertices, where the atlas is, that have scan within 12 mm.
     explained : float
         Share of the scan that has the body within 20 mm.
     rms_before, rms : float
@@ -168,7 +168,7 @@ def scores_of(state: State, found: Found, after: Array, cloud: Cloud) -> Scores:
     ]
     at_rest = surface_of(State(state.coefficients, np.zeros((31, 3)), np.zeros(3))).points
     return Scores(
-        covered=float(_shares() @ known),
+        covered=float(known[_inside()].mean()),
         explained=explained,
         rms_before=explained_by(found.before, cloud)[1],
         rms=rms,
@@ -246,10 +246,6 @@ def warnings_of(scores: Scores, atlas: Atlas, uncovered: Ints) -> tuple[str, ...
 
 
 @cache
-def _shares() -> Array:
-    """The share of each vertex in the part of the body that the atlas covers."""
-    model = body_model()
-    inside = np.zeros(len(model.mean))
-    inside[model.quads[model.covered]] = 1.0
-    shares = inside * model.vertex_weight
-    return np.asarray(shares / shares.sum())
+def _inside() -> Ints:
+    """The vertices of the part of the body that the atlas covers."""
+    return np.unique(body_model().quads[body_model().covered])

@@ -133,10 +133,17 @@ def _planes(points: Array, normals: Array, cloud: Cloud) -> Planes:
     weights = np.where(known & agree, np.exp(-0.5 * _squares(distance, known)), 0.0)
     total = weights.sum(axis=1)
     shares = weights / np.maximum(total, 1e-300)[:, None]
-    center = np.einsum("nk,nkd->nd", shares, cloud.points[near])
     normal = np.einsum("nk,nkd->nd", shares, cloud.normals[near])
     size = np.linalg.norm(normal, axis=1)
     normal /= np.maximum(size, 1e-12)[:, None]
+    # On a curved surface, a neighbor lies as far below the plane at a point as the point lies below
+    # the plane at the neighbor: the mean of both distances is that of the surface.
+    steps, both = (
+        points[:, None] - cloud.points[near],
+        0.5 * (normal[:, None] + cloud.normals[near]),
+    )
+    heights = np.einsum("nk,nkd,nkd->n", shares, steps, both)
+    center = points - heights[:, None] * normal
     first = np.where(known[:, 0], distance[:, 0], np.inf)
     used = (total > 0.0) & (first < REACH) & ~cloud.at_rim[near[:, 0]] & (size > AGREE)
     return Planes(center, normal, used.astype(float))
