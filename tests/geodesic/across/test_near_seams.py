@@ -5,6 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from helpers.bodies import BODIES
 from helpers.many_patches import SURFACES, sphere, torus
 from helpers.surfaces.near_boundaries import beside, near_points, random_near_point
 from hypothesis import given, settings
@@ -23,6 +24,7 @@ EXPONENTS = [
     pytest.param(exponent, marks=() if exponent in QUICK else pytest.mark.slow)
     for exponent in np.arange(-16.0, -5.0).tolist()
 ]
+QUICK_BODY = "female_average"
 
 
 @cache
@@ -58,6 +60,26 @@ def test_a_hair_off_a_seam_is_as_far_as_the_seam(
         assert abs(path.length - there.length) <= allowed
         # Moving an end by so much does not make the estimate any larger than that.
         assert path.error_estimate <= 1.1 * there.error_estimate + 1e-9 * path.length
+
+
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=() if name == QUICK_BODY else pytest.mark.slow) for name in BODIES],
+)
+def test_both_ends_a_hair_off_other_seams(name: str) -> None:
+    # The path begins beside one seam, and ends on another seam beside its corner.
+    body = bm.load_sample(name)
+    along = 0.4697017254297169
+    on = (AtlasPoint(215, 1.0, along), AtlasPoint(308, 1.0, 1.0))
+    off = (AtlasPoint(215, 1.0 - 1.2e-9, along), AtlasPoint(308, 1.0, 1.0 - 1.4e-7))
+    there, path, turned = (bm.geodesic_between(body, *ends) for ends in (on, off, (off[1], off[0])))
+    both = path.error_estimate + turned.error_estimate
+    assert turned.length == pytest.approx(path.length, rel=0.0, abs=both)
+    apart = sum(
+        float(np.linalg.norm(body.position(p) - body.position(q)))
+        for p, q in zip(on, off, strict=True)
+    )
+    assert abs(path.length - there.length) <= apart + path.error_estimate + there.error_estimate
 
 
 @pytest.mark.parametrize("exponent", EXPONENTS)
