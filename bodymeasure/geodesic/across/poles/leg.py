@@ -1,5 +1,6 @@
 """Legs of paths over an atlas that may pass close by a pole or begin beside one."""
 
+from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
 
@@ -23,6 +24,7 @@ from bodymeasure.geodesic.across.search.leg import Ends, first_routes, leg_along
 from bodymeasure.geodesic.across.search.search import GOOD_ENOUGH, TOLERANCE, Search, repaired
 from bodymeasure.geodesic.across.search.tried import TriedRoutes
 from bodymeasure.geodesic.lengths.length import TRUSTED_CORRECTION
+from bodymeasure.geodesic.status import Status
 
 # A path passes close by a pole if it is nearer to it than this part of its length, or of the width
 # of the patches there. Farther away, polynomials follow it well.
@@ -75,6 +77,15 @@ def leg_between(
     ground, ends = Ground(atlas, neighbors, Budget(PATH), {}, {}), (start, end)
     if not len(poles_of(atlas).patch):
         return shortest_leg(atlas, neighbors, ends, ground.budget)
+    path = _past_poles(ground, ends)
+    if ground.budget.cut_short and path.status is Status.CONVERGED:
+        return replace(path, status=Status.CUT_SHORT)
+    return path
+
+
+def _past_poles(ground: Ground, ends: Ends) -> AtlasPath:
+    """Return the shortest path over an atlas that has poles."""
+    atlas, neighbors = ground[:2]
     other = between_poles(atlas, neighbors, ends, ground.budget)
     if other is None or not other.converged:
         return _between(ground, ends, DEPTH)
@@ -103,6 +114,8 @@ def _between(ground: Ground, ends: Ends, depth: int) -> AtlasPath:
     found: list[AtlasPath] = []
     far: list[Route] = []
     for route in first_routes(atlas, neighbors, ends, budget):
+        if found and budget.has_run_out():
+            break
         rough = _rough(ground, route)
         pole = None if rough is None else _close_pole(atlas, neighbors, ends, rough)
         if rough is None or pole is None:
@@ -132,12 +145,14 @@ def _by_pole(
     past = _past(ground, ends, near, depth)
     if past is not None and past.path is not None:
         return past.path
+    composed = None if past is None else past.composed
+    if composed is not None and composed.error_estimate > GOOD_ENOUGH * composed.length:
+        composed = None
+    if composed is not None and ground.budget.has_run_out():
+        return composed
     routes = [near[1].problem.route]
     plain = leg_along(ground.atlas, ground.neighbors, ends, routes, ground.budget)
-    composed = None if past is None else past.composed
-    if composed is None or plain.converged:
-        return plain
-    return composed if composed.error_estimate <= GOOD_ENOUGH * composed.length else plain
+    return plain if composed is None or plain.converged else composed
 
 
 def _rough(ground: Ground, route: Route) -> RefinedPath | None:

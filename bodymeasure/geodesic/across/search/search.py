@@ -27,6 +27,8 @@ from bodymeasure.trust import NEGLIGIBLE
 DEGREES = (8, 12, 16, 24, 32, 48, 72)
 # The degree while a loop slides: its polynomials only have to show in which direction.
 SLIDING = 3
+# The last degree at which a path is refined for which no budget is left.
+LAST_OVERDRAWN = 16
 # A path that has no good length at this degree, such as below a breast or through the crotch of a
 # body, where patches bend sharply, is cut. Higher degrees are only for those that this does not
 # help either.
@@ -188,7 +190,8 @@ def _along(search: Search, begun: _Begun) -> SearchResult:
     good = False
     for degree in degrees:
         if degree > degrees[0]:
-            if search.budget.is_overdrawn():
+            overdrawn = search.budget.left <= 0.0 and degree > LAST_OVERDRAWN
+            if overdrawn or search.budget.is_overdrawn():
                 # A length that is good enough does not need the next degree.
                 search.budget.cut_short |= not good
                 break
