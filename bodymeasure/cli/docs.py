@@ -20,6 +20,7 @@ PAGES = (
     "charts",
     "landmarks",
     "scans",
+    "body_models",
     "python",
     "pyvista",
     "api",
