@@ -23,6 +23,7 @@ import numpy as np
 
 import bodymeasure as bm
 from bodymeasure._typing import Array
+from bodymeasure.chart import found_landmarks
 from bodymeasure.fit.model import (
     atlas_of_vertices,
     body_model,
@@ -117,7 +118,8 @@ def _one(
     # The true body in the frame of the fit, in which heights, depths and sides are measured.
     limits = (np.asarray(limit_matrix() @ each) for each in (vertices, fitted.vertices))
     turn, shift = _aligned(*limits)
-    true_atlas = atlas_of_vertices(vertices @ turn.T + shift)
+    # Landmarks that the fit finds by rule are found so on the true body, too.
+    true_atlas = found_landmarks(atlas_of_vertices(vertices @ turn.T + shift)).atlas
     truth = bm.measure_chart(true_atlas, only=keys, despite_errors=True)
     for item in truth.measured:
         key = item.definition.key
