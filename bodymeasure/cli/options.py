@@ -47,6 +47,8 @@ VIEWER_COLORS = ("the viewer", "matplotlib", "matplotlib", "viewer")
 
 # The key under which `load_atlas` finds what the user says about the file that it is to read.
 _FILE_OPTIONS = f"{__name__}.file_options"
+# The same for the model whose topology a scan has, of which readers of atlases know nothing.
+_TOPOLOGY = f"{__name__}.topology"
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 
 
@@ -54,6 +56,11 @@ def _keep(ctx: click.Context, parameter: click.Parameter, value: str | bool | No
     if value:
         name = str(parameter.name).removeprefix("file_")
         ctx.meta.setdefault(_FILE_OPTIONS, {})[name] = value
+
+
+def _keep_topology(ctx: click.Context, _parameter: click.Parameter, value: str | None) -> None:
+    if value is not None:
+        ctx.meta[_TOPOLOGY] = value
 
 
 def _file_option(name: str, choices: Sequence[str], words: str) -> Callable[[_Command], _Command]:
@@ -160,6 +167,15 @@ picks_option = click.option(
     help="CSV file of landmarks that you picked on the scan, with the columns name, x, y and z in "
     "the scan's own coordinates; they win over those of the body model, and pull the fit.",
 )
+topology_option = click.option(
+    "--topology",
+    metavar="NAME",
+    expose_value=False,
+    callback=_keep_topology,
+    help="The model whose vertices and faces the mesh has: a file that `bodymeasure fit "
+    "--save-topology` wrote, or 'hm08' or 'hm08 faces' for MakeHuman's. Its bodies are mapped at "
+    "once, without a search.  [default: hm08 is recognized, others are fitted]",
+)
 # Options whose help, and whose default, differ from command to command.
 folder_option = partial(
     click.option,
@@ -252,6 +268,12 @@ def file_settings() -> dict[str, Any]:
     """Return what the user says about a file: its unit, where up and the front are, and quads."""
     context = click.get_current_context(silent=True)
     return {} if context is None else dict(context.meta.get(_FILE_OPTIONS, {}))
+
+
+def given_topology() -> str | None:
+    """Return the model whose topology the user says that a mesh has."""
+    context = click.get_current_context(silent=True)
+    return None if context is None else context.meta.get(_TOPOLOGY)
 
 
 def lacks_unit(name: str) -> bool:

@@ -158,17 +158,27 @@ def map_known(mesh: Mesh, **how: Unit | str | None) -> FittedBody | None:
     **how
         The other arguments of `map_body`.
     """
+    known = topology_of(mesh)
+    return None if known is None else map_body(mesh, known, **how)
+
+
+def topology_of(mesh: Mesh) -> Topology | None:
+    """Return the topology that comes with the package and that a mesh has, or None.
+
+    Parameters
+    ----------
+    mesh : path-like or (vertices, faces)
+        A mesh that cannot be read has none: the reader of scans says what is wrong.
+    """
     if not isinstance(mesh, tuple):
         path = file_path(mesh)
         numbered = path.suffix.lower() in NUMBERED and path.is_file()
         if not numbered or path.stat().st_size > MOST_BYTES:
             return None
     try:
-        known = recognized(_polygons(mesh))
+        return recognized(_polygons(mesh))
     except InputError:
-        # The reader of scans says what is wrong, or can do with it.
         return None
-    return None if known is None else map_body(mesh, known, **how)
 
 
 def _moved(vertices: Array, transform: Array) -> Array:

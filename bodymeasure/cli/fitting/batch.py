@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from bodymeasure.cli.console import print_note
 from bodymeasure.cli.fitting.done import Done, key_of
 from bodymeasure.cli.fitting.files import page_of, write_fit
-from bodymeasure.cli.fitting.scans import fitted, scan_settings
+from bodymeasure.cli.fitting.scans import fitted, scan_files, scan_settings
 from bodymeasure.errors import BodymeasureError, InputError, MissingExtraError
 from bodymeasure.formats import read_atlas
 
@@ -72,7 +72,7 @@ class Batch:
         """Return the atlas of a scan, as it is in the folder or made now; None if it fails."""
         path = self.folder / f"{scan.name}.atlas"
         try:
-            key = key_of((scan.path,), scan_settings())
+            key = key_of(scan_files(scan.path), scan_settings())
             files = (path, page_of(path)) if self.page else (path,)
             if self.done.has(key, *files):
                 atlas = read_atlas(path)

@@ -16,6 +16,7 @@ from bodymeasure.cli.options import (
     no_pictures_option,
     picks_option,
     several_scans_argument,
+    topology_option,
 )
 from bodymeasure.cli.tables import facts_table, new_table
 from bodymeasure.errors import InputError
@@ -36,6 +37,15 @@ NAMED = 6
 )
 @several_scans_argument
 @picks_option
+@topology_option
+@click.option(
+    "--save-topology",
+    "topology_file",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Write the correspondence of the mesh to an .npz file, by which --topology FILE maps all "
+    "bodies with the same vertices and faces. Best made from the mean body of a model.",
+)
 @click.option(
     "-o",
     "--output",
@@ -49,6 +59,7 @@ NAMED = 6
 def fit(
     meshes: tuple[str, ...],
     picks: Path | None,
+    topology_file: Path | None,
     output: Path | None,
     no_page: bool,
     no_pictures: bool,
@@ -72,6 +83,8 @@ def fit(
     if len(scans) > 1:
         if picks is not None:
             raise click.UsageError("--landmarks are the picks of one body; fit it by itself.")
+        if topology_file is not None:
+            raise click.UsageError("--save-topology takes one body of the model; fit it by itself.")
         return _several(scans, Path() if output is None else output, page, pictures)
     scan = scans[0]
     path = Path(f"{scan.name}.atlas") if output is None else output
@@ -79,15 +92,39 @@ def fit(
         if path.suffix and not path.is_dir():
             raise InputError(f"{path}: expected a name that ends in .atlas, or a folder")
         path = path / f"{scan.name}.atlas"
+    if topology_file is not None:
+        check_topology_file(topology_file, scan.path)
     with output_folder(path.parent):
         require_writable(path)
         body = fitted(scan.path, picks)
+        if topology_file is not None:
+            from bodymeasure.fit import save_topology
+
+            save_topology(topology_file, scan.path, body)
         files = write_fit(body, path, page=page, pictures=pictures)
+        if topology_file is not None:
+            files = (*files, topology_file)
     print_table(fit_table(body.atlas, time.perf_counter() - begin))
     print_files(files)
     for sentence in body.warnings:
         print_note(sentence)
     return 0
+
+
+def check_topology_file(path: Path, mesh: Path) -> None:
+    """Refuse, before any work, what would fail when the correspondence is written.
+
+    Raises
+    ------
+    InputError
+        If the mesh's format does not number vertices, or the file's name does not end in .npz or it
+        is not writable.
+    """
+    from bodymeasure.fit.topology import read_polygons, require_npz
+
+    require_npz(path)
+    require_writable(path)
+    read_polygons(mesh)
 
 
 def _several(scans: list[NamedScan], folder: Path, page: bool, pictures: bool) -> int:

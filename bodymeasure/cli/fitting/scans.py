@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from bodymeasure.cli.console import progress_bar
-from bodymeasure.cli.options import file_settings, path_of_atlas, require
+from bodymeasure.cli.options import file_settings, given_topology, path_of_atlas, require
 from bodymeasure.files import read_bytes
 from bodymeasure.formats.obj.triangles import TRIANGLE_MESHES, is_of_triangles
 from bodymeasure.measure import package_versions
@@ -30,20 +30,36 @@ def is_scan(name: str) -> bool:
     """Whether a file is a triangle mesh, to which a body is to be fitted.
 
     An .obj file may as well hold the quads or the smooth surfaces of an atlas; --quads says that it
-    does.
+    does. Quads of a model whose topology is known, or given, are those of a body.
     """
     path = path_of_atlas(name)
     suffix = path.suffix.lower()
     if suffix != ".obj" or file_settings().get("quads"):
         return suffix in TRIANGLE_MESHES
+    if given_topology() is not None:
+        return True
     lines = [line for line in read_bytes(path).splitlines() if line[:2] in (b"f ", b"f\t")]
     sizes = np.array([len(line.split()) - 1 for line in lines])
-    return len(sizes) > 0 and is_of_triangles(sizes)
+    return len(sizes) > 0 and (is_of_triangles(sizes) or _is_known(path))
+
+
+def _is_known(path: Path) -> bool:
+    from bodymeasure.fit.by_topology import topology_of
+
+    return topology_of(path) is not None
 
 
 def scan_settings() -> dict[str, str]:
-    """Return what the user says about a scan: its unit, and where up and the front are."""
-    return {key: value for key, value in file_settings().items() if key in SETTINGS}
+    """Return what the user says about a scan: unit, up, front, and the model it belongs to."""
+    settings = {key: value for key, value in file_settings().items() if key in SETTINGS}
+    topology = given_topology()
+    return settings if topology is None else {**settings, "topology": topology}
+
+
+def scan_files(path: Path) -> tuple[Path, ...]:
+    """Return the files on which the fit to a scan rests: its own, and that of its topology."""
+    topology = Path(given_topology() or "")
+    return (path, topology) if topology.is_file() else (path,)
 
 
 def require_fit(*, page: bool, pictures: bool) -> None:
@@ -82,6 +98,7 @@ def fitted(path: Path, picks: Path | None) -> "FittedBody":
     # Slow imports, which `--help` does not need.
     from bodymeasure.chart.picks.file import read_picks
     from bodymeasure.fit import fit_body
+    from bodymeasure.fit.fit import KNOWN
 
     landmarks = None
     if picks is not None:
@@ -95,6 +112,7 @@ def fitted(path: Path, picks: Path | None) -> "FittedBody":
             up=given.get("up"),
             front=given.get("front"),
             landmarks=landmarks,
+            topology=given_topology() or KNOWN,
             progress=lambda _step, part: progress(round(100.0 * part)),
         )
     return replace(body, atlas=_with_source(body.atlas, path))

@@ -44,6 +44,7 @@ from bodymeasure.cli.options import (
     require,
     require_sound,
     several_atlases_argument,
+    topology_option,
     unit_option,
 )
 from bodymeasure.errors import InputError
@@ -92,6 +93,7 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) ->
 )
 @only_option
 @picks_option
+@topology_option
 @paths_option
 @click.option(
     "--sensitivity",

@@ -9,7 +9,7 @@ import msgspec
 from bodymeasure.cli.console import print_files, print_note, print_table, progress_bar
 from bodymeasure.cli.fitting.batch import Batch, NamedScan, named_scans, print_failures
 from bodymeasure.cli.fitting.done import key_of
-from bodymeasure.cli.fitting.scans import is_scan
+from bodymeasure.cli.fitting.scans import is_scan, scan_files, scan_settings
 from bodymeasure.cli.measuring.chart_tables import population_facts
 from bodymeasure.cli.options import (
     OWN,
@@ -88,9 +88,10 @@ def _chart(scan: NamedScan, batch: Batch, charting: Charting) -> "ChartDocument 
     definitions, unit, only, sensitivity, despite_errors = charting
     try:
         key = key_of(
-            (scan.path,),
+            scan_files(scan.path),
             {
                 **file_settings(),
+                **scan_settings(),
                 "definitions": msgspec.to_builtins(definitions),
                 "charted": [unit, list(only), sensitivity, despite_errors],
             },

@@ -57,7 +57,8 @@ def read_scan(
 
     Examples
     --------
-    >>>     >>> from tempfile import TemporaryDirectory
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
     >>> import bodymeasure as bm
     >>> mesh = bm.tessellate(bm.load_sample("female_average"), 4)
     >>> with TemporaryDirectory() as folder:

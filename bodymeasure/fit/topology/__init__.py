@@ -5,7 +5,7 @@ from bodymeasure.fit.topology.known import known_topology, recognized, require
 from bodymeasure.fit.topology.mapped import MappedBody, mapped_body
 from bodymeasure.fit.topology.polygons import Polygons, polygons_of, read_polygons
 from bodymeasure.fit.topology.posture import Posture, posture_of
-from bodymeasure.fit.topology.stored import read_topology, write_topology
+from bodymeasure.fit.topology.stored import read_topology, require_npz, write_topology
 from bodymeasure.fit.topology.transfer import topology_of_fit
 
 __all__ = [
@@ -23,6 +23,7 @@ __all__ = [
     "read_topology",
     "recognized",
     "require",
+    "require_npz",
     "topology_of_fit",
     "write_topology",
 ]

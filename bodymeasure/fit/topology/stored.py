@@ -58,8 +58,7 @@ def read_topology(path: str | PathLike[str]) -> Topology:
 
     Examples
     --------
-    >>> from os import PathLike
-    from pathlib import Path
+    >>> from pathlib import Path
     >>> from tempfile import TemporaryDirectory
     >>> import bodymeasure as bm
     >>> from bodymeasure.fit.model import body_model
@@ -106,8 +105,7 @@ def write_topology(path: Path, topology: Topology) -> None:
     InputError
         If the name does not end in ``.npz``, or the file cannot be written.
     """
-    if path.suffix.lower() != ".npz":
-        raise InputError(f"{path}: a topology is written to a file whose name ends in .npz")
+    require_npz(path)
     points = topology.points
     header = _Header(
         format=FORMAT,
@@ -128,6 +126,18 @@ def write_topology(path: Path, topology: Topology) -> None:
         weights=points.data.astype(np.float32),
     )
     write_bytes(path, buffer.getvalue())
+
+
+def require_npz(path: Path) -> None:
+    """Refuse another kind of file than correspondences are written to.
+
+    Raises
+    ------
+    InputError
+        If the name does not end in ``.npz``.
+    """
+    if path.suffix.lower() != ".npz":
+        raise InputError(f"{path}: a topology is written to a file whose name ends in .npz")
 
 
 def _rows(gives: Gives) -> int:
