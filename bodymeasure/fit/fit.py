@@ -115,8 +115,9 @@ def fit_body(
     Examples
     --------
     >>> import bodymeasure as bm
-    >>> mesh = bm.tessellate(bm.load_sample("male_average"), 4)
-    >>> body = bm.fit_body((mesh.vertices, mesh.triangles), file_unit="m", up="+z", front="-y")
+    >>> from bodymeasure.fit.model import body_model
+    >>> # MakeHuman's mesh, which is recognized; a scan is bm.fit_body("scan.ply", file_unit="mm").
+    >>> body = bm.fit_body((body_model().mean, body_model().quads), file_unit="m")
     >>> len(body.atlas), sorted(body.atlas.landmarks)[:2], body.warnings
     (376, ['back hip point', 'back neck point'], ())
     """

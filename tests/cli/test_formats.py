@@ -44,7 +44,8 @@ def test_what_is_lost_is_told(run: Run, tmp_path: Path) -> None:
     sample = load_sample("female_average")
     assert ran.err == (
         "a Wavefront OBJ file cannot hold its unit (m) and axes, "
-        f"{len(sample.landmarks)} landmarks; the file lacks these.\n"
+        f"{len(sample.given)} given lengths, {len(sample.landmarks)} landmarks; "
+        "the file lacks these.\n"
     )
     back = read_atlas(target, unit="m")
     assert back.digest == sample.digest

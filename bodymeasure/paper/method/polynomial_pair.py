@@ -7,6 +7,10 @@ import numpy as np
 
 from bodymeasure._typing import Array, Complex, Ints
 
+# Coefficients below this, relative to the largest, are the rounding of those that cancel. They
+# would have roots of their own, far away: those of a plane, whose equations are linear.
+ROUNDING = 1e-14
+
 
 class PairValues(NamedTuple):
     """Both polynomials of each pair at points (pairs, k), with first derivatives.
@@ -37,6 +41,14 @@ class PolynomialPair:
     def take(self, rows: Ints) -> "PolynomialPair":
         """Return some of the batch."""
         return PolynomialPair(self.first[rows], self.second[rows])
+
+    @property
+    def without_rounding(self) -> "PolynomialPair":
+        """The same pair without coefficients that are only the rounding of larger ones."""
+        least = (ROUNDING * np.abs(c).max(axis=(1, 2), keepdims=True) for c in self.both)
+        return PolynomialPair(
+            *(np.where(np.abs(c) > low, c, 0.0) for c, low in zip(self.both, least, strict=True))
+        )
 
     @property
     def both(self) -> tuple[Array, Array]:

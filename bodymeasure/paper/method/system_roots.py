@@ -60,10 +60,10 @@ def system_roots(control_points: Array, space: TrialSpace, *, far: bool = True) 
     found: list[Complex] = [np.empty((0, 2), np.complex128)] * len(control_points)
     for kind in (True, False):
         rows = np.flatnonzero(is_graph == kind)
-        equations = collocation_equations(control_points[rows], space)
+        equations = collocation_equations(control_points[rows], space).without_rounding
         if kind:
             reduced = graph_equations(control_points[rows], space, direction[rows])
-            roots = _searched(reduced, equations, GRAPH_COUNT, units)
+            roots = _searched(reduced.without_rounding, equations, GRAPH_COUNT, units)
         else:
             roots = _searched(equations, equations, GENERAL_COUNT, units)
         for row, points in zip(rows, roots, strict=True):

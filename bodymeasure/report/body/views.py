@@ -37,7 +37,7 @@ class Row:
     tone: str
     mark: str
     regions: tuple[tuple[str, str], ...]
-    input: str
+    uncertainty: str
     shift: str
     shifts: tuple[str, ...]
 
@@ -107,7 +107,7 @@ def _row(record: BodyRecord, number: str) -> Row:
             (region or "elsewhere", tape_text(length, unit))
             for region, length in record.length_by_region.items()
         ),
-        input=input_text(record),
+        uncertainty=input_text(record),
         shift=largest_shift(record),
         shifts=tuple(_shift_words(record, shift) for shift in record.shifts),
     )

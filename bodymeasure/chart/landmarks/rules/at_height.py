@@ -17,6 +17,9 @@ from bodymeasure.geodesic import AtlasPath
 STEPS = 24
 # The height is passed within this fraction of a piece, which is its rounding.
 ROOT_TOLERANCE = 1e-15
+# Heights are the same within this part of the largest coordinate, which is their rounding: a path
+# may begin or end at the height, with other parameters than those of the landmark.
+ROUNDING = 1e-14
 
 
 class AtHeight(LandmarkRule, frozen=True, kw_only=True, tag="at height"):
@@ -47,11 +50,16 @@ class AtHeight(LandmarkRule, frozen=True, kw_only=True, tag="at height"):
     def point(self, atlas: Atlas, landmarks: Landmarks) -> AtlasPoint:
         path = path_between(atlas, self.start, self.end, landmarks)
         height = float(atlas.position(landmarks[self.of]) @ atlas.axes.up_vector)
+        least = ROUNDING * float(np.abs(atlas.points[..., :3]).max())
         for number in range(len(path.pieces)):
             grid = np.arange(STEPS + 1) / STEPS
             above = np.array([_above(path, number, t, height) for t in grid.tolist()])
-            passed = np.flatnonzero(above[:-1] * above[1:] <= 0.0)
+            level = np.abs(above) <= least
+            passed = np.flatnonzero((above[:-1] * above[1:] < 0.0) | level[:-1] | level[1:])
             if len(passed):
+                ends = passed[0] + np.flatnonzero(level[passed[0] : passed[0] + 2])
+                if len(ends):
+                    return _point(path, number, grid[ends[0]])
                 low, high = grid[passed[0]], grid[passed[0] + 1]
                 fraction = scipy.optimize.brentq(
                     lambda t, number=number: _above(path, number, t, height),
