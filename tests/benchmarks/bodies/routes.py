@@ -217,7 +217,8 @@ def main() -> None:
     parser.add_argument("--free", type=int, default=20, help="on each body, not by libigl")
     parser.add_argument("--cuts", type=int, default=20, help="pairs on each cut surface")
     arguments = parser.parse_args()
-    cut_surfaces(arguments.cuts)
+    if arguments.cuts:
+        cut_surfaces(arguments.cuts)
     for name in arguments.bodies:
         survey(name, arguments.pairs, arguments.free)
 
