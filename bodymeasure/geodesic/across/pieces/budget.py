@@ -6,9 +6,13 @@ from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 # blocks; that of a path of legs and arcs, for each piece; and that of first routes. A unit takes
 # some 0.4 microseconds.
 STEP, HELD, ROUTES = 3000.0, 40_000.0, 200_000.0
-# What a search for a path may take in all, about 1.5 s, and what one for a loop may: from the hip
-# to the waist it takes a quarter of that.
-PATH, LOOP = 3e6, 8e7
+# What a search for a path may take in all, some 5 s: a path down a body may need nearly all of it
+# until no route is left to try. And what one for a loop may: from the hip to the waist it takes a
+# quarter of that.
+PATH, LOOP = 8e6, 8e7
+# What a search may take on an atlas with poles, about 1.5 s. All parts of a path share it, and
+# mostly the path past the pole is known once it is used up.
+WITH_POLES = 3e6
 # What may be taken beyond that to make the path at hand exact: without that there is no length.
 OVERDRAFT = 1e6
 

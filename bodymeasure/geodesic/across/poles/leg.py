@@ -10,7 +10,7 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.bezier import evaluate
-from bodymeasure.geodesic.across.pieces.budget import PATH, Budget
+from bodymeasure.geodesic.across.pieces.budget import PATH, WITH_POLES, Budget
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
 from bodymeasure.geodesic.across.poles.composed import beside_pole, composed_path, radial
@@ -74,9 +74,10 @@ def leg_between(
     A path that passes close by a pole is composed of the geodesics to the pole and from it, if it
     is so close that no more is needed (`junction`); else it is cut about the pole (`cuts`).
     """
-    ground, ends = Ground(atlas, neighbors, Budget(PATH), {}, {}), (start, end)
+    ends = (start, end)
     if not len(poles_of(atlas).patch):
-        return shortest_leg(atlas, neighbors, ends, ground.budget)
+        return shortest_leg(atlas, neighbors, ends, Budget(PATH))
+    ground = Ground(atlas, neighbors, Budget(WITH_POLES), {}, {})
     path = _past_poles(ground, ends)
     if ground.budget.cut_short and path.status is Status.CONVERGED:
         return replace(path, status=Status.CUT_SHORT)

@@ -11,7 +11,7 @@ import numpy as np
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors, on_side
-from bodymeasure.geodesic.across.pieces.budget import PATH, Budget
+from bodymeasure.geodesic.across.pieces.budget import WITH_POLES, Budget
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
 from bodymeasure.geodesic.across.poles.composed import composed_path, radial
 from bodymeasure.geodesic.across.poles.fan import fan_at, poles_of
@@ -71,7 +71,7 @@ def _geodesics(atlas: Atlas, start: AtlasPoint, end: AtlasPoint) -> tuple[AtlasP
     """
     neighbors, poles, fan = topology(atlas).neighbors, poles_of(atlas), fan_at(atlas, start)
     assert fan is not None
-    count, budget = len(fan.sectors), Budget(PATH)
+    count, budget = len(fan.sectors), Budget(WITH_POLES)
     most = min(count, MOST)
     found: list[AtlasPath] = []
     for number in sorted({count * step // most for step in range(most)}):
