@@ -1,4 +1,4 @@
-"""Bodies of models with a fixed topology, mapped by correspondence: no search, milliseconds."""
+"""Bodies of models with a fixed topology, mapped by correspondence: no search."""
 
 from dataclasses import replace
 from os import PathLike, fspath
@@ -8,14 +8,14 @@ from numpy.typing import ArrayLike
 
 from bodymeasure._typing import Array
 from bodymeasure.arguments import file_path, require_kind
-from bodymeasure.atlas import Atlas, LandmarkFound, LandmarkOrigin, ScanFit, Unit
+from bodymeasure.atlas import LandmarkFound, LandmarkOrigin, ScanFit, Unit
 from bodymeasure.errors import InputError
-from bodymeasure.fit.model import atlas_of_vertices, limit_matrix, skeleton
+from bodymeasure.fit.closeness import closeness_of
+from bodymeasure.fit.completed import completed
+from bodymeasure.fit.model import atlas_of_vertices
 from bodymeasure.fit.result import FittedBody
 from bodymeasure.fit.scan import Scan
 from bodymeasure.fit.scan.read import required_unit
-from bodymeasure.fit.solving.judge import Scores
-from bodymeasure.fit.solving.step import SPREADS
 from bodymeasure.fit.topology import (
     Gives,
     MappedBody,
@@ -55,6 +55,10 @@ def map_body(
     name: str | None = None,
 ) -> FittedBody:
     """Return a body of a model with a fixed topology as an atlas, without a search.
+
+    The atlas has landmarks by rule and lengths of head, hands and feet, as that of a scan. How
+    close it is to the faces of the mesh is measured, but for ``"hm08"``, of whose surface the mesh
+    is the control mesh: that surface is taken for the person.
 
     Parameters
     ----------
@@ -238,44 +242,28 @@ def _scan(mesh: Polygons, transform: Array, topology: Topology, name: str) -> Sc
 def _fitted(
     found: MappedBody, topology: Topology, posture: Posture, scan: Scan, name: str
 ) -> FittedBody:
-    patches, vertices = 376, len(found.vertices)
-    atlas = _atlas(found, topology, name)
-    surface = limit_matrix() @ posture.a_pose(found.vertices)
-    angles = np.linalg.norm(posture.rotations, axis=1)
-    turns = [angles[skeleton().number(joint)] / spread for joint, spread in SPREADS.items()]
+    provenance = {"source": f"mapped from {name or 'a mesh'}", "method": topology.source}
+    atlas = atlas_of_vertices(found.vertices, name=name, provenance=provenance)
+    close = closeness_of(found.vertices, atlas, scan, topology, posture)
+    warnings = (*found.warnings, *close.warnings)
+    places = OF_FIT if topology.gives is Gives.SAMPLES else OF_VERTEX
+    known = {each: LandmarkFound(LandmarkOrigin.CARRIED, places) for each in atlas.landmarks}
+    coverage = close.coverage
+    record = ScanFit(coverage.share, coverage.distance, known, found.notes, warnings)
+    # A body of which the mesh is the control mesh is taken for the person.
+    distance = close.distance if topology.gives is Gives.SAMPLES else None
     return FittedBody(
-        atlas=atlas,
+        atlas=completed(replace(atlas, scan=record), found.vertices, distance=distance),
         vertices=found.vertices,
         coefficients=posture.coefficients,
         rotations=posture.rotations,
         shift=posture.shift,
         transform=found.transform,
-        coverage=np.ones(patches),
-        uncovered=np.empty(0, dtype=np.int64),
-        distance=np.zeros(vertices),
-        scores=Scores(
-            covered=1.0,
-            explained=1.0,
-            rms_before=posture.residual,
-            rms=topology.accuracy,
-            largest_coefficient=float(np.abs(posture.coefficients).max()),
-            largest_angle=float(max(turns)),
-            stature=float(np.ptp(surface[:, 2])),
-            noise=0.0,
-            start=0.0,
-        ),
+        coverage=coverage.share,
+        uncovered=coverage.uncovered,
+        distance=close.distance,
+        scores=close.scores,
         picked=(),
         scan=scan,
-        warnings=found.warnings,
+        warnings=warnings,
     )
-
-
-def _atlas(found: MappedBody, topology: Topology, name: str) -> Atlas:
-    provenance = {"source": f"mapped from {name or 'a mesh'}", "method": topology.source}
-    atlas = atlas_of_vertices(found.vertices, name=name, provenance=provenance)
-    places = OF_FIT if topology.gives is Gives.SAMPLES else OF_VERTEX
-    known = {each: LandmarkFound(LandmarkOrigin.CARRIED, places) for each in atlas.landmarks}
-    count = len(atlas)
-    distance = np.full(count, topology.accuracy)
-    record = ScanFit(np.ones(count), distance, known, found.notes, found.warnings)
-    return replace(atlas, scan=record)

@@ -56,8 +56,6 @@ UNMARKED = {
     "side hip point left": 0.005,
     "side hip point right": 0.005,
 }
-# A patch with less scan than this takes its shape from the space of bodies.
-LEAST = 0.5
 # The topologies that are recognized.
 KNOWN = "known"
 
@@ -126,7 +124,7 @@ def fit_body(
     mapped = _mapped(mesh, topology, landmarks, file_unit=file_unit, up=up, name=name)
     if mapped is not None:
         report(1.0)
-        return replace(mapped, atlas=completed(mapped.atlas, mapped.vertices))
+        return mapped
     scan = _scan(mesh, file_unit, up, front)
     report(0.5)
     source = scan.name or "the mesh"
@@ -162,9 +160,8 @@ def fit_body(
     state, vertices = moved(state, turn, shift), after @ turn.T + shift
     transform = np.eye(4)
     transform[:3] = np.column_stack([turn * scan.file_unit.meters, shift])
-    uncovered = np.flatnonzero(coverage.share < LEAST)
     atlas = _atlas(vertices, scan, scan.name if name is None else name)
-    warnings = (*picks.warnings, *warnings_of(scores, atlas, uncovered))
+    warnings = (*picks.warnings, *warnings_of(scores, atlas, coverage.uncovered))
     done = (*scan.notes, *([found_up] if found_up else []))
     at = {each: turn @ place + shift for each, place in picks.positions.items()}
     record = ScanFit(coverage.share, coverage.distance, {}, done, warnings)
@@ -179,7 +176,7 @@ def fit_body(
         shift=state.shift,
         transform=transform,
         coverage=coverage.share,
-        uncovered=uncovered,
+        uncovered=coverage.uncovered,
         distance=distance,
         scores=scores,
         picked=tuple(picks.positions),

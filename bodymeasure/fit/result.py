@@ -35,7 +35,8 @@ class FittedBody:
         Patches of which the scan shows less than half.
     distance : ndarray, shape (13380,)
         Signed distance of the vertices' limit positions from the scan, positive outside; NaN where
-        there is none within 12 mm.
+        there is none within 12 mm. Zero for a body that was mapped from its control mesh, whose
+        surface it has; `coverage` is 1 then.
     scores : Scores
     picked : tuple of str
         Landmarks that the user picked; the others are carried.

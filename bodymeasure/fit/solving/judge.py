@@ -9,6 +9,7 @@ from scipy.spatial import cKDTree
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Atlas
+from bodymeasure.atlas.scan_fit import LEAST_COVERAGE
 from bodymeasure.bezier import derivatives
 from bodymeasure.errors import FitError
 from bodymeasure.fit.model import body_model, limit_matrix, skeleton
@@ -104,6 +105,11 @@ class Coverage:
 
     share: Array
     distance: Array
+
+    @property
+    def uncovered(self) -> Ints:
+        """The patches of which less than half has scan: they take their shape from the bodies."""
+        return np.flatnonzero(self.share < LEAST_COVERAGE)
 
 
 def coverage_of(atlas: Atlas, cloud: Cloud) -> Coverage:

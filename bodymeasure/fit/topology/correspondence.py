@@ -34,7 +34,8 @@ class Topology:
     source : str
         A sentence that says where the correspondence comes from.
     accuracy : float
-        RMS distance in meters of an atlas from the surface that the topology's mesh describes.
+        RMS distance in meters of an atlas from the surface that the topology's mesh describes, on
+        the bodies on which the topology was made or tried.
     """
 
     name: str

@@ -3,13 +3,17 @@
 from dataclasses import replace
 from pathlib import Path
 
+import igl
 import numpy as np
 import pytest
 from helpers.bodies_in_poses import body_in_pose
 from helpers.foreign_body import foreign_triangles, foreign_vertices
+from scipy.spatial import cKDTree
 
 import bodymeasure as bm
+from bodymeasure.extremities.places import HANDS, places
 from bodymeasure.fit.model import body_model, limit_matrix, shaped
+from bodymeasure.fit.topology import polygons_of, topology_of_fit
 
 
 def test_hm08_is_recognized_and_not_fitted(tmp_path: Path) -> None:
@@ -49,6 +53,41 @@ def test_a_stored_topology_maps_other_bodies(tmp_path: Path) -> None:
     assert 0.1e-3 < body.scores.rms < 0.5e-3
     stature = np.ptp((limit_matrix() @ shaped(coefficients))[:, 2])
     assert abs(body.scores.stature - stature) < 0.02
+
+
+def test_the_distance_from_the_faces_is_that_of_libigl() -> None:
+    quads = body_model().quads
+    body = bm.map_body((body_in_pose(2)[0], quads), "hm08 faces", file_unit="m")
+    points = bm.tessellate(body.atlas, 5).vertices
+    squares = igl.point_mesh_squared_distance(points, body.scan.vertices, body.scan.triangles)[0]
+    scan = body.atlas.scan
+    assert scan is not None
+    assert scan.rms == pytest.approx(np.sqrt(squares.mean()), rel=0.1)
+    assert len(set(scan.distance.tolist())) == len(body.atlas)
+    # Lengths of the head are no surer than the surface.
+    assert body.atlas.given["head_girth"].uncertainty > 0.3e-3
+
+
+def test_a_hand_that_the_mesh_lacks_has_no_length() -> None:
+    """A stored correspondence gives points there, too, by the affine map of the wrist."""
+    mean = body_model().mean
+    vertices, triangles = foreign_vertices(mean), foreign_triangles()
+    region = places().region[cKDTree(mean).query(vertices)[1]]
+    hand = np.isin(region, HANDS["left"])[triangles].any(axis=1)
+    mesh = polygons_of(vertices, triangles[~hand])
+    topology = topology_of_fit(mesh, vertices, mean, "one hand")
+    body = bm.map_body((vertices, triangles[~hand]), topology, file_unit="m")
+    given = body.atlas.given
+    assert "hand_length_right" in given
+    assert not [key for key in given if key.startswith(("hand", "palm")) and key.endswith("_left")]
+    assert np.isnan(body.distance[np.isin(places().region, HANDS["left"])]).mean() > 0.9
+
+
+def test_a_mapped_body_has_what_a_fit_has_besides() -> None:
+    mesh = (body_in_pose(5)[0], body_model().quads)
+    mapped, fitted = bm.map_body(mesh, file_unit="m"), bm.fit_body(mesh, file_unit="m")
+    assert mapped.atlas.given["stature"] == fitted.atlas.given["stature"]
+    assert mapped.atlas.landmarks == fitted.atlas.landmarks
 
 
 def test_what_cannot_be_mapped_is_refused(tmp_path: Path) -> None:
