@@ -7,7 +7,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
 
 Kind = TypeVar("Kind")
@@ -101,3 +101,20 @@ def numbers(value: object, name: str, expected: str) -> Array:
         return np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError):
         raise InputError(f"{name} is {shown(value)}; expected {expected}") from None
+
+
+def whole_numbers(value: object, name: str, expected: str) -> Ints:
+    """Return an array of whole numbers, as faces are of the numbers of their vertices.
+
+    Raises
+    ------
+    InputError
+        If the value is none, as lists of different lengths are.
+    """
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        array = np.empty(0)
+    if array.dtype.kind not in "iu":
+        raise InputError(f"{name} is {shown(value)}; expected {expected}")
+    return array.astype(np.int64)

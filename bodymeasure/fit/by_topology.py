@@ -15,7 +15,7 @@ from bodymeasure.fit.completed import completed
 from bodymeasure.fit.model import atlas_of_vertices
 from bodymeasure.fit.result import FittedBody
 from bodymeasure.fit.scan import Scan
-from bodymeasure.fit.scan.read import required_unit
+from bodymeasure.fit.scan.read import check_axes, required_unit
 from bodymeasure.fit.topology import (
     Gives,
     MappedBody,
@@ -32,6 +32,7 @@ from bodymeasure.fit.topology import (
     topology_of_fit,
     write_topology,
 )
+from bodymeasure.fit.topology.hm08 import SURFACES
 from bodymeasure.formats.mesh_vertices import NUMBERED
 from bodymeasure.threads import one_blas_thread
 
@@ -99,6 +100,7 @@ def map_body(
     """
     source, label = _called(mesh)
     unit = required_unit(file_unit, source, False)
+    check_axes(up, None)
     polygons = _polygons(mesh)
     chosen = _chosen(topology, polygons, source)
     found = mapped_body(polygons, chosen, unit, up=up, source=source)
@@ -219,6 +221,9 @@ def _chosen(
             )
         return found
     path = file_path(topology, "the topology")
+    if str(topology) in SURFACES:
+        # Even if a folder of MakeHuman's has that name.
+        return known_topology(str(topology), mesh, source)
     if path.suffix.lower() == ".npz" or path.exists():
         return read_topology(path)
     return known_topology(str(topology), mesh, source)

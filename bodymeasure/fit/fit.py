@@ -25,6 +25,7 @@ from bodymeasure.fit.model import atlas_of_vertices, posed
 from bodymeasure.fit.picks import picks_of
 from bodymeasure.fit.result import FittedBody
 from bodymeasure.fit.scan import Scan, read_scan, scan_of
+from bodymeasure.fit.scan.read import check_axes
 from bodymeasure.fit.solving.cloud import cloud_of
 from bodymeasure.fit.solving.coarse import coarse_start
 from bodymeasure.fit.solving.grain import grain_of
@@ -220,7 +221,9 @@ def _scan(
     if isinstance(mesh, Scan):
         if file_unit is not None:
             raise InputError("the scan says its unit; expected no file_unit beside it")
-        return replace(mesh, up=up or mesh.up, front=front or mesh.front)
+        up, front = up or mesh.up, front or mesh.front
+        check_axes(up, front)
+        return replace(mesh, up=up, front=front)
     if isinstance(mesh, tuple):
         if len(mesh) != 2:
             raise InputError(f"mesh has {len(mesh)} parts; expected vertices and triangles")

@@ -2,10 +2,9 @@
 
 from os import PathLike
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from bodymeasure.arguments import file_path, numbers, shown
+from bodymeasure.arguments import file_path, numbers, shown, whole_numbers
 from bodymeasure.atlas import Axes, Unit
 from bodymeasure.atlas.axes import DIRECTIONS
 from bodymeasure.errors import InputError
@@ -70,7 +69,7 @@ def read_scan(
     """
     path = file_path(path)
     unit = required_unit(file_unit, str(path), path.suffix.lower() in IN_METERS)
-    _check_axes(up, front)
+    check_axes(up, front)
     require_bytes(path)
     found = load(read_bytes(path), path)
     return made(found, str(path), unit, up, front, path.stem)
@@ -108,16 +107,14 @@ def scan_of(
     """
     source = name or "the mesh"
     unit = required_unit(file_unit, source, False)
-    _check_axes(up, front)
+    check_axes(up, front)
     points = numbers(vertices, "the vertices", "numbers of shape (n, 3)")
-    corners = np.asarray(triangles)
+    expected = "whole numbers of vertices, of shape (m, 3)"
+    corners = whole_numbers(triangles, "the triangles", expected)
     if points.ndim != 2 or points.shape[1] != 3:
         raise InputError(f"the vertices have shape {points.shape}; expected (n, 3)")
-    if corners.ndim != 2 or corners.shape[1] != 3 or corners.dtype.kind not in "iu":
-        raise InputError(
-            f"the triangles have shape {corners.shape} and type {corners.dtype}; expected (m, 3), "
-            "numbers of vertices"
-        )
+    if corners.ndim != 2 or corners.shape[1] != 3:
+        raise InputError(f"the triangles have shape {corners.shape}; expected {expected}")
     if not len(corners):
         raise InputError("the mesh has no triangle; a cloud of points has no surface to fit to")
     if corners.min() < 0 or corners.max() >= len(points):
@@ -125,7 +122,7 @@ def scan_of(
             f"the triangles refer to vertices {corners.min()} to {corners.max()}; expected 0 to "
             f"{len(points) - 1}"
         )
-    found = Triangles(points, corners.astype(np.int64))
+    found = Triangles(points, corners)
     return made(found, source, unit, up, front, name)
 
 
@@ -154,7 +151,8 @@ def required_unit(given: Unit | str | None, source: str, in_meters: bool) -> Uni
     )
 
 
-def _check_axes(up: str | None, front: str | None) -> None:
+def check_axes(up: str | None, front: str | None) -> None:
+    """Raise an InputError unless axes are known, or to be found, and square to each other."""
     for name, value in (("up", up), ("front", front)):
         if value is not None and value not in DIRECTIONS:
             raise InputError(

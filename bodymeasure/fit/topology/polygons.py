@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from bodymeasure._typing import Array, Ints
-from bodymeasure.arguments import numbers
+from bodymeasure.arguments import numbers, whole_numbers
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes
 from bodymeasure.fit.scan.load import load, require_bytes
@@ -96,19 +96,17 @@ def polygons_of(vertices: ArrayLike, faces: ArrayLike) -> Polygons:
         If the arrays are no mesh.
     """
     points = numbers(vertices, "the vertices", "numbers of shape (n, 3)")
-    corners = np.asarray(faces)
+    expected = "whole numbers of vertices, of shape (m, 3) or (m, 4)"
+    corners = whole_numbers(faces, "the faces", expected)
     if points.ndim != 2 or points.shape[1] != 3 or not np.isfinite(points).all():
         raise InputError(
             f"the vertices have shape {points.shape}; expected (n, 3), and finite numbers"
         )
-    if corners.ndim != 2 or corners.shape[1] not in (3, 4) or corners.dtype.kind not in "iu":
-        raise InputError(
-            f"the faces have shape {corners.shape} and type {corners.dtype}; expected (m, 3) or "
-            "(m, 4), numbers of vertices"
-        )
+    if corners.ndim != 2 or corners.shape[1] not in (3, 4):
+        raise InputError(f"the faces have shape {corners.shape}; expected {expected}")
     if not len(corners) or corners.min() < 0 or corners.max() >= len(points):
         raise InputError(
             f"the faces must be at least one and refer to vertices 0 to {len(points) - 1}"
         )
     sizes = np.full(len(corners), corners.shape[1])
-    return Polygons(points, corners.astype(np.int64).ravel(), sizes)
+    return Polygons(points, corners.ravel(), sizes)

@@ -161,6 +161,8 @@ def _fault(arrays: dict[str, NDArray[Any]], count: int, rows: int) -> str:
         return "the rows of the map do not follow each other"
     if count < 1 or max(int(edges.max()), int(indices.max())) >= count:
         return f"it refers to vertices beyond the {count} that it has"
+    if min(int(edges.min()), int(indices.min())) < 0:
+        return "it refers to vertices by negative numbers"
     sums = np.add.reduceat(weights.astype(np.float64), indptr[:-1].astype(np.int64))
     if not np.abs(sums - 1.0).max() < SUM:
         return "the weights of a vertex do not add up to 1"

@@ -100,3 +100,23 @@ def test_what_cannot_be_mapped_is_refused(tmp_path: Path) -> None:
         bm.map_body(square, tmp_path / "model.npz", file_unit="m")
     with pytest.raises(bm.InputError, match="no landmarks: leave the topology out"):
         bm.fit_body(square, file_unit="m", topology="hm08", landmarks={})
+
+
+def test_wrong_arguments_are_named() -> None:
+    vertices, quads = body_model().mean, body_model().quads
+    ragged = [[0, 1, 2], [0, 1, 2, 3]]
+    with pytest.raises(bm.InputError, match=r"the faces is .*; expected whole numbers of vertices"):
+        bm.map_body((vertices, ragged), file_unit="m")
+    with pytest.raises(bm.InputError, match=r"the triangles is .*; expected whole numbers"):
+        bm.fit_body((vertices, ragged), file_unit="m")
+    with pytest.raises(bm.InputError, match="up is 'z'; expected one of"):
+        bm.map_body((vertices, quads), file_unit="m", up="z")
+
+
+def test_a_folder_does_not_hide_a_topology_of_its_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    Path(tmp_path, "hm08").mkdir()
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(bm.InputError, match="is not of the topology 'hm08'"):
+        bm.map_body((np.eye(4, 3), [[0, 1, 2, 3]]), "hm08", file_unit="m")
