@@ -11,7 +11,7 @@ from bodymeasure.errors import InputError
 from bodymeasure.extremities.foot import foot_lengths
 from bodymeasure.extremities.hand import hand_lengths
 from bodymeasure.extremities.head import head_lengths
-from bodymeasure.extremities.places import FEET, HANDS, Region, places
+from bodymeasure.extremities.places import CHIN, FEET, GLABELLA, HANDS, Region, places
 from bodymeasure.extremities.surface import Length
 from bodymeasure.subdivision import QuadMesh, limit_positions
 from bodymeasure.threads import one_blas_thread
@@ -20,6 +20,9 @@ UP = np.array([0.0, 0.0, 1.0])
 ORIGIN = "Measured on the whole body, of which the atlas covers a part."
 # A scan that shows less of a head, hand or foot does not tell how long it is.
 LEAST_SHOWN = 0.5
+# A scan shows the end of a length if it shows half of so many of the nearest vertices.
+BESIDE = 16
+FOOT_ENDS = ("heel back", "second toe tip")
 # How many times the root mean square distance of a scan a length may be off: one end of a height,
 # both ends of a straight length, and half of the girth of a circle that is so much wider.
 HEIGHT, STRAIGHT, GIRTH = 1.0, 2.0**0.5, np.pi
@@ -84,7 +87,28 @@ def extremity_lengths(
         hand, foot = np.isin(region, HANDS[side]), np.isin(region, FEET[side])
         given |= _given(hand_lengths(whole, limit, side), fit, hand, f"_{side}")
         given |= _given(foot_lengths(whole, limit, side), fit, foot, f"_{side}")
-    return given
+    hidden = _without_ends(limit, np.isfinite(away))
+    return {key: length for key, length in given.items() if key not in hidden}
+
+
+def _without_ends(limit: Array, shown: Bools) -> set[str]:
+    """Return the lengths of which the scan does not show an end, though most of the part."""
+
+    def sees(vertex: int) -> bool:
+        beside = np.argsort(np.linalg.norm(limit - limit[vertex], axis=1))[:BESIDE]
+        return bool(shown[beside].mean() >= LEAST_SHOWN)
+
+    skull = np.flatnonzero(places().region == Region.SKULL)
+    top = sees(int(skull[np.argmax(limit[skull] @ UP)]))
+    seen = {"head_height": top and sees(CHIN), "head_length": sees(GLABELLA)}
+    feet = []
+    for number, side in enumerate(HANDS):
+        feet.append([sees(places().landmarks[name][number]) for name in FOOT_ENDS])
+        seen[f"foot_length_{side}"] = all(feet[-1])
+        seen[f"hand_length_{side}"] = sees(int(places().finger[number, -1, 0]))
+    # The floor of a scan without feet is a guess.
+    seen["stature"] = top and any(any(each) for each in feet)
+    return {key for key, there in seen.items() if not there}
 
 
 class _Fit(NamedTuple):

@@ -157,12 +157,12 @@ def fit_body(
     distance = distances_of(after, cloud)
     direction, found_up = upright(state, scan.up_vector)
     lowest = float((scan.vertices[np.unique(kept)] @ direction).min())
-    turn, shift = frame_of(state, after, direction, lowest)
+    turn, shift, grounded = frame_of(state, after, direction, lowest)
     state, vertices = moved(state, turn, shift), after @ turn.T + shift
     transform = np.eye(4)
     transform[:3] = np.column_stack([turn * scan.file_unit.meters, shift])
     atlas = _atlas(vertices, scan, scan.name if name is None else name)
-    warnings = (*picks.warnings, *warnings_of(scores, atlas, coverage.uncovered))
+    warnings = (*picks.warnings, *grounded, *warnings_of(scores, atlas, coverage.uncovered))
     done = (*scan.notes, *([found_up] if found_up else []))
     at = {each: turn @ place + shift for each, place in picks.positions.items()}
     record = ScanFit(coverage.share, coverage.distance, {}, done, warnings)

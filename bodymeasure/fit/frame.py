@@ -1,5 +1,7 @@
 """The frame of the atlas in that of the scan: upright, facing the front, on the floor."""
 
+from typing import NamedTuple
+
 import numpy as np
 from scipy.spatial.transform import Rotation
 
@@ -12,6 +14,26 @@ from bodymeasure.fit.solving.state import State
 LEAN = np.radians(15.0)
 # Where the body's lowest point is farther below the scan's than this, in meters, feet are missing.
 FEET = 0.02
+NO_FEET = (
+    "The scan does not reach the floor: where the soles are is a guess, and with it every height; "
+    "scan the feet, too."
+)
+
+
+class Frame(NamedTuple):
+    """The atlas's frame in that of the scan.
+
+    Parameters
+    ----------
+    turn : ndarray, shape (3, 3)
+    shift : ndarray, shape (3,)
+        After the rotation.
+    warnings : tuple of str
+    """
+
+    turn: Array
+    shift: Array
+    warnings: tuple[str, ...]
 
 
 def upright(state: State, given: Array | None) -> tuple[Array, str]:
@@ -36,8 +58,8 @@ def upright(state: State, given: Array | None) -> tuple[Array, str]:
     return along, "No axis of the file is upright: up is from the feet to the head."
 
 
-def frame_of(state: State, vertices: Array, up: Array, lowest: float) -> tuple[Array, Array]:
-    """Return the rotation, (3, 3), and the shift, (3,), from the scan's frame to the atlas's.
+def frame_of(state: State, vertices: Array, up: Array, lowest: float) -> Frame:
+    """Return the rotation and the shift from the scan's frame to the atlas's.
 
     Parameters
     ----------
@@ -52,10 +74,12 @@ def frame_of(state: State, vertices: Array, up: Array, lowest: float) -> tuple[A
     ahead /= np.linalg.norm(ahead)
     turn = np.stack([np.cross(-ahead, up), -ahead, up])
     body = float((limit_matrix() @ vertices @ up).min())
-    floor = lowest if body > lowest - FEET else body
+    has_feet = body > lowest - FEET
+    floor = lowest if has_feet else body
     pelvis = turn @ state.bones.places[0]
     home = skeleton().mean[0]
-    return turn, np.array([home[0] - pelvis[0], home[1] - pelvis[1], -floor])
+    shift = np.array([home[0] - pelvis[0], home[1] - pelvis[1], -floor])
+    return Frame(turn, shift, () if has_feet else (NO_FEET,))
 
 
 def moved(state: State, turn: Array, shift: Array) -> State:

@@ -110,6 +110,22 @@ def test_what_the_scan_does_not_show_has_no_length() -> None:
     assert found["stature"].value == lengths()["stature"].value
 
 
+def test_a_length_needs_its_ends() -> None:
+    """A scan that ends at the forehead, or above the ankles, shows most of head and legs."""
+    limit = limit_positions(QuadMesh(BODY, QUADS))
+    distance = np.full(len(BODY), 0.002)
+    crown = distance.copy()
+    crown[limit[:, 2] > limit[:, 2].max() - 0.05] = np.nan
+    found = extremity_lengths(BODY, QUADS, distance=crown)
+    assert KEYS - set(found) == {"stature", "head_height"}
+    feet = distance.copy()
+    feet[limit[:, 2] < 0.1] = np.nan
+    found = extremity_lengths(BODY, QUADS, distance=feet)
+    assert "stature" not in found
+    assert "foot_length_left" not in found
+    assert "head_height" in found
+
+
 def test_another_mesh_is_refused() -> None:
     with pytest.raises(InputError, match=r"vertices of shape \(10, 3\); expected \(13380, 3\)"):
         extremity_lengths(np.zeros((10, 3)), QUADS)

@@ -147,3 +147,14 @@ def test_what_is_no_body_is_refused(shape: str) -> None:
         mesh = trimesh.util.concatenate([one, _mesh().apply_translation([1.0, 0.0, 0.0])])
     with pytest.raises(bm.InputError, match="expected"):
         bm.fit_body((np.asarray(mesh.vertices), np.asarray(mesh.faces)), file_unit="m")
+
+
+def test_a_scan_without_feet_has_no_floor() -> None:
+    mesh = _mesh()
+    height = mesh.vertices[:, 2] - mesh.vertices[:, 2].min()
+    kept = mesh.faces[(height[mesh.faces] > 0.08).all(axis=1)]
+    body = bm.fit_body((mesh.vertices, kept), file_unit="m", up="+z")
+    assert any("The scan does not reach the floor" in sentence for sentence in body.warnings)
+    assert body.warnings == body.atlas.scan.warnings  # type: ignore[union-attr]
+    assert "stature" not in body.atlas.given
+    assert "head_height" in body.atlas.given
