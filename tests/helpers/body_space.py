@@ -72,4 +72,6 @@ def _atlas(points: Array, name: str) -> Atlas:
         },
         name=name,
         provenance={},
+        # Head, hands and feet of the sample are not those of another body.
+        given={},
     )

@@ -43,6 +43,7 @@ def exact_path(mesh: TriangleMesh, start: MeshPoint, end: MeshPoint) -> Array:
     No path that is as short as the shortest along the edges leaves the ellipsoid about the two
     points whose axis is that long; faces that are wholly outside are left out.
     """
+    start, end = start.rounded, end.rounded
     ends = np.array([start.position(mesh), end.position(mesh)])
     if start.face == end.face:
         return ends

@@ -7,6 +7,10 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.mesh.arrays import TriangleMesh
 
+# Weights below this move a place by less than the rounding of its coordinates. They would make a
+# place beside a vertex or a side, from which no leg can be seen to leave, of one that is there.
+ROUNDING = 4.0 * float(np.finfo(np.float64).eps)
+
 
 class MeshPoint(NamedTuple):
     """A place on a mesh.
@@ -36,6 +40,12 @@ class MeshPoint(NamedTuple):
     def position(self, mesh: TriangleMesh) -> Array:
         """Return its coordinates, shape (3,)."""
         return np.asarray(self.weights @ mesh.vertices[mesh.faces[self.face]])
+
+    @property
+    def rounded(self) -> "MeshPoint":
+        """The same place at a vertex or on a side, if it is there except for rounding."""
+        weights = np.where(self.weights > ROUNDING, self.weights, 0.0)
+        return MeshPoint(self.face, weights / weights.sum())
 
     def vertex(self, mesh: TriangleMesh) -> int:
         """Return the vertex that it is; -1 if it is none."""
