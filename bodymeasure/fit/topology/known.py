@@ -11,14 +11,21 @@ from bodymeasure.fit.topology.hm08 import SURFACES, hm08_topologies
 from bodymeasure.fit.topology.polygons import Polygons
 from bodymeasure.wording import counted
 
+# MakeHuman's helper geometry makes a mesh 1.43 times as large as its body. What has more vertices
+# than this holds other things, such as another person.
+MOST = 1.5
+
 
 def recognized(mesh: Polygons) -> Topology | None:
     """Return the topology that comes with the package and that a mesh has, or None.
 
     A mesh is recognized by its edges: all that the topology names must be there, between vertices
-    with the same numbers. The kind of polygons, and what else the mesh holds, do not matter.
+    with the same numbers. The kind of polygons does not matter, nor what else the mesh holds, if it
+    is not as much as another body.
     """
-    return next(_matching(mesh, hm08_topologies()), None)
+    found = next(_matching(mesh, hm08_topologies()), None)
+    alone = found is not None and len(mesh.vertices) <= MOST * found.count
+    return found if alone else None
 
 
 def known_topology(name: str, mesh: Polygons, source: str) -> Topology:
