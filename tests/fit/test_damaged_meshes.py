@@ -39,5 +39,5 @@ def test_any_bytes_are_refused(extension: str, content: bytes) -> None:
 
 @pytest.mark.parametrize("extension", [".stl", ".ply", ".obj", ".off"])
 @given(content=st.text(alphabet="OFsolidvertexendfacet plyf 0123456789.-\n", max_size=200))
-def test_text_of_the_right_signs_is_refused(extension: str, content: str) -> None:
+def test_text_of_the_right_signs_breaks_nothing(extension: str, content: str) -> None:
     scan_or_refused(content.encode(), extension)

@@ -20,7 +20,7 @@ from bodymeasure.subdivision import QuadMesh, limit_positions, subdivide, triang
 SEED = 1913
 # Standard deviations of the coefficients, below which few random bodies are folded.
 SPREAD = 0.8
-# Of the joints' turns, in radians.
+# Standard deviations of the joints' turns, in radians.
 TURNS = {
     **dict.fromkeys(("LowerBack", "Spine1", "Neck", "Head"), 0.06),
     **dict.fromkeys(("LeftArm", "RightArm"), 0.2),

@@ -20,7 +20,7 @@ ARMS = (0.0, 0.7, -0.45)
 LACKING = (0.0, 0.16)
 # Where the second axis is so long against the first, the arms are spread, and it may be the height.
 SPREAD_ARMS = 0.45
-# Of all that are tried, so many are refined, and of these so many to the end.
+# The numbers of poses that are refined, and that are refined to the end.
 REFINED, FINISHED = 12, 4
 # Gauss-Newton steps before the rest is dropped.
 FIRST = 4

@@ -104,7 +104,7 @@ def test_all_of_it_is_measured(name: str) -> None:
             assert 0.0 <= one.error_estimate <= 1e-3 * one.value, key
             continue
         assert one.reason == "", key
-        # Of what is computed from the stature, the mesh below the atlas is the less exact part.
+        # What is computed from the stature is as exact as the mesh on which that was measured.
         assert 0.0 <= one.error_estimate <= 1e-5 * one.value, key
         assert one.tapes or isinstance(one.definition, FormulaMeasure)
         assert one.landmarks

@@ -50,7 +50,8 @@ def test_where_the_surface_is_a_point_steps_are_straight() -> None:
 
 
 def test_second_derivatives_along_the_moves(rng: np.random.Generator) -> None:
-    # Of the squared distance in space from a point, along moves of one node, by differences.
+    # The function is the squared distance in space from a point, along moves of one node; its
+    # derivatives are compared with differences.
     net = rng.normal(size=(4, 4, 3))
     surface, target = BezierSurfaces(net[None]), rng.normal(size=3)
     place = np.array([0.4, 0.6])
