@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 import pytest
 from bodymeasure.viewer import describe, view
-from bodymeasure.viewer.base_window import PICK_TOLERANCE
-from bodymeasure.viewer.window import Window
+from bodymeasure.viewer.window.base import PICK_TOLERANCE
+from bodymeasure.viewer.window.patches import Window
 from helpers.charts.straight_survey import straight_survey
 from PIL import Image
 

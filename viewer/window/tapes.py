@@ -5,8 +5,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from bodymeasure.viewer.base_window import INK, LIT, BodyWindow, owner
-from bodymeasure.viewer.describe import describe_measured
+from bodymeasure.viewer.window.base import INK, LIT, BodyWindow, owner
+from bodymeasure.viewer.window.describe import describe_measured
 
 from bodymeasure._typing import Array
 from bodymeasure.scene import SIDES, TapeLine, tapes_scene

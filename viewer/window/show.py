@@ -5,9 +5,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from bodymeasure.viewer.base_window import BodyWindow
-from bodymeasure.viewer.tape_window import TapeWindow
-from bodymeasure.viewer.window import Window
+from bodymeasure.viewer.window.base import BodyWindow
+from bodymeasure.viewer.window.patches import Window
+from bodymeasure.viewer.window.tapes import TapeWindow
 
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.files import write_bytes

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from bodymeasure.viewer.base_window import INK, TEXT_SIZE, BodyWindow, owner
-from bodymeasure.viewer.describe import describe
+from bodymeasure.viewer.window.base import INK, TEXT_SIZE, BodyWindow, owner
+from bodymeasure.viewer.window.describe import describe
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.queries.outside import outward_sign_of_mesh

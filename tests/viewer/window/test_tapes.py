@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 import pytest
 from bodymeasure.viewer import describe_measured, view_chart
-from bodymeasure.viewer.base_window import PICK_TOLERANCE
-from bodymeasure.viewer.tape_window import TapeWindow
+from bodymeasure.viewer.window.base import PICK_TOLERANCE
+from bodymeasure.viewer.window.tapes import TapeWindow
 from helpers.charts.hand_charts import chart_of, chord_between, girth_at, height_of, missing
 from PIL import Image
 
