@@ -13,7 +13,7 @@ from bodymeasure.geodesic import geodesic_between
 from bodymeasure.measure import body_girth
 from bodymeasure.mesh import measure_mesh
 from bodymeasure.mesh.points import points_of
-from bodymeasure.plugin.drawn import drawn_path, shown
+from bodymeasure.plugin.drawn import START, drawn_path, drawn_start, length_words, shown
 from bodymeasure.plugin.remembered import PARAMETERS, PATCH, atlas_of, lines_of, unit_of
 
 MeshPlace = int | Location
@@ -164,38 +164,56 @@ class MeasureAccessor:
             drawn_path(plotter, self._mesh, path)
 
     def pick(self, plotter: Any) -> list[pv.PolyData]:
-        """Let the user pick pairs of points in a plotter; each pair is measured and drawn.
+        """Let the user click pairs of points in a plotter; each pair is measured and drawn.
+
+        A press of the button that moves turns the mesh as ever. The length stands at the path, and
+        its error and what it is worth in the corner.
 
         Parameters
         ----------
         plotter : pyvista.Plotter
-            A plotter that is not shown yet. Points are picked with the right mouse button, or P.
+            A plotter that is not shown yet, with the style of interaction that it is to have.
 
         Returns
         -------
         list of pyvista.PolyData
             The paths, which the list receives as they are measured.
         """
+        from bodymeasure.viewer.window.clicks import listen_for_clicks, picked_at
+
         paths: list[pv.PolyData] = []
         waiting: list[Any] = []
-        shown(plotter, self._mesh)
+        body = shown(plotter, self._mesh)
 
-        def picked(position: Any, *_others: Any) -> None:
-            waiting.append(np.asarray(position, dtype=np.float64))
-            if len(waiting) < 2:
+        def say(words: str) -> None:
+            plotter.add_text(words, name="measure", font_size=9)
+
+        def clicked(x: int, y: int) -> None:
+            picker = picked_at(plotter, x, y, body)
+            if picker.GetCellId() < 0:
+                say("there is no mesh; click on it")
                 return
+            waiting.append(np.array(picker.GetPickPosition()))
+            if len(waiting) < 2:
+                drawn_start(plotter, self._mesh, waiting[0])
+                say("click where the path is to end")
+                return
+            plotter.remove_actor(START, render=False)
             start, end = waiting
             waiting.clear()
             try:
                 path = self.path(start, end)
-            except BodymeasureError as error:
-                plotter.add_text(str(error), name="measure", font_size=9)
+            except BodymeasureError as failure:
+                say(str(failure))
                 return
             paths.append(path)
             drawn_path(plotter, self._mesh, path)
-            plotter.add_text(str(path.field_data["sentence"][0]), name="measure", font_size=9)
+            length = length_words(path, "length", ".6g")
+            error = length_words(path, "error_estimate", ".1g")
+            say(f"{length}, error {error}\n{path.field_data['sentence'][0]}")
 
-        plotter.enable_surface_point_picking(callback=picked, show_message=False)
+        say("click where the path is to start")
+        listen_for_clicks(plotter, clicked)
         return paths
 
     def _point(self, atlas: Atlas, place: MeshPlace) -> AtlasPoint:

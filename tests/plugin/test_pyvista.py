@@ -189,29 +189,67 @@ def test_paths_are_drawn(mesh) -> None:  # type: ignore[no-untyped-def]
     assert 20 < changed.sum() < 0.2 * changed.size
 
 
-def test_two_picked_points_are_measured(mesh) -> None:  # type: ignore[no-untyped-def]
-    class Plotter:
-        """A stand-in for the window that records what is asked of it."""
+@pytest.fixture
+def clicking(mesh) -> Any:  # type: ignore[no-untyped-def]
+    """A plotter in which pairs of points of the mesh are picked, and what its corner says."""
+    from bodymeasure.scene.drawing.opengl_check import opengl_trouble
 
-        def __init__(self) -> None:
-            self.callback: Any = None
-            self.texts: list[str] = []
+    if opengl_trouble():
+        pytest.skip(opengl_trouble())
+    with pyvista.vtk_verbosity("off"):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(400, 500))
+        paths = mesh.measure.pick(plotter)
+        plotter.view_vector((0.0, -1.0, 0.0), viewup=(0.0, 0.0, 1.0))
+        plotter.enable_parallel_projection()
+        plotter.screenshot(None, return_img=True)
+        yield plotter, paths
+        plotter.close()
 
-        def add_mesh(self, *_args: object, **_options: object) -> None: ...
 
-        def add_point_labels(self, *_args: object, **_options: object) -> None: ...
+def _press(plotter: Any, position: Any, move: int = 0) -> None:
+    """Press the left button where a position is seen, move, and release it."""
+    plotter.renderer.SetWorldPoint(*position, 1.0)
+    plotter.renderer.WorldToDisplay()
+    x, y = (round(value) for value in plotter.renderer.GetDisplayPoint()[:2])
+    events = plotter.iren.interactor
+    events.SetEventInformation(x, y)
+    events.LeftButtonPressEvent()
+    events.SetEventInformation(x + move, y)
+    events.MouseMoveEvent()
+    events.LeftButtonReleaseEvent()
 
-        def add_text(self, text: str, **_options: object) -> None:
-            self.texts.append(text)
 
-        def enable_surface_point_picking(self, callback: object, **_options: object) -> None:
-            self.callback = callback
+def _corner(plotter: Any) -> str:
+    return str(plotter.actors["measure"].get_text(2))
 
-    plotter = Plotter()
-    paths = mesh.measure.pick(plotter)
-    for place in (mesh.points[10], mesh.points[300], mesh.points[5], np.array([9.0, 9.0, 9.0])):
-        plotter.callback(place)
-    assert len(paths) == 1
-    assert paths[0].field_data["length"][0] == pytest.approx(mesh.measure.distance(10, 300))
-    # The second pair is refused by a message in the window, where a traceback would be of no use.
-    assert "check its coordinates, its unit" in plotter.texts[-1]
+
+def test_two_clicked_points_are_measured(clicking: Any, body: bm.Atlas) -> None:
+    plotter, paths = clicking
+    assert _corner(plotter) == "click where the path is to start"
+    _press(plotter, body.position(body.landmarks[BUST]), move=50)
+    assert _corner(plotter) == "click where the path is to start"
+    plotter.view_vector((0.0, -1.0, 0.0), viewup=(0.0, 0.0, 1.0))
+    _press(plotter, body.position(body.landmarks[BUST]), move=2)
+    assert _corner(plotter) == "click where the path is to end"
+    _press(plotter, body.position(body.landmarks["front hip point"]))
+    (path,) = paths
+    expected = bm.geodesic_between(body, path.points[0], path.points[-1])
+    assert path.field_data["length"][0] == pytest.approx(expected.length, rel=1e-9)
+    # A pixel of this window is some 4 mm, the mesh is within a few millimeters of the body.
+    near = bm.geodesic_between(body, BUST, "front hip point").length
+    assert path.field_data["length"][0] == pytest.approx(near, abs=0.015)
+    first, second = _corner(plotter).split("\n", 1)
+    assert first.startswith(f"{path.field_data['length'][0]:.6g} m, error ")
+    assert second == str(path.field_data["sentence"][0])
+
+
+def test_clicks_that_measure_nothing_say_so(clicking: Any, body: bm.Atlas, mesh: Any) -> None:
+    plotter, paths = clicking
+    _press(plotter, (2.0, 0.0, 0.0))
+    assert _corner(plotter) == "there is no mesh; click on it"
+    # What goes wrong is said in the window, where a traceback would be of no use.
+    mesh.points += (0.0, 0.0, 0.01)
+    for name in (BUST, "front hip point"):
+        _press(plotter, body.position(body.landmarks[name]))
+    assert "it was moved, scaled, deformed or cut" in _corner(plotter)
+    assert paths == []

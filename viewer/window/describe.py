@@ -1,13 +1,15 @@
-"""The words that the viewer shows about a patch or a tape that was picked."""
+"""The words that the window shows about a patch or a tape."""
 
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from bodymeasure.atlas import Unit, convert_length
+from bodymeasure.report.numbers import at_most
 
 if TYPE_CHECKING:
     from bodymeasure.chart import Measured
+    from bodymeasure.geodesic import AtlasPath
     from bodymeasure.measure import Survey
 
 DIAGONALS = ("(0, 0) - (1, 1)", "(1, 0) - (0, 1)")
@@ -48,6 +50,32 @@ def _diagonal(survey: "Survey", patch: int, diagonal: int) -> str:
     return text
 
 
+def describe_path(path: "AtlasPath", straight: float) -> str:
+    """Describe a tape between two points by its length, its error and what they are worth.
+
+    Parameters
+    ----------
+    path : AtlasPath
+        With a length.
+    straight : float
+        The straight distance between its ends, in the atlas's unit.
+
+    Returns
+    -------
+    str
+        Three lines.
+    """
+    unit = path.atlas.unit
+    length, error = length_words(path.length, unit), at_most(path.error_estimate, unit)
+    return "\n".join(
+        [
+            f"{length}, error {error}",
+            f"straight {length_words(straight, unit)}",
+            path.status.sentence,
+        ]
+    )
+
+
 def describe_measured(item: "Measured", unit: Unit) -> str:
     """Describe a measurement by its name, its value in centimeters, and how the tape lies.
 
@@ -66,16 +94,22 @@ def describe_measured(item: "Measured", unit: Unit) -> str:
     definition = item.definition
     lines = [f"{definition.name} ({definition.key})"]
     if np.isfinite(item.value):
-        lines.append(
-            f"{item.value:.2f} degrees" if definition.in_degrees else _centimeters(item.value, unit)
-        )
+        lines.append(value_words(item, unit))
         if np.isfinite(item.contact) and np.isfinite(item.taut):
-            skin, taut = _centimeters(item.contact, unit), _centimeters(item.taut, unit)
+            skin, taut = length_words(item.contact, unit), length_words(item.taut, unit)
             lines.append(f"along the skin {skin}, taut {taut}")
     if item.reason:
         lines.append(item.reason)
     return "\n".join(lines)
 
 
-def _centimeters(length: float, unit: Unit) -> str:
+def value_words(item: "Measured", unit: Unit) -> str:
+    """Return the value of a measurement that has one, in centimeters or degrees."""
+    if item.definition.in_degrees:
+        return f"{item.value:.2f} degrees"
+    return length_words(item.value, unit)
+
+
+def length_words(length: float, unit: Unit) -> str:
+    """Return a length in centimeters with its unit, to a tenth of a millimeter."""
     return f"{convert_length(length, unit, Unit.CM):.2f} cm"

@@ -4,8 +4,9 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from bodymeasure.viewer.window.base import INK, TEXT_SIZE, BodyWindow, owner
+from bodymeasure.viewer.window.base import TEXT_SIZE, BodyWindow, owner
 from bodymeasure.viewer.window.describe import describe
+from bodymeasure.viewer.window.texts import INK
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.queries.outside import outward_sign_of_mesh
@@ -83,11 +84,11 @@ class Window(BodyWindow):
                 self.plotter.add_text(
                     kind.value, position=place, viewport=True, font_size=TEXT_SIZE - 2, color=color
                 )
-        set_camera(self.plotter, surface, self.framed(SIDES[0]))
         self.listen(
-            "click: what is there    n: patch edges    d: diagonals",
+            ("click: what is there", "n: patch edges", "d: diagonals"),
             {"n": self.toggle_edges, "d": self.toggle_paths},
         )
+        set_camera(self.plotter, surface, self.framed(SIDES[0]))
 
     def toggle_edges(self) -> None:
         """Show or hide the patches' edges."""

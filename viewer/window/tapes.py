@@ -5,8 +5,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from bodymeasure.viewer.window.base import INK, LIT, BodyWindow, owner
-from bodymeasure.viewer.window.describe import describe_measured
+from bodymeasure.viewer.window.base import LIT, BodyWindow, owner
+from bodymeasure.viewer.window.describe import describe_measured, value_words
+from bodymeasure.viewer.window.texts import EDGE, INK, LETTER, LINE, add_lines, list_lines
 
 from bodymeasure._typing import Array
 from bodymeasure.scene import SIDES, TapeLine, tapes_scene
@@ -27,6 +28,11 @@ NUMBER_SIZE = 16
 NUMBER_LIFT = 4.0
 # A closed tape has a number at each quarter, so that one is seen from every side.
 QUARTERS = (0.0, 0.25, 0.5, 0.75)
+# Where the list of what is shown begins, in pixels below the top; its width, as a part of the
+# window's; and how many lines of help it stays clear of.
+LIST_TOP = 50
+LIST_WIDTH = 0.4
+HELP_LINES = 3
 # Array of a mesh that says which of the scene's tapes a cell belongs to; -1 on the surface.
 TAPE = "tape"
 # Shift in depth that draws straight tapes, which run through the body, before everything else.
@@ -71,11 +77,11 @@ class TapeWindow(BodyWindow):
             side = sights[best_sides(scene, list(sights))[key]]
         elif self.groups:
             self.say(self.groups[self.shown])
-        set_camera(self.plotter, scene.surface, self.framed(side))
         self.listen(
-            "click: which measurement    g: next group    n: numbers",
+            ("click: which measurement", "g: next group", "n: numbers and names"),
             {"g": self.next_group, "n": self.toggle_numbers},
         )
+        set_camera(self.plotter, scene.surface, self.framed(side))
 
     def next_group(self) -> str:
         """Show the next group of measurements alone; after the last, all of them.
@@ -93,7 +99,7 @@ class TapeWindow(BodyWindow):
         return group
 
     def toggle_numbers(self) -> None:
-        """Show or hide the numbers."""
+        """Show or hide the numbers, and the list of their names and values."""
         self.numbers_on = not self.numbers_on
         self._update()
         self.plotter.render()
@@ -163,6 +169,30 @@ class TapeWindow(BodyWindow):
                 actor.visibility = on
             self.number_actors[group].visibility = on and self.numbers_on
         self.plotter.remove_actor("picked", render=False)
+        self._show_list()
+
+    def fit_texts(self) -> None:
+        """Distribute the texts over the window again; see `BodyWindow`."""
+        super().fit_texts()
+        self._show_list()
+
+    def _show_list(self) -> None:
+        add_lines(self.plotter, self.listed() if self.numbers_on else [], name="list", top=LIST_TOP)
+
+    def listed(self) -> list[str]:
+        """The lines of the list: numbers, values and names of the measurements that are shown."""
+        shown = [
+            row for row in self.scene.tapes if self.shown in (-1, self.groups.index(row.group))
+        ]
+        rows = []
+        for number, key in dict.fromkeys((line.number, line.key) for line in shown):
+            item = self.chart[key]
+            value = value_words(item, self.chart.atlas.unit)
+            rows.append(f"{number}   {value}   {item.definition.name}")
+        width, height = self.plotter.window_size
+        room = height - LIST_TOP - 2 * EDGE - LINE * HELP_LINES
+        lines: list[str] = list_lines(rows, int(LIST_WIDTH * width / LETTER), int(room / LINE))
+        return lines
 
 
 def number_places(line: TapeLine, lift: float) -> Array:

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 from bodymeasure.viewer import describe, view
-from bodymeasure.viewer.window.base import PICK_TOLERANCE
+from bodymeasure.viewer.window.clicks import PICK_TOLERANCE
 from bodymeasure.viewer.window.patches import Window
 from helpers.charts.straight_survey import straight_survey
 from PIL import Image

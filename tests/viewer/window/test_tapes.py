@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 from bodymeasure.viewer import describe_measured, view_chart
-from bodymeasure.viewer.window.base import PICK_TOLERANCE
+from bodymeasure.viewer.window.clicks import PICK_TOLERANCE
 from bodymeasure.viewer.window.tapes import TapeWindow
 from helpers.charts.hand_charts import chart_of, chord_between, girth_at, height_of, missing
 from PIL import Image
@@ -125,6 +125,28 @@ def test_keys_go_through_the_groups_and_hide_numbers(window: Any) -> None:
     window.look_from("left")
     shown = (shot() < 250).any(axis=-1).any(axis=0)
     assert shown.sum() < 0.6 * (first < 250).any(axis=-1).any(axis=0).sum()
+
+
+@pytest.mark.slow
+def test_names_and_values_stand_beside_their_numbers(window: Any, chart: Chart) -> None:
+    girths = [item for item in chart.measured if item.definition.key.startswith("girth")]
+    expected = [
+        f"{window.scene.numbers[item.definition.key]}   {100 * item.value:.2f} cm   "
+        f"{item.definition.name}"
+        for item in girths
+    ]
+    assert window.listed() == expected
+    window.next_group()
+    (line,) = window.listed()
+    assert line.endswith("cm   bust point left, bust point right")
+    for _ in range(2):
+        window.next_group()
+    assert len(window.listed()) == 4
+    # In a low window, the list says how many more there are.
+    window.plotter.window_size = [600, 170]
+    window.fit_texts()
+    assert window.listed()[-1] == f"and {4 - len(window.listed()) + 1} more"
+    assert window.plotter.actors["list"].input.splitlines() == window.listed()
 
 
 @pytest.mark.slow
