@@ -1,0 +1,216 @@
+// The viewer as a whole: what is open, what is selected, and who draws it. The parts do not know
+// each other; they listen to what the app says has changed.
+import { Emitter } from "./model/emitter.js";
+import { chartItems, tapeItem } from "./model/items.js";
+import { Measuring } from "./model/measuring.js";
+import { memory, Settings } from "./model/settings.js";
+import { Sheet } from "./model/sheet.js";
+import { interpolate } from "./scene/grid.js";
+import { Failure } from "./transport/failure.js";
+
+export class App {
+  constructor(root, transport, options = {}) {
+    this.root = root;
+    this.transport = transport;
+    this.options = options;
+    this.emitter = new Emitter();
+    this.settings = new Settings(this.emitter, options.settings);
+    this.sheet = new Sheet(this.emitter, (location) => this.resolve(location));
+    this.measuring = new Measuring(this);
+    this.bodyId = "0";
+    this.header = null;
+    this.chart = null;
+    this.otherChart = null;
+    this.other = null;
+    this.hiddenKeys = new Set();
+    this.selected = null;
+    this.lit = null;
+    this.on("sheet", () => this.#keep());
+    this.on("sheet", () => this.measuring.askAll());
+  }
+
+  on(name, listener) {
+    return this.emitter.on(name, listener);
+  }
+
+  emit(name, value) {
+    this.emitter.emit(name, value);
+  }
+
+  get unit() {
+    return this.header && this.header.unit === "" ? "" : this.settings.get("unit");
+  }
+
+  /** Fetch a body and make it the one that is measured. */
+  async open(id = "0") {
+    const { header, arrays } = await this.transport.body(id);
+    this.bodyId = header.id ?? id;
+    this.header = header;
+    this.arrays = arrays;
+    this.chart = null;
+    this.otherChart = null;
+    this.other = null;
+    this.hiddenKeys.clear();
+    this.selected = null;
+    this.sheet.forgetResults();
+    this.emit("body");
+    this.sheet.load(this.#kept());
+  }
+
+  /** Read the body again, as when its file changed; tapes stay and are measured anew. */
+  async reopen() {
+    const { state } = this.sheet;
+    const { header, arrays } = await this.transport.body(this.bodyId);
+    Object.assign(this, { header, arrays, chart: null, otherChart: null });
+    this.sheet.forgetResults();
+    this.emit("body");
+    this.emit("chart");
+    this.sheet.load(state);
+  }
+
+  get #place() {
+    return `bodymeasure-sheet-${this.header.layout}-${this.header.file || this.header.name}`;
+  }
+
+  #keep() {
+    if (!this.header) return;
+    const { tapes, landmarks, last } = this.sheet.state;
+    try {
+      memory()?.setItem(this.#place, JSON.stringify({ tapes, landmarks, last }));
+    } catch {
+      // A full memory costs the tapes after a reload, nothing now.
+    }
+  }
+
+  #kept() {
+    try {
+      return JSON.parse(memory()?.getItem(this.#place) ?? "{}");
+    } catch {
+      return {};
+    }
+  }
+
+  /** All landmarks as they are now: the body's own, with those that were moved, added or removed. */
+  get landmarks() {
+    const edits = this.sheet.landmarks;
+    const own = (this.header?.landmarks ?? []).filter((one) => edits[one.name] !== null);
+    const names = new Set(own.map((one) => one.name));
+    const edited = own.map((one) => (edits[one.name] ? { ...one, ...edits[one.name], edited: true } : one));
+    const added = Object.entries(edits)
+      .filter(([name, edit]) => edit && !names.has(name))
+      .map(([name, edit]) => ({ name, ...edit, origin: "clicked", edited: true }));
+    return [...edited, ...added];
+  }
+
+  /** Landmarks that the chart wants and nobody gave. */
+  get lacking() {
+    const given = new Set(this.landmarks.map((one) => one.name));
+    return (this.header?.lacking ?? []).filter((one) => !given.has(one.name));
+  }
+
+  /** The place that a landmark was moved to, since the program knows only the body's own. */
+  resolve(location) {
+    if (typeof location !== "string") return location;
+    return this.sheet.landmarks[location]?.location ?? location;
+  }
+
+  /** Where a location is: a landmark's place, or a point of the drawn surface. */
+  placeOf(location) {
+    if (typeof location !== "string") return interpolate(this.arrays.positions.data, location, this.header.segments);
+    return this.landmarks.find((one) => one.name === location)?.position;
+  }
+
+  /** What to send as landmarks: those that differ from the body's own, or null. */
+  get landmarkChanges() {
+    const changes = Object.entries(this.sheet.landmarks);
+    if (!changes.length) return null;
+    return Object.fromEntries(changes.map(([name, edit]) => [name, edit ? edit.location : null]));
+  }
+
+  /** The rows of the list. */
+  get items() {
+    const tapes = this.sheet.tapes.map((tape) => tapeItem(tape, this.sheet.result(tape)));
+    const chart = this.chart ? chartItems(this.chart.header, this.hiddenKeys, this.otherChart?.header) : [];
+    return [...tapes, ...chart];
+  }
+
+  item(id) {
+    return id ? this.items.find((item) => item.id === id) : undefined;
+  }
+
+  select(id, { fly = false } = {}) {
+    this.selected = id;
+    this.emit("selection", { fly });
+  }
+
+  light(id) {
+    if (this.lit === id) return;
+    this.lit = id;
+    this.emit("lit");
+  }
+
+  /** Show or hide rows. */
+  show(items, visible) {
+    for (const item of items) {
+      if (item.source === "tape") this.sheet.change(item.id, { visible });
+      else if (visible) this.hiddenKeys.delete(item.measurement.key);
+      else this.hiddenKeys.add(item.measurement.key);
+    }
+    this.emit("chart");
+  }
+
+  /** Take the measurements of a set on the body with its landmarks as they are now. */
+  async takeChart(set) {
+    this.emit("progress", { words: "Taking the measurements…" });
+    try {
+      const chosen = set ?? this.header.sets?.[0]?.key ?? "default";
+      this.chart = await this.transport.chart(this.bodyId, chosen, this.landmarkChanges);
+      this.chartSet = chosen;
+      this.#hideStraight();
+      this.chartLandmarks = JSON.stringify(this.landmarkChanges);
+      if (this.other) this.otherChart = await this.transport.chart(this.other.header.id, chosen, null);
+      this.emit("chart");
+    } finally {
+      this.emit("progress", null);
+    }
+  }
+
+  /** Heights and breadths are straight lines beside the body; all at once they would be a fence. */
+  #hideStraight() {
+    const { measurements, tapes } = this.chart.header;
+    this.hiddenKeys = new Set(
+      measurements
+        .filter((one) => one.tapes?.length && one.tapes.every((number) => tapes[number].through_body))
+        .map((one) => one.key),
+    );
+  }
+
+  /** Whether landmarks were changed since the chart was taken. */
+  get chartIsOld() {
+    return Boolean(this.chart) && this.chartLandmarks !== JSON.stringify(this.landmarkChanges);
+  }
+
+  /** Tell the user of something that went wrong, in the sentence that came with it. */
+  fail(error) {
+    if (error instanceof Failure && error.gone) this.emit("gone", error.message);
+    else {
+      const sentence = error instanceof Failure ? error.message : `The page failed: ${error.message}`;
+      this.emit("message", { text: sentence, tone: "bad" });
+      if (!(error instanceof Failure)) console.error(error);
+    }
+  }
+
+  say(text) {
+    this.emit("message", { text, tone: "good" });
+  }
+
+  /** Run something that may fail, and tell the user if it does. */
+  async try(action) {
+    try {
+      return await action();
+    } catch (error) {
+      this.fail(error);
+      return undefined;
+    }
+  }
+}

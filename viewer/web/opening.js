@@ -1,0 +1,63 @@
+// Opening a file: a body, or tapes that were saved from this page.
+import { h } from "./ui/dom.js";
+import { showDialog } from "./ui/dialog.js";
+import { readTapes } from "./ui/export_menu.js";
+
+// Files of tapes are small; larger ones are not even looked into.
+const MOST_TAPES = 2_000_000;
+
+export function opening(app) {
+  const openTapes = ({ tapes, layout, body }) => {
+    if (layout && layout !== app.header.layout) {
+      app.emit("message", { text: `These tapes belong to ${body || "another body"}, whose patches are laid out in another way. Open that body first.`, tone: "bad" });
+      return;
+    }
+    for (const { name, title, mode, kind, locations, visible } of tapes) {
+      app.sheet.add({ name: String(name), title: String(title ?? "Tape"), mode, kind, locations, visible: visible !== false });
+    }
+    app.say(`Opened ${tapes.length} tapes.`);
+  };
+
+  const openBody = async (file, unit) => {
+    app.emit("progress", { words: `Opening ${file.name}…` });
+    try {
+      const { id, warnings } = await app.transport.open(file, unit);
+      app.other = null;
+      await app.open(id);
+      for (const warning of warnings ?? []) app.emit("message", { text: warning, tone: "note" });
+    } finally {
+      app.emit("progress", null);
+    }
+  };
+
+  return (file) =>
+    app.try(async () => {
+      if (file.name.endsWith(".json") && file.size < MOST_TAPES) {
+        const tapes = readTapes(await file.text());
+        if (tapes) {
+          openTapes(tapes);
+          return;
+        }
+      }
+      try {
+        await openBody(file);
+      } catch (error) {
+        // Some formats do not say their unit; then the user is asked, once.
+        if (!/unit/i.test(error.message) || error.gone) throw error;
+        const unit = await askUnit(app.root, error.message);
+        if (unit) await openBody(file, unit);
+      }
+    });
+}
+
+function askUnit(root, sentence) {
+  return new Promise((resolve) => {
+    const dialog = showDialog(
+      root,
+      "In which unit is this file?",
+      h("p", {}, sentence),
+      h("div", { class: "row" }, ["mm", "cm", "m", "inch"].map((unit) => h("button", { type: "button", class: "button", "data-testid": `unit-${unit}`, onClick: () => { resolve(unit); dialog.close(); } }, unit))),
+    );
+    dialog.addEventListener("close", () => resolve(null));
+  });
+}

@@ -1,0 +1,44 @@
+// A second body beside the first, in a scene of its own, under the same camera.
+import { Scene } from "three";
+import { Surface } from "./surface.js";
+
+export class Second {
+  constructor(app, viewport) {
+    this.app = app;
+    this.viewport = viewport;
+    this.surface = null;
+  }
+
+  show({ header, arrays }) {
+    this.clear();
+    const scene = new Scene();
+    this.surface = new Surface({ header, arrays }, { software: this.viewport.software });
+    this.surface.setTheme(this.app.settings.theme);
+    // Bodies may stand anywhere in their files; beside each other they share their middle and floor.
+    const [low, high] = header.bounds;
+    const [first, last] = this.app.header.bounds;
+    const middle = (k) => (first[k] + last[k] - low[k] - high[k]) / 2;
+    this.surface.object.position.set(middle(0), first[1] - low[1], middle(2));
+    this.surface.object.updateMatrixWorld();
+    this.offset = this.surface.object.position;
+    scene.add(this.surface.object);
+    const pick = this.surface.pick.bind(this.surface);
+    this.surface.pick = (ray) => {
+      const moved = ray.clone();
+      moved.origin.sub(this.offset);
+      return pick(moved);
+    };
+    this.viewport.stage.setSecond(scene);
+  }
+
+  setTheme(theme) {
+    this.surface?.setTheme(theme);
+  }
+
+  clear() {
+    if (!this.surface) return;
+    this.surface.dispose();
+    this.surface = null;
+    this.viewport.stage.setSecond(null);
+  }
+}

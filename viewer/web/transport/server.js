@@ -1,0 +1,141 @@
+// Requests to the server by fetch. Every request carries the token, which came in the fragment of
+// the page's address and is never sent as part of one.
+import { readBM1 } from "./bm1.js";
+import { Failure, GONE, NOT_ALLOWED } from "./failure.js";
+
+const KEPT = "bodymeasure-token";
+// Pauses between attempts to reach a server that is gone, in milliseconds.
+const PAUSES = [300, 600, 1200, 2500, 5000];
+
+/** Take the token out of the address, so that it lands in no bookmark and on no screenshot. */
+function takeToken() {
+  const match = /(?:^#|&)token=([^&]+)/.exec(location.hash);
+  if (match) {
+    sessionStorage.setItem(KEPT, match[1]);
+    history.replaceState(null, "", location.pathname + location.search);
+  }
+  return sessionStorage.getItem(KEPT) ?? "";
+}
+
+export function serverTransport() {
+  const token = takeToken();
+  // A tab is who asks: the newest request of a tab overtakes its older ones.
+  const tab = crypto.getRandomValues(new Uint32Array(2)).join("-");
+
+  async function ask(path, { body, json, headers = {}, signal } = {}) {
+    const options = { headers: { "X-Token": token, ...headers }, cache: "no-store", signal };
+    if (json !== undefined) {
+      options.body = JSON.stringify(json);
+      options.headers["Content-Type"] = "application/json";
+      options.method = "POST";
+    } else if (body !== undefined) {
+      options.body = body;
+      options.method = "POST";
+    }
+    let answer;
+    try {
+      answer = await fetch(path, options);
+    } catch (error) {
+      if (signal?.aborted) throw error;
+      throw new Failure(GONE, { gone: true });
+    }
+    if (answer.ok) return answer;
+    const sentence = await answer
+      .json()
+      .then((content) => content.error)
+      .catch(() => "");
+    const standard = answer.status === 403 ? NOT_ALLOWED : `The program answered ${answer.status}.`;
+    throw new Failure(sentence || standard, { status: answer.status });
+  }
+  const binary = async (...request) => {
+    try {
+      return readBM1(await (await ask(...request)).arrayBuffer());
+    } catch (error) {
+      // The connection can break within an answer as well.
+      throw error instanceof Failure ? error : new Failure(GONE, { gone: true });
+    }
+  };
+  const object = async (...request) => (await ask(...request)).json();
+  const file = async (...request) => {
+    const answer = await ask(...request);
+    const name = decodeURIComponent(answer.headers.get("X-Filename") ?? "bodymeasure.txt");
+    return { name, content: await answer.blob() };
+  };
+  const of = (id, more = "") => `?body=${encodeURIComponent(id ?? "0")}${more}`;
+  const other = (id) => (id === undefined ? "" : `&other=${encodeURIComponent(id)}`);
+
+  return {
+    can: { measure: true, chart: true, save: true, open: true, export: true },
+    body: (id) => binary(`api/body${of(id)}`),
+    layer: (id, name, compare) =>
+      binary(`api/layer${of(id, `&name=${encodeURIComponent(name)}${compare ? "&compare=true" : ""}`)}`),
+    quantity: (id, key, against) =>
+      binary(`api/quantity${of(id, `&key=${encodeURIComponent(key)}${other(against)}`)}`),
+    path: (id, request) => object(`api/path${of(id)}`, { json: { tab, ...request } }),
+    girth: (id, request) => object(`api/girth${of(id)}`, { json: { tab, ...request } }),
+    closed: (id, request) => object(`api/closed${of(id)}`, { json: { tab, ...request } }),
+    mirror: (id, location) => object(`api/mirror${of(id)}`, { json: { location } }),
+    point: (id, location) => object(`api/point${of(id)}`, { json: { location } }),
+    chart: (id, set, landmarks) => binary(`api/chart${of(id)}`, { json: { set, landmarks, tab } }),
+    exportFile: (id, request) => file(`api/export${of(id)}`, { json: request }),
+    save: async (id, request) => {
+      const answer = await ask(`api/landmarks${of(id)}`, { json: request });
+      if ((answer.headers.get("Content-Type") ?? "").includes("application/json")) {
+        const content = await answer.clone().json();
+        if (content.saved) return content;
+      }
+      const name = decodeURIComponent(answer.headers.get("X-Filename") ?? "landmarks.json");
+      return { name, content: await answer.blob() };
+    },
+    open: (dropped, unit) =>
+      object("api/open", {
+        body: dropped,
+        headers: {
+          "X-Name": encodeURIComponent(dropped.name),
+          ...(unit ? { "X-Unit": unit } : {}),
+        },
+      }),
+    // How far another tab's chart is concerns that tab alone.
+    events: (listener) =>
+      listen(ask, (news) => (!news.progress?.tab || news.progress.tab === tab) && listener(news)),
+  };
+}
+
+/** Read the server's ticks and news, and connect again after it was gone. Returns how to stop. */
+function listen(ask, listener) {
+  const stop = new AbortController();
+  (async () => {
+    let attempt = 0;
+    while (!stop.signal.aborted) {
+      try {
+        const answer = await ask("api/events", { signal: stop.signal });
+        listener({ connected: true });
+        attempt = 0;
+        await readLines(answer.body, listener);
+      } catch (error) {
+        if (stop.signal.aborted) return;
+        if (error instanceof Failure && error.status === 403) {
+          listener({ refused: error.message });
+          return;
+        }
+      }
+      if (stop.signal.aborted) return;
+      listener({ connected: false });
+      const pause = PAUSES[Math.min(attempt++, PAUSES.length - 1)];
+      await new Promise((resolve) => setTimeout(resolve, pause));
+    }
+  })();
+  return () => stop.abort();
+}
+
+async function readLines(stream, listener) {
+  const reader = stream.pipeThrough(new TextDecoderStream()).getReader();
+  let rest = "";
+  for (;;) {
+    const { value, done } = await reader.read();
+    if (done) return;
+    const lines = (rest + value).split("\n");
+    rest = lines.pop();
+    for (const line of lines) if (line.trim()) listener(JSON.parse(line));
+  }
+}
