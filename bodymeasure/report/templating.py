@@ -1,6 +1,7 @@
 """Pages from templates: each page is one file that loads nothing else."""
 
 import base64
+import gzip
 import struct
 from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
@@ -86,6 +87,22 @@ def data_uri(content: bytes) -> str:
     starts = {b"\x89PNG": "png", b"RIFF": "webp"}
     kind = starts.get(content[:4], "svg+xml")
     return f"data:image/{kind};base64,{base64.b64encode(content).decode()}"
+
+
+class Scene(TypedDict):
+    """A page of its own inside a page: its text, packed, and the script that opens it."""
+
+    page: str
+    script: str
+
+
+def scene(page: bytes | None) -> Scene | None:
+    """Return a page that is to stand inside another one; None for None."""
+    if page is None:
+        return None
+    # Without the time, so that the same page is the same file.
+    packed = base64.b64encode(gzip.compress(page, mtime=0)).decode()
+    return {"page": packed, "script": _text("bodymeasure.report", "scene.js")}
 
 
 class Image(TypedDict):

@@ -1,3 +1,4 @@
+import json
 import math
 import re
 import sys
@@ -36,6 +37,51 @@ def test_names_are_escaped(page: Page) -> None:
     assert "Body measurements of Anna <Muster>" in page.text
     assert "Drawn without <OpenGL>." in page.text
     assert "the points are <close>" in page.text
+
+
+def test_a_scene_stands_in_the_page_and_cards_lead_into_it() -> None:
+    scene = f"<!DOCTYPE html><title>{HOSTILE}</title></script>".encode()
+    document = chart_document(hand_made_chart(), "cm")
+    page = Page(render_chart(document, tape_pictures(), scene=scene))
+    page.check_links()
+    page.check_self_contained(scene=True)
+    assert page.scene == scene
+    # The frame is filled by the script; nothing of the scene is part of the page before.
+    (frame,) = page.all("iframe")
+    assert frame["title"] == "The body, to turn"
+    assert not {"src", "srcdoc"} & set(frame)
+    assert page.source.count("<script") == 2
+    shown = [json.loads(a["data-show"] or "") for a in page.all("a") if "data-show" in a]
+    valued = [record.key for record in document.measurements if record.value is not None]
+    assert sorted(each["key"] for each in shown) == sorted(valued)
+
+
+@pytest.mark.parametrize(
+    ("wanted", "scene", "drawn"),
+    [(True, None, [True]), (True, b"", [False]), ("all", b"", [True]), (False, b"", [])],
+)
+def test_beside_a_scene_measurements_are_not_drawn_from_near(
+    wanted: Any,
+    scene: bytes | None,
+    drawn: list[bool],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    asked = []
+
+    def draw(_chart: object, *, closeups: bool) -> Any:
+        asked.append(closeups)
+        return tape_pictures()
+
+    monkeypatch.setattr("bodymeasure.scene.tape_pictures", draw)
+    write_chart(hand_made_chart(), tmp_path, pictures=wanted, scene=scene)
+    assert asked == drawn
+
+
+def test_unknown_pictures_are_refused(tmp_path: Path) -> None:
+    wanted: Any = "few"
+    with pytest.raises(InputError, match=r"pictures is 'few'; expected True, False or 'all'"):
+        write_chart(hand_made_chart(), tmp_path, pictures=wanted)
 
 
 def test_every_tape_has_its_picture_and_its_number(page: Page) -> None:
@@ -162,7 +208,9 @@ def test_an_output_is_one_line_of_the_registry(
 def test_pictures_are_drawn_unless_they_are_left_out(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("bodymeasure.scene.tape_pictures", lambda _chart: tape_pictures())
+    monkeypatch.setattr(
+        "bodymeasure.scene.tape_pictures", lambda _chart, **_options: tape_pictures()
+    )
     page = write_chart(hand_made_chart(), tmp_path)[0]
     assert "data:image/png" in page.read_text("utf-8")
     write_chart(hand_made_chart(), tmp_path, pictures=False)

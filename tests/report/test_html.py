@@ -1,3 +1,4 @@
+import json
 import re
 import sys
 from collections.abc import Callable
@@ -35,6 +36,16 @@ def test_names_are_escaped(page: Page) -> None:
     assert '<script>alert("x")</script> & \u00c4rmel, "links"' in page.text
     assert "Measurements of Anna <Muster>" in page.text
     assert "Drawn without <OpenGL>." in page.text
+
+
+def test_a_scene_stands_in_the_page_and_cards_lead_into_it(survey: Any, pictures: Any) -> None:
+    scene = b"<!DOCTYPE html><title>Anna</title></script>"
+    page = Page(render_html(survey_document(survey, "cm"), pictures, scene=scene))
+    page.check_links()
+    page.check_self_contained(scene=True)
+    assert page.scene == scene
+    shown = [json.loads(a["data-show"] or "") for a in page.all("a") if "data-show" in a]
+    assert {each["patch"] for each in shown} == set(range(len(survey.atlas)))
 
 
 def test_every_picture_has_an_alternative_text_and_a_size(page: Page) -> None:

@@ -2,10 +2,11 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from bodymeasure.arguments import file_path, require_members
 from bodymeasure.atlas import Unit
+from bodymeasure.errors import InputError
 from bodymeasure.report.body.freesewing import to_freesewing
 from bodymeasure.report.body.from_chart import chart_document
 from bodymeasure.report.body.garmentcode import to_garmentcode
@@ -36,7 +37,8 @@ def write_chart(
     *,
     unit: Unit | str = Unit.CM,
     stem: str = "body",
-    pictures: TapePictures | bool = True,
+    pictures: TapePictures | bool | Literal["all"] = True,
+    scene: bytes | None = None,
 ) -> tuple[Path, ...]:
     """Write ``chart.html``, ``measurements.json`` and ``.csv``, and files for pattern programs.
 
@@ -54,9 +56,13 @@ def write_chart(
         Unit of the lengths; angles stay in degrees.
     stem : str
         Name of the file for SeamlyMe, without its ``.smis``.
-    pictures : bool or TapePictures
+    pictures : bool, "all" or TapePictures
         Whether the page has pictures, which are drawn then; or pictures that are drawn already,
-        by `bodymeasure.scene.tape_pictures`.
+        by `bodymeasure.scene.tape_pictures`. Beside a `scene`, each measurement from near is only
+        drawn for "all".
+    scene : bytes, optional
+        A page that shows the body with its tapes, to turn, which is put into ``chart.html``:
+        `bodymeasure.export_page` makes it.
 
     Returns
     -------
@@ -89,14 +95,23 @@ def write_chart(
     expected = "a Chart, as measure_chart returns it"
     require_members(chart, ("atlas", "measured"), "the chart", expected)
     file_path(folder, "the folder")
+    if isinstance(pictures, str) and pictures != "all":
+        raise InputError(f"pictures is {pictures!r}; expected True, False or 'all'")
     document = chart_document(chart, unit, subject=stem)
-    drawn = _drawn(chart) if pictures is True else pictures or None
+    drawn = _pictures(chart, pictures, scene)
     contents = {name.format(stem=stem): make(document) for name, make in OUTPUTS.items()}
-    return write_files(folder, {"chart.html": render_chart(document, drawn), **contents})
+    page = render_chart(document, drawn, scene=scene)
+    return write_files(folder, {"chart.html": page, **contents})
 
 
-def _drawn(chart: "Chart") -> TapePictures:
+def _pictures(
+    chart: "Chart", wanted: TapePictures | bool | Literal["all"], scene: bytes | None
+) -> TapePictures | None:
+    if not isinstance(wanted, bool | str):
+        return wanted
+    if not wanted:
+        return None
     # Matplotlib is slow to load, and not needed without pictures.
     from bodymeasure.scene import tape_pictures
 
-    return tape_pictures(chart)
+    return tape_pictures(chart, closeups=scene is None or wanted == "all")

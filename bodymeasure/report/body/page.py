@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Protocol
 
+from bodymeasure.report import templating
 from bodymeasure.report.body import views
 from bodymeasure.report.body.records import ChartDocument
 from bodymeasure.report.body.tape import small_text
@@ -34,7 +35,9 @@ class TapePictures(Protocol):
         """A remark on how they were drawn; may be empty."""
 
 
-def render_chart(document: ChartDocument, pictures: TapePictures | None = None) -> bytes:
+def render_chart(
+    document: ChartDocument, pictures: TapePictures | None = None, *, scene: bytes | None = None
+) -> bytes:
     """Return a chart and its pictures as one HTML page that loads nothing else.
 
     Parameters
@@ -42,6 +45,8 @@ def render_chart(document: ChartDocument, pictures: TapePictures | None = None) 
     document : ChartDocument
     pictures : TapePictures, optional
         Without them, the page has none.
+    scene : bytes, optional
+        A page that shows the body with its tapes, to turn, which is put into this one.
 
     Raises
     ------
@@ -63,7 +68,9 @@ def render_chart(document: ChartDocument, pictures: TapePictures | None = None) 
         "unit_name": UNIT_NAMES[document.unit],
         "created": moment(document.created),
         "closeups": {} if pictures is None else images(pictures.closeups),
+        "pictured": pictures is not None and bool(pictures.body),
         "picture_note": "" if pictures is None else pictures.note,
+        "scene": templating.scene(scene),
         "text": {"small": small_text},
     }
     return render_page(

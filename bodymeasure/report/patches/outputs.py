@@ -1,10 +1,11 @@
 """The files of a report: the page, the records as JSON and CSV, and their schema."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from bodymeasure.arguments import file_path, require_members
 from bodymeasure.atlas import Unit
+from bodymeasure.errors import InputError
 from bodymeasure.report.files import write_files
 from bodymeasure.report.patches.from_survey import survey_document
 from bodymeasure.report.patches.page import Pictures, render_html
@@ -15,13 +16,17 @@ from bodymeasure.report.serial import schema_bytes, to_json
 if TYPE_CHECKING:
     from bodymeasure.measure import Survey
 
+# The sides of the body that are drawn beside a scene that can be turned: enough for paper.
+BESIDE_SCENE = ("front", "back")
+
 
 def write_report(
     survey: "Survey",
     folder: Path | str,
     *,
     unit: Unit | str = Unit.CM,
-    pictures: Pictures | bool = True,
+    pictures: Pictures | bool | Literal["all"] = True,
+    scene: bytes | None = None,
 ) -> tuple[Path, ...]:
     """Write ``report.html``, ``measurements.json``, ``measurements.csv`` and the schema.
 
@@ -35,9 +40,13 @@ def write_report(
         Made if it is not there; files of these names in it are replaced.
     unit : Unit or str
         Unit of the lengths.
-    pictures : bool or Pictures
+    pictures : bool, "all" or Pictures
         Whether the page has pictures, which are drawn then; or pictures that are drawn already,
-        by `bodymeasure.scene.pictures`.
+        by `bodymeasure.scene.pictures`. Beside a `scene`, they are the body from front and back,
+        and patches from near are only drawn for "all".
+    scene : bytes, optional
+        A page that shows the body with its diagonals, to turn, which is put into ``report.html``:
+        `bodymeasure.export_page` makes it.
 
     Returns
     -------
@@ -65,12 +74,14 @@ def write_report(
     expected = "a Survey, as measure_atlas returns it"
     require_members(survey, ("atlas", "diagonals"), "the survey", expected)
     file_path(folder, "the folder")
+    if isinstance(pictures, str) and pictures != "all":
+        raise InputError(f"pictures is {pictures!r}; expected True, False or 'all'")
     document = survey_document(survey, unit)
-    drawn = _drawn(survey, document) if pictures is True else pictures or None
+    drawn = _pictures(survey, document, pictures, scene)
     return write_files(
         folder,
         {
-            "report.html": render_html(document, drawn),
+            "report.html": render_html(document, drawn, scene=scene),
             "measurements.json": to_json(document),
             "measurements.csv": to_csv(document.measurements),
             "measurements.schema.json": schema_bytes(Document),
@@ -78,8 +89,19 @@ def write_report(
     )
 
 
-def _drawn(survey: "Survey", document: Document) -> Pictures:
+def _pictures(
+    survey: "Survey",
+    document: Document,
+    wanted: Pictures | bool | Literal["all"],
+    scene: bytes | None,
+) -> Pictures | None:
+    if not isinstance(wanted, bool | str):
+        return wanted
+    if not wanted:
+        return None
     # Matplotlib is slow to load, and not needed without pictures.
     from bodymeasure.scene import pictures as draw
 
+    if scene is not None and wanted is True:
+        return draw(survey, sides=BESIDE_SCENE)
     return draw(survey, closeup_patches(document))

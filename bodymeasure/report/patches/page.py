@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Protocol
 
-from bodymeasure.report import numbers
+from bodymeasure.report import numbers, templating
 from bodymeasure.report.patches import views
 from bodymeasure.report.patches.histogram import draw_histogram
 from bodymeasure.report.patches.ranking import DISAGREEING, disagreements
@@ -32,7 +32,9 @@ class Pictures(Protocol):
         """A remark on how they were drawn; may be empty."""
 
 
-def render_html(document: Document, pictures: Pictures | None = None) -> bytes:
+def render_html(
+    document: Document, pictures: Pictures | None = None, *, scene: bytes | None = None
+) -> bytes:
     """Return a document and its pictures as one HTML page that loads nothing else.
 
     Parameters
@@ -40,6 +42,8 @@ def render_html(document: Document, pictures: Pictures | None = None) -> bytes:
     document : Document
     pictures : Pictures, optional
         Without them, the page has none.
+    scene : bytes, optional
+        A page that shows the body with its paths, to turn, which is put into this one.
 
     Raises
     ------
@@ -67,6 +71,7 @@ def render_html(document: Document, pictures: Pictures | None = None) -> bytes:
         "closeups": {} if pictures is None else images(pictures.closeups),
         "color_bar": None if pictures is None else data_uri(pictures.color_bar),
         "picture_note": "" if pictures is None else pictures.note,
+        "scene": templating.scene(scene),
         "text": numbers,
     }
     return render_page("bodymeasure.report", "report.html.j2", context)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from bodymeasure.errors import InputError
-from bodymeasure.scene.camera import body_views, patch_view
+from bodymeasure.scene.camera import SIDES, body_views, patch_view
 from bodymeasure.scene.colors import ColorScale
 from bodymeasure.scene.diagonals.annotate import annotated
 from bodymeasure.scene.diagonals.build import body_scene, patch_scene
@@ -49,6 +49,7 @@ def pictures(
     survey: "Survey",
     closeups: Sequence[int] = (),
     *,
+    sides: Sequence[str] = SIDES,
     renderer: str | None = None,
     advance: Callable[[str], None] | None = None,
 ) -> Pictures:
@@ -59,6 +60,8 @@ def pictures(
     survey : Survey
     closeups : sequence of int
         Numbers of the patches to draw from near.
+    sides : sequence of str
+        The sides from which the body is drawn.
     renderer : str, optional
         ``pyvista`` or ``software``; by default as `choose_renderer` says.
     advance : callable, optional
@@ -83,7 +86,9 @@ def pictures(
     scale = ColorScale.of(scene.paths)
     body, near = {}, {}
     with RENDERERS[choice.renderer]() as draw:
-        for side, view in body_views(scene, atlas.axes).items():
+        views = body_views(scene, atlas.axes)
+        for side in sides:
+            view = views[side]
             body[side] = png(draw(scene_picture(scene, view, scale, BODY_STYLE)))
             advance(side)
         for patch in closeups:

@@ -68,6 +68,7 @@ class TapePictures:
 def tape_pictures(
     chart: Chart,
     *,
+    closeups: bool = True,
     renderer: str | None = None,
     advance: Callable[[str], None] | None = None,
 ) -> TapePictures:
@@ -76,6 +77,8 @@ def tape_pictures(
     Parameters
     ----------
     chart : Chart
+    closeups : bool
+        Whether each measurement is drawn from near as well, which takes most of the time.
     renderer : str, optional
         ``pyvista`` or ``software``; by default as `choose_renderer` says.
     advance : callable, optional
@@ -96,7 +99,7 @@ def tape_pictures(
         for name, picture in _body_pictures(scene, chart.atlas.axes):
             body[name] = webp(draw(picture))
             advance(", ".join(name))
-        for key, picture in _closeups(scene, chart.atlas.axes):
+        for key, picture in _closeups(scene, chart.atlas.axes) if closeups else ():
             near[key] = webp(draw(picture))
             advance(key)
     groups = list(_groups(scene))

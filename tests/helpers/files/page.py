@@ -1,5 +1,7 @@
 """A strict parser of the pages that the package writes."""
 
+import base64
+import gzip
 import re
 from html.parser import HTMLParser
 
@@ -34,7 +36,7 @@ class Page(HTMLParser):
         assert self.open.pop() == tag
 
     def handle_data(self, data: str) -> None:
-        if not {"style", "title"} & set(self.open):
+        if not {"style", "title", "script"} & set(self.open):
             self.words.append(data)
 
     @property
@@ -56,10 +58,17 @@ class Page(HTMLParser):
         scopes = {header.get("scope") for header in self.all("th")}
         assert scopes <= {"col", "row", "colgroup", "rowgroup"}
 
-    def check_self_contained(self) -> None:
-        """Check that nothing is loaded from elsewhere."""
+    @property
+    def scene(self) -> bytes:
+        """The page that this page carries, to be opened in its frame."""
+        text = self.source.split('id="scene-page">')[1].split("</script>")[0]
+        return gzip.decompress(base64.b64decode(text, validate=True))
+
+    def check_self_contained(self, *, scene: bool = False) -> None:
+        """Check that nothing is loaded from elsewhere; a scene has a frame and scripts in place."""
+        own = {"script", "iframe"} if scene else set()
         for tag, attributes in self.elements:
-            assert tag not in {"link", "script", "iframe", "object", "base"}
+            assert tag not in {"link", "script", "iframe", "object", "base"} - own
             for name in ("src", "href", "srcset", "data", "action", "poster"):
                 value = attributes.get(name)
                 assert value is None or value.startswith(("data:image/", "#")), (tag, name)
