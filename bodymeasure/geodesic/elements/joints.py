@@ -55,21 +55,28 @@ def joint_errors(surface: Surface, pieces: Pieces, held: Bools) -> tuple[Array, 
     on_edge, places = pieces.on_edge, pieces.values[1:, :, 0]
     is_held = held[1:, :, 0].any(axis=1)
     free = ~(is_held | on_edge[1:] | on_edge[:-1])
-    angle, bands = _system(pieces)
+    angle, doubt, bands = _system(pieces)
     shift = solve_free(bands, np.where(free, angle, 0.0), free)
-    if shift is None:
+    doubtful = solve_free(bands, np.where(free, doubt, 0.0), free)
+    if shift is None or doubtful is None:
         error = np.full(len(free), np.inf)
     else:
-        error = JOINT_SAFETY * 0.5 * np.abs(angle * shift) * free
+        error = JOINT_SAFETY * 0.5 * (np.abs(angle * shift) + doubt * np.abs(doubtful)) * free
     in_corner = (np.abs(places - 0.5) == 0.5).all(axis=1)
     for number in np.flatnonzero(is_held & (on_edge[1:] != on_edge[:-1]) & ~in_corner):
         longest = float(pieces.lengths[number : number + 2].max())
-        error[number] = _tangency(surface, places[number], float(angle[number]), longest)
+        error[number] = _tangency(
+            surface, places[number], float(abs(angle[number]) + doubt[number]), longest
+        )
     return error, free
 
 
-def _system(pieces: Pieces) -> tuple[Array, Array]:
-    """The angles at the joints, and the lower bands of the matrix S of hat functions."""
+def _system(pieces: Pieces) -> tuple[Array, Array, Array]:
+    """The angles at the joints, how far they may be off, and the lower bands of the matrix S.
+
+    An angle is positive to the left of the path. Angles of a path that zigzags cancel: it is hardly
+    longer than the one through the middle.
+    """
     rule = polynomial_space(DEGREE).quadrature
     weights, lengths = rule.weights[:, None], pieces.lengths
     inverse = 1.0 / np.maximum(lengths, SHORTEST)
@@ -88,7 +95,7 @@ def _system(pieces: Pieces) -> tuple[Array, Array]:
     bands[0] = (inverse - (bend * after**2).sum(axis=0))[:-1]
     bands[0] += (inverse - (bend * before**2).sum(axis=0))[1:]
     bands[1, :-1] = (-inverse - (bend * after * before).sum(axis=0))[1:-1]
-    return np.abs(angle) + doubt, bands
+    return angle, doubt, bands
 
 
 def _tangency(surface: Surface, place: Array, angle: float, longest: float) -> float:

@@ -17,11 +17,12 @@ from bodymeasure.geodesic.elements.cuts import cuts
 from bodymeasure.geodesic.elements.descent import least_energy
 from bodymeasure.geodesic.elements.measure import ElementLength, measure_elements
 from bodymeasure.geodesic.elements.path import DEGREE, ElementPath, from_polygon
+from bodymeasure.geodesic.elements.rival import NO_RIVAL, Rival
 from bodymeasure.geodesic.solving.protocol import EdgeContact
 from bodymeasure.geodesic.spaces.elements import element_space
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-FIRST_ELEMENTS, MOST_ELEMENTS = 8, 80
+FIRST_ELEMENTS, MOST_ELEMENTS = 8, 160
 # The most steps of Newton's method with the same elements, the work of measuring a path in such
 # steps, and the most work, each step counted once for each element: a third of a second.
 MOST_STEPS, MEASURED, MOST_WORK = 60, 5, 4000
@@ -30,6 +31,8 @@ GOOD_ENOUGH = 1e-6
 # A path that is still longer than a known one by this many times what the latest cuts took off
 # its length will not become shorter.
 FALLS = 10.0
+# Cuts that leave more of the error than this have come to what rounding leaves.
+STAYS = 0.7
 # No element has a smaller part of the length.
 LEAST_PART = 1e-15
 
@@ -62,7 +65,7 @@ def solve_elements(
     poles: tuple[End, End],
     *,
     tolerance: float,
-    known: float = np.inf,
+    rival: Rival = NO_RIVAL,
 ) -> ElementResult:
     """Find the shortest path near a polygon.
 
@@ -76,8 +79,8 @@ def solve_elements(
         The collapsed edges, `legs.Pole`, on which the path's ends lie.
     tolerance : float
         The relative error of the length that is asked for.
-    known : float
-        The length of another path; longer ones are not wanted.
+    rival : Rival
+        Another path; longer ones, and the same again, are not wanted.
     """
     path = from_polygon(surface, polygon, FIRST_ELEMENTS)
     best: _Found | None = None
@@ -91,16 +94,24 @@ def solve_elements(
         if not np.isfinite(length):
             break
         before, least = length, length - FALLS * abs(before - length)
-        if least > known:
+        if least > rival.length:
             return ElementResult(None, least)
+        if rival.is_reached_by(surface, path, measured.lengths):
+            return ElementResult(None, rival.length)
         path = path.weighted(np.maximum(measured.lengths, LEAST_PART * length))
         # What an edge holds is right only where the path is at rest.
-        at_rest = (minimum.converged or not held.any()) and not path.overshoots.any()
-        if at_rest and (best is None or measured.length.error < best.measured.length.error):
-            best = _Found(path, measured, held)
-        if at_rest and measured.length.is_known_to(tolerance)[0]:
-            break
-        path = path.split(cuts(path, measured, held, tolerance * length))
+        settled = minimum.converged or not held.any()
+        if settled and not path.overshoots.any():
+            stays = best is not None and bool(
+                measured.length.error[0] > STAYS * best.measured.length.error[0]
+            )
+            if best is None or measured.length.error < best.measured.length.error:
+                best = _Found(path, measured, held)
+            good = best.measured.length.is_known_to(GOOD_ENOUGH)[0]
+            if measured.length.is_known_to(tolerance)[0] or (stays and good):
+                break
+        if settled or not measured.length.is_known_to(GOOD_ENOUGH)[0]:
+            path = path.split(cuts(path, measured, held, tolerance * length))
     if best is None or not best.measured.length.is_known_to(GOOD_ENOUGH)[0]:
         return ElementResult(None, max(least, 0.0))
     return ElementResult(_joined(best), least)

@@ -27,6 +27,8 @@ STEP_OFF = 0.05
 SAME = 0.02
 # Seeds nearer than this to a known local minimum lead to it.
 NEAR = 0.05
+# The number of parts of a path that others are compared with.
+CURVE_PARTS = 256
 # A path must be shorter than one that is known by this part to be taken instead.
 SHORTER = 1e-8
 # After so many polygons that are shorter than the best path but could not be made exact, the
@@ -85,12 +87,16 @@ class _Standing:
         The least length of a polygon that could not be made exact.
     winner : ndarray of int, shape (problems,)
         The number of the batch that holds the shortest path; -1 if that is the one known before.
+    curves : ndarray, shape (problems, CURVE_PARTS + 1, 2)
+        (u, v) at equal distances along the shortest path; NaN if that is no minimum, or was known
+        before.
     batches : list of PathBatch
     """
 
     best: Array
     unsolved: Array
     winner: Ints
+    curves: Array
     batches: list[PathBatch] = field(default_factory=list)
 
     def enter(self, batch: PathBatch) -> None:
@@ -101,6 +107,9 @@ class _Standing:
         # A path that is no minimum gives way to one of the same length.
         bar = np.where(batch.length.minimal, length, length * (1.0 + SHORTER))
         self.best[owners[shorter]] = bar[shorter]
+        curves = batch.points(np.linspace(0.0, 1.0, CURVE_PARTS + 1))
+        curves[~batch.length.minimal] = np.nan
+        self.curves[owners[shorter]] = curves[shorter]
         self.batches.append(batch)
 
     def winners(self) -> tuple[PathBatch, ...]:
@@ -138,6 +147,7 @@ def shortest_paths(
         best=known.length * (1.0 - SHORTER),
         unsolved=np.full(count, np.inf),
         winner=np.full(count, -1),
+        curves=np.full((count, CURVE_PARTS + 1, 2), np.nan),
     )
     latest = np.where(np.isfinite(known.length)[:, None, None], known.points, np.nan)
     contenders = _at_rest(surface, *_seeds(surface, ends, known))
@@ -204,7 +214,11 @@ def _compete(
         problems, first = np.unique(contenders.problems, return_index=True)
         latest[problems] = contenders.points[first]
         exact = exact_paths(
-            surface.take(problems), latest[problems], standing.best[problems], tolerance
+            surface.take(problems),
+            latest[problems],
+            standing.best[problems],
+            standing.curves[problems],
+            tolerance,
         )
         standing.unsolved[problems] = np.minimum(standing.unsolved[problems], exact.unsolved)
         failures[problems] += exact.unsolved < standing.best[problems]

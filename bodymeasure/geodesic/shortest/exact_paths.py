@@ -12,6 +12,7 @@ from bodymeasure.geodesic.contact.degrees import LOWER_DEGREES, degrees_wanted, 
 from bodymeasure.geodesic.contact.joined import ContactPath
 from bodymeasure.geodesic.contact.legs import End, Pole
 from bodymeasure.geodesic.contact.solve import solve_contact_path
+from bodymeasure.geodesic.elements.rival import Rival
 from bodymeasure.geodesic.elements.solve import solve_elements
 from bodymeasure.geodesic.lengths.coincident import TIMES
 from bodymeasure.geodesic.lengths.measure import measure_length
@@ -62,7 +63,9 @@ class ExactPaths(NamedTuple):
     unsolved: Array
 
 
-def exact_paths(surface: Surface, polygons: Array, known: Array, tolerance: float) -> ExactPaths:
+def exact_paths(
+    surface: Surface, polygons: Array, known: Array, curves: Array, tolerance: float
+) -> ExactPaths:
     """Find the exact paths near polygons at rest.
 
     Paths of polygons that touch no edge are solved by collocation, all at once. The others, and
@@ -76,6 +79,8 @@ def exact_paths(surface: Surface, polygons: Array, known: Array, tolerance: floa
         As `descend` returns them.
     known : ndarray, shape (polygons,)
         The lengths of other paths; longer ones are not wanted.
+    curves : ndarray, shape (polygons, k + 1, 2)
+        These paths, (u, v) at equal distances; NaN where one is no minimum, or there is none.
     tolerance : float
         Relative error asked for.
     """
@@ -96,8 +101,9 @@ def exact_paths(surface: Surface, polygons: Array, known: Array, tolerance: floa
         own, ends = surface.take(np.array([row])), (poles[0][row], poles[1][row])
         path = solve_contact_path(own, polygon, ends, tolerance)
         if path is None or not _is_good(path, shortest, tolerance):
+            rival = Rival(float(known[row]), own.jet(curves[row][None], 0)[0, :, 0].T)
             path, reached = solve_elements(
-                own, polygons[row], ends, tolerance=tolerance, known=float(known[row])
+                own, polygons[row], ends, tolerance=tolerance, rival=rival
             )
             if path is None:
                 unsolved[row] = max(shortest, reached)

@@ -9,14 +9,18 @@ import pytest
 from helpers.surfaces.height_fields import bent_plane, heights
 
 import bodymeasure as bm
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Bools
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.contact.legs import Pole
 from bodymeasure.geodesic.contact.solve import solve_contact_path
 from bodymeasure.geodesic.elements import solve
+from bodymeasure.geodesic.elements.measure import ElementLength, measure_elements
+from bodymeasure.geodesic.elements.path import ElementPath
+from bodymeasure.geodesic.elements.rival import NO_RIVAL, Rival
 from bodymeasure.geodesic.elements.solve import solve_elements
 from bodymeasure.geodesic.shortest.descent import descend
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
+from bodymeasure.geodesic.surfaces.protocol import Surface
 
 HARD: list[dict[str, Any]] = json.loads(
     (Path(__file__).parents[2] / "data" / "hard_patches.json").read_text()
@@ -132,13 +136,41 @@ def test_a_budget_and_a_shorter_path_end_the_work(monkeypatch: pytest.MonkeyPatc
     surface = BezierSurfaces(np.array(case["points"])[None])
     start, end = np.array(case["start"]), np.array(case["end"])
     polygon = start + LINE * (end - start)
-    longer = solve_elements(
-        surface, polygon, (None, None), tolerance=1e-10, known=0.5 * case["length"]
-    )
+    rival = NO_RIVAL._replace(length=0.5 * case["length"])
+    longer = solve_elements(surface, polygon, (None, None), tolerance=1e-10, rival=rival)
     assert longer.path is None
     assert longer.least > 0.5 * case["length"]
     monkeypatch.setattr(solve, "MOST_WORK", 100)
     assert solve_elements(surface, polygon, (None, None), tolerance=1e-10).path is None
+
+
+def test_a_path_that_is_known_is_not_solved_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    # A flat unit square: all paths between two points lead to the chord.
+    surface = BezierSurfaces(uneven_square((0.0, 0.001, 0.02, 1.0))[None])
+    end = np.array([0.7, 0.9])
+    start, chord = surface.jet(np.array([[(0.0, 0.0), end]]), 0)[0, :, 0].T
+    chord = chord - start
+    length = float(np.linalg.norm(chord))
+    detour = np.clip(LINE * end + 0.1 * np.sin(np.pi * LINE) * np.array([-1.0, 1.0]), 0.0, 1.0)
+    calls: list[int] = []
+
+    def counted(surface: Surface, path: ElementPath, held: Bools) -> ElementLength:
+        calls.append(len(path.widths))
+        return measure_elements(surface, path, held)
+
+    monkeypatch.setattr(solve, "measure_elements", counted)
+    rival = Rival(length * (1.0 + 1e-8), start + np.linspace(0.0, 1.0, 9)[:, None] * chord)
+    known = solve_elements(surface, detour, (None, None), tolerance=1e-10, rival=rival)
+    first = len(calls)
+    assert (known.path, known.least) == (None, rival.length)
+    # Where the other path of this length is elsewhere, or no minimum, this one is solved.
+    for positions in (rival.positions + 0.1, np.full((9, 3), np.nan)):
+        calls.clear()
+        elsewhere = rival._replace(positions=positions)
+        found = solve_elements(surface, detour, (None, None), tolerance=1e-10, rival=elsewhere)
+        assert found.path is not None
+        assert abs(found.path.length.corrected[0] - length) <= found.path.length.error[0]
+        assert len(calls) > first
 
 
 @pytest.mark.slow
