@@ -8,13 +8,15 @@ from bodymeasure.fit.solving.state import State, even_vertices
 from bodymeasure.fit.solving.step import Settings, stepped
 
 # Components of the shape in each step, while distances that count as noise go from 5 cm to 6 mm.
-COMPONENTS = (12, 12, 20, 20, 30, 30, 40, 40, 60, 60, 80, 80, 100, 120, 120)
-SIGMAS = np.geomspace(0.05, 0.006, len(COMPONENTS))
-PRIORS = np.geomspace(1.5, 0.03, len(COMPONENTS))
+# Landmarks that no shape marks, as the waist's, need more steps than the surface.
+LAST_STEPS = 5
+COMPONENTS = (12, 12, 20, 20, 30, 30, 40, 40, 60, 60, 80, 80, 100, *(120,) * (2 + LAST_STEPS))
+SIGMAS = np.append(np.geomspace(0.05, 0.006, 15), np.full(LAST_STEPS, 0.006))
+PRIORS = np.append(np.geomspace(1.5, 0.03, 15), np.geomspace(0.03, 0.01, LAST_STEPS))
 # Points of the scan and of the body that are matched in each step: many at the end, where they
 # average the noise.
-SCANNED = (2500,) * 9 + (6000,) * 6
-VERTICES = (1700,) * 9 + (5000,) * 6
+SCANNED = (2500,) * 9 + (6000,) * 6 + (20_000,) * LAST_STEPS
+VERTICES = (1700,) * 9 + (5000,) * 6 + (12_000,) * LAST_STEPS
 
 
 def shape_and_pose(state: State, cloud: Cloud, report: Report) -> State:
