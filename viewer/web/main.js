@@ -1,5 +1,6 @@
 // The bundle's entry, one for all three uses: it starts by itself on a page that was made for it, be
 // it the server's or a file, and exports what anywidget asks for in a notebook.
+import { listenToFrame } from "./framed.js";
 import { startViewer } from "./start.js";
 import { embeddedTransport } from "./transport/embedded.js";
 import { notebookTransport } from "./transport/notebook.js";
@@ -8,7 +9,8 @@ import { serverTransport } from "./transport/server.js";
 const root = typeof document === "undefined" ? null : document.getElementById("bodymeasure");
 if (root) {
   const transport = embeddedTransport() ?? serverTransport();
-  const { ready } = startViewer(root, transport, { alone: true, ...transport.options });
+  const { app, actions, ready } = startViewer(root, transport, { alone: true, ...transport.options });
+  if (window.parent !== window) ready.then(() => listenToFrame(app, actions), () => {});
   // The page itself shows what went wrong; the console is for who looks into it.
   ready.catch((error) => console.warn(error));
 }

@@ -30,7 +30,7 @@ const LOST = "The graphics card took the picture away. It comes back by itself; 
 // A picture for print has twice the pixels of the screen.
 const PICTURE_SCALE = 2;
 
-/** Start a viewer in an element; returns {app, ready, stop}. */
+/** Start a viewer in an element; returns {app, actions, ready, stop}. */
 export function startViewer(root, transport, options = {}) {
   const app = new App(root, transport, options);
   const parts = layout(root);
@@ -97,7 +97,7 @@ export function startViewer(root, transport, options = {}) {
     app.emitter.clear();
     root.replaceChildren();
   };
-  return { app, ready, stop };
+  return { app, actions, ready, stop };
 }
 
 async function begin(app, viewport, workbench, parts) {
@@ -149,6 +149,12 @@ function makeActions(app, viewport, workbench) {
     flyTo: (landmark) => {
       const normal = Array.isArray(landmark.location) ? viewport?.surface.normal(landmark.location) : null;
       viewport?.frame([landmark.position], normal ? [normal] : []);
+    },
+    flyToPatch: (patch) => {
+      const corners = [[0, 0], [0, 1], [1, 0], [1, 1]].map(([u, v]) => [patch, u, v]);
+      if (viewport && patch >= 0 && patch < app.header.patches) {
+        viewport.frame(corners.map((place) => viewport.surface.position(place)), corners.map((place) => viewport.surface.normal(place)));
+      }
     },
     hide: () => {
       const item = app.item(app.selected);

@@ -24,5 +24,11 @@ export function decodeBase64(text) {
   return bytes.buffer;
 }
 
+/** What an exported page holds is packed as a gzip file, since it is mailed. */
+export async function unpacked(buffer) {
+  const stream = new Blob([buffer]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream).arrayBuffer();
+}
+
 /** An array without rows, for answers that leave one out. */
 export const NO_ARRAY = { data: new Float32Array(0), shape: [0, 0, 3] };

@@ -1,5 +1,5 @@
 // A page without a server: all that it shows stands in its own text.
-import { decodeBase64, readBM1 } from "./bm1.js";
+import { decodeBase64, readBM1, unpacked } from "./bm1.js";
 import { Failure } from "./failure.js";
 
 const ALONE =
@@ -10,7 +10,7 @@ export function embeddedTransport(place = document) {
   const element = place.getElementById("bodymeasure-data");
   if (!element) return null;
   const content = JSON.parse(element.textContent);
-  const read = (text) => readBM1(decodeBase64(text));
+  const read = async (text) => readBM1(await unpacked(decodeBase64(text)));
   const refuse = async () => {
     throw new Failure(ALONE);
   };
