@@ -63,6 +63,7 @@ ORDERS = {
     " arcs, loop, through/poles · curve, part · bridged, places, section · hull",
     "taut": "poles, starts, status · skin · ridges, takeoffs, valleys · equilibrium · string ·"
     " refine · solve",
+    "viewer": "content, window · server",
 }
 MOST_FILES = 15
 LEVEL = {layer: level for level, layers in enumerate(LAYERS) for layer in layers}
@@ -99,7 +100,8 @@ def _group(layer: str, path: str, levels: dict[str, int]) -> str:
 def test_the_orders_name_what_there_is() -> None:
     for layer, order in ORDERS.items():
         for name in order.replace("·", ",").split(","):
-            path = FOLDERS["bodymeasure"] / layer / name.strip()
+            folder = FOLDERS.get(f"bodymeasure.{layer}", FOLDERS["bodymeasure"] / layer)
+            path = folder / name.strip()
             assert path.is_dir() or path.with_suffix(".py").is_file(), f"{layer}: {name.strip()}"
 
 

@@ -83,7 +83,7 @@ def map_in_processes(
     children = set(multiprocessing.active_children())
     pool = ProcessPoolExecutor(processes, mp_context=context, initializer=_start_worker)
     try:
-        with _environment(ONE_THREAD), _deaf_to_interrupts():
+        with environment(ONE_THREAD), deaf_to_interrupts():
             futures = [pool.submit(function, item) for item in items]
         _wait(futures, progress)
         return [future.result() for future in futures]
@@ -104,7 +104,7 @@ def map_in_processes(
 
 
 @contextmanager
-def _deaf_to_interrupts() -> Iterator[None]:
+def deaf_to_interrupts() -> Iterator[None]:
     """Start processes that Ctrl-C does not reach, from their first instruction on.
 
     They inherit the mask. An interrupt meanwhile is not lost: it comes at the end of the block.
@@ -131,10 +131,11 @@ def _wait(futures: list[Future[Result]], progress: Callable[[int], None] | None)
 def _start_worker() -> None:
     # Ctrl-C reaches the whole process group; the parent alone decides what it means.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=_end_with_parent, daemon=True).start()
+    threading.Thread(target=end_with_parent, daemon=True).start()
 
 
-def _end_with_parent() -> None:
+def end_with_parent() -> None:
+    """Wait for the parent of this process to end, however it ends, and end this process then."""
     parent = multiprocessing.parent_process()
     if parent is not None:
         parent.join()
@@ -142,7 +143,8 @@ def _end_with_parent() -> None:
 
 
 @contextmanager
-def _environment(variables: dict[str, str]) -> Iterator[None]:
+def environment(variables: dict[str, str]) -> Iterator[None]:
+    """Set variables for the processes that are started in the block."""
     before = {name: os.environ.get(name) for name in variables}
     os.environ.update(variables)
     try:

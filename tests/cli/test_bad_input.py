@@ -122,19 +122,21 @@ def test_the_check_names_what_is_wrong(run: Run, tmp_path: Path, make: Any, word
 
 
 @pytest.mark.parametrize(("make", "word"), UNSOUND)
-@pytest.mark.parametrize("command", ["report", "diagonals", "view"])
+@pytest.mark.parametrize(
+    "command", [["report"], ["diagonals"], ["view", "--desktop"]], ids=" ".join
+)
 def test_no_command_measures_an_unsound_atlas_unasked(
     run: Run,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
-    command: str,
+    command: list[str],
     make: Any,
     word: str,
 ) -> None:
     monkeypatch.chdir(tmp_path)
     path = tmp_path / "body.atlas"
     write_atlas(make(), path)
-    ran = run(command, path)
+    ran = run(*command, path)
     assert (ran.code, ran.out) == (2, "")
     assert ran.err.startswith(f"Error: {path}: the atlas has ")
     assert word in ran.err
@@ -213,7 +215,7 @@ def test_a_screenshot_that_cannot_be_written_is_not_begun(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, reason: str
 ) -> None:
     (tmp_path / "folder.png").mkdir()
-    monkeypatch.setattr("bodymeasure.cli.measuring.view.measure_atlas", no_work)
+    monkeypatch.setattr("bodymeasure.cli.measuring.view_window.measure_atlas", no_work)
     ran = run("view", "enneper", "--screenshot", tmp_path / name)
     assert (ran.code, ran.out) == (2, "")
     assert ran.err.startswith(f"Error: {tmp_path / name}: ")
@@ -227,8 +229,8 @@ def test_a_window_that_cannot_be_opened_is_not_begun(
         "bodymeasure.scene.drawing.opengl_check.opengl_trouble",
         lambda *, window: f"window={window}",
     )
-    monkeypatch.setattr("bodymeasure.cli.measuring.view.measure_atlas", no_work)
-    ran = run("view", "enneper")
+    monkeypatch.setattr("bodymeasure.cli.measuring.view_window.measure_atlas", no_work)
+    ran = run("view", "enneper", "--desktop")
     assert (ran.code, ran.out) == (2, "")
     assert ran.err == (
         "Error: no window can be opened, since window=True; "

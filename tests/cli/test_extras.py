@@ -13,11 +13,13 @@ DRAWING = ("igl", "trimesh", "pyvista", "vtkmodules", "matplotlib", "PIL")
     ("hidden", "package", "arguments", "extra", "remedy"),
     [
         ("igl", "libigl", ("report",), "oracle", "--no-cross-check leaves it out"),
-        ("igl", "libigl", ("view",), "oracle", "--no-cross-check leaves it out"),
+        ("igl", "libigl", ("view", "--desktop"), "oracle", "--no-cross-check leaves it out"),
         ("matplotlib", "matplotlib", ("report",), "report", "--no-pictures leaves it out"),
         ("jinja2", "jinja2", ("report", "--no-cross-check"), "report", "the HTML report"),
-        ("pyvista", "pyvista", ("view", "--no-cross-check"), "viewer", "the viewer"),
-        ("matplotlib", "matplotlib", ("view",), "viewer", "the viewer"),
+        ("pyvista", "pyvista", ("view", "--desktop", "--no-cross-check"), "viewer", "the viewer"),
+        ("matplotlib", "matplotlib", ("view", "--desktop"), "viewer", "the viewer"),
+        ("starlette", "starlette", ("view",), "viewer", "the page"),
+        ("uvicorn", "uvicorn", ("view", "--chart"), "viewer", "the page"),
     ],
 )
 def test_a_missing_package_is_told_before_any_work(

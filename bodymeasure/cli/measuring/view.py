@@ -1,166 +1,137 @@
 """`bodymeasure view`."""
 
-import math
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
-from bodymeasure.cli.console import print_note, progress_bar
-from bodymeasure.cli.measuring.chart import measured_chart
+from bodymeasure.cli.measuring.view_page import Page, show_page
+from bodymeasure.cli.measuring.view_window import show_window
 from bodymeasure.cli.options import (
-    COMPARISON,
+    DEFAULT_SAMPLE,
     EXIT_CODES,
-    VIEWER,
-    VIEWER_COLORS,
     definitions_option,
     despite_errors_option,
-    load_sound_atlas,
+    file_options,
     no_cross_check_option,
-    optional_atlas_argument,
     processes_option,
-    require,
 )
-from bodymeasure.errors import InputError
-from bodymeasure.files import require_writable
-from bodymeasure.measure import Survey, measure_atlas
-from bodymeasure.wording import nearest
 
-if TYPE_CHECKING:
-    from bodymeasure.atlas import Atlas
-    from bodymeasure.chart import Chart
-
-PICTURE_SUFFIXES = (".png", "")
+# What --chart stands for without a name.
+EVERY = "default"
+SET_SUFFIX = ".toml"
 
 
-@click.command(short_help="Show a body and its diagonals in a window.", epilog=EXIT_CODES)
-@optional_atlas_argument
+@click.command(
+    short_help="Look at a body and measure it by clicking, in the browser.", epilog=EXIT_CODES
+)
+@click.argument("atlas", metavar="[ATLAS]", required=False)
+@file_options
+@click.option(
+    "--chart",
+    "chart",
+    is_flag=False,
+    flag_value=EVERY,
+    metavar="[SET]",
+    help="Show the tapes of the body measurements at once: all, those of a preset such as core, or "
+    "of a file of definitions.",
+)
+@definitions_option
+@click.option(
+    "--port",
+    type=click.IntRange(0, 65535),
+    default=0,
+    metavar="N",
+    help="Port of the page.  [default: a free one]",
+)
+@click.option(
+    "--host",
+    default="127.0.0.1",
+    show_default=True,
+    metavar="ADDRESS",
+    help="Address to listen at. Any other than this one lets other machines in, if they know the "
+    "link, over a connection that is not encrypted.",
+)
+@click.option("--no-browser", is_flag=True, help="Print the link, and open no browser.")
+@click.option(
+    "--desktop",
+    is_flag=True,
+    help="Open a window of its own (pyvista) instead of a page, with all diagonals or the tapes.",
+)
 @click.option(
     "--screenshot",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Write a PNG file instead of opening a window.",
+    help="Write a picture of what the window shows as a PNG file, and open nothing.",
 )
-@click.option(
-    "--chart",
-    "with_chart",
-    is_flag=True,
-    help="Show the tapes of the body measurements instead of the diagonals.",
-)
-@definitions_option
 @click.option(
     "--measure",
     "key",
     metavar="KEY",
-    help="With --chart: show one measurement alone, by its key.",
+    help="With --chart in the window or a picture: show one measurement alone, by its key.",
 )
 @no_cross_check_option
 @processes_option
 @despite_errors_option
 def view(
-    atlas: str,
-    screenshot: Path | None,
-    with_chart: bool,
+    atlas: str | None,
+    chart: str | None,
     definitions: Path | None,
+    port: int,
+    host: str,
+    no_browser: bool,
+    desktop: bool,
+    screenshot: Path | None,
     key: str | None,
     no_cross_check: bool,
     processes: int,
     despite_errors: bool,
 ) -> None:
-    """Show ATLAS in a window: patches, diagonals colored by their difference from the mesh.
+    """Show ATLAS in the browser: turn it, click two points, and read the length between them.
 
-    Click a patch or a diagonal for its name and lengths. With --chart, click a tape for the
-    measurement and its value. ATLAS is the average female sample if not given.
+    The page is served to this machine alone, and ends with Ctrl-C. ATLAS is the average female
+    sample if not given; a scan is fitted first, as `bodymeasure fit` does.
+
+    With --desktop, a window shows the patches, and the diagonals colored by their difference from
+    the mesh, or with --chart the tapes; --screenshot writes a picture of it.
     """
-    if not with_chart and (key is not None or definitions is not None):
+    atlas, chart, definitions = _sorted_out(atlas, chart, definitions)
+    if chart is None and (key is not None or definitions is not None):
         raise click.UsageError("--measure and --set are about measurements; add --chart.")
-    compared = not (with_chart or no_cross_check)
-    require(VIEWER, VIEWER_COLORS, *((COMPARISON,) if compared else ()))
-    viewer, chart_viewer = _viewers()
-    loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
-    if screenshot is None:
-        _check_display()
-    else:
-        _check_screenshot(screenshot)
-    if with_chart:
-        note = chart_viewer(_chart(loaded, definitions, key, despite_errors), screenshot, key=key)
-    else:
-        note = viewer(_survey(loaded, no_cross_check, processes), screenshot)
-    if note:
-        print_note(note)
-    if screenshot is not None:
-        click.echo(screenshot)
-
-
-def _survey(loaded: "Atlas", no_cross_check: bool, processes: int) -> Survey:
-    with progress_bar("comparing with libigl", 2 * len(loaded)) as progress:
-        return measure_atlas(
-            loaded, compare=not no_cross_check, processes=processes, progress=progress
+    if desktop or screenshot is not None:
+        show_window(
+            atlas,
+            screenshot,
+            None if chart is None else (definitions, chart, key),
+            no_cross_check=no_cross_check,
+            processes=processes,
+            despite_errors=despite_errors,
         )
+        return
+    if key is not None:
+        raise click.UsageError("--measure is for --desktop and --screenshot; search in the page.")
+    show_page(atlas, Page(chart, definitions, host, port, browser=not no_browser))
 
 
-def _chart(
-    loaded: "Atlas", definitions: Path | None, key: str | None, despite_errors: bool
-) -> "Chart":
-    """Measure the chart of a body, in which a measurement that is to be shown must have a tape.
+def _sorted_out(
+    atlas: str | None, chart: str | None, definitions: Path | None
+) -> tuple[str, str | None, Path | None]:
+    """Return the atlas, the set and the file of definitions that are meant.
 
-    Raises
-    ------
-    InputError
-        If there is no such measurement, or it has no tape, or no measurement has one.
+    A name after --chart that is no set is the atlas, as in ``view --chart body.atlas``.
     """
-    from bodymeasure.chart import both_sides, load_definitions
+    if chart is not None and chart.lower().endswith(SET_SUFFIX):
+        if definitions is not None:
+            raise click.UsageError("Give the file of definitions once, with --chart or with --set.")
+        chart, definitions = EVERY, Path(chart)
+    elif chart not in (None, EVERY):
+        from bodymeasure.chart import load_definitions
+        from bodymeasure.wording import hint
 
-    wanted = load_definitions(definitions)
-    keys = [item.key for item in both_sides(wanted.measurement)]
-    if key is not None and key not in keys:
-        near = nearest(key, keys)
-        hint = f"did you mean {near!r}?" if near else f"expected one such as {', '.join(keys[:3])}"
-        raise InputError(f"there is no measurement {key!r} in {wanted.name!r}; {hint}")
-    chart = measured_chart(loaded, wanted, despite_errors=despite_errors)
-    if key is not None and not (chart[key].tapes and math.isfinite(chart[key].value)):
-        reason = chart[key].reason or "what it is calculated from has none"
-        raise InputError(f"{key}: there is no tape to show: {reason}")
-    if not any(item.tapes for item in chart.measured):
-        first = chart.measured[0]
-        raise InputError(
-            "there is no tape to show, since nothing was measured; "
-            f"{first.definition.key}: {first.reason}"
-        )
-    return chart
-
-
-def _check_display() -> None:
-    """Refuse a window that could not be opened, before anything is measured."""
-    from bodymeasure.scene.drawing.opengl_check import opengl_trouble
-
-    if trouble := opengl_trouble(window=True):
-        raise InputError(
-            f"no window can be opened, since {trouble}; "
-            "write a picture instead with --screenshot FILE.png"
-        )
-
-
-def _check_screenshot(path: Path) -> None:
-    """Refuse a file that could not be written, before anything is measured."""
-    if path.suffix.lower() not in PICTURE_SUFFIXES:
-        raise InputError(
-            f"{path}: the picture is a PNG file; give a name that ends in .png, not {path.suffix}"
-        )
-    require_writable(path)
-
-
-def _viewers() -> tuple[Callable[[Survey, Path | None], str], Callable[..., str]]:
-    """Import the functions that show a survey and a chart."""
-    try:
-        from bodymeasure.viewer import view, view_chart
-    except ModuleNotFoundError as error:
-        if error.name != "bodymeasure.viewer":
-            raise
-        raise InputError(
-            "the viewer is part of an installed bodymeasure, and this is a bare checkout; "
-            "install it with: pip install -e ."
-        ) from None
-    # Installed under another name than its folder's, so that the type checker does not see it.
-    return view, view_chart
+        presets = load_definitions(definitions).presets
+        if chart not in presets:
+            if atlas is not None:
+                raise click.UsageError(
+                    f"--chart {chart!r} is no set of measurements; {hint(str(chart), presets)}"
+                )
+            atlas, chart = chart, EVERY
+    return atlas or DEFAULT_SAMPLE, chart, definitions

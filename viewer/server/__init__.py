@@ -1,0 +1,1 @@
+"""The server of the page: requests in, answers of a worker process out."""

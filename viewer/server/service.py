@@ -1,0 +1,158 @@
+"""What the server knows: the bodies that are open, its workers, and who listens."""
+
+import asyncio
+import pickle
+from collections.abc import Callable, Hashable
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from bodymeasure.viewer.content import requests
+from bodymeasure.viewer.server.events import Events
+from bodymeasure.viewer.server.queue import Queue
+from bodymeasure.viewer.server.work import Done
+from bodymeasure.viewer.server.worker import Worker
+from msgspec import json
+
+if TYPE_CHECKING:
+    from bodymeasure.viewer.content.shown import ShownBody
+
+    from bodymeasure.chart import Definitions
+
+MAIN = "0"
+# Bodies that may be open beside the first; those opened longest ago are closed.
+MOST_OPENED = 6
+# The most seconds of an answer for which somebody waits, and of a chart or a comparison.
+LIMIT, LONG_LIMIT = 60.0, 1800.0
+# Seconds between two looks at the file.
+LOOK = 1.0
+
+
+class Service:
+    """The state of the server, which belongs to no tab.
+
+    Parameters
+    ----------
+    body : ShownBody
+    own : Definitions, optional
+        A set of definitions that the user has given.
+    """
+
+    def __init__(self, body: "ShownBody", own: "Definitions | None" = None) -> None:
+        self.bodies = {MAIN: replace(body, id=MAIN)}
+        # What takes long has a process of its own, so that tapes never wait for a chart; it is
+        # started when it is first needed.
+        self.workers = (Worker(own), Worker(own))
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._opened = 0
+        self._shown: tuple[int, Done] | None = None
+
+    def begin(self) -> None:
+        """Begin, within the event loop."""
+        self._loop = asyncio.get_running_loop()
+        self.events = Events()
+        told = {"worker": "restarted"}
+        self._queues = [
+            Queue(worker, self.bodies, lambda: self.events.tell(told)) for worker in self.workers
+        ]
+        self._tasks = {asyncio.create_task(self._prepare()), asyncio.create_task(self._watch())}
+
+    def close(self) -> None:
+        """Let all that is open end, so that nobody waits for it; any thread may call this."""
+        if self._loop is not None:
+            self._loop.call_soon_threadsafe(self._close)
+
+    def _close(self) -> None:
+        self.events.closing.set()
+        for queue in self._queues:
+            queue.close()
+
+    async def end(self) -> None:
+        """End all processes."""
+        for task in self._tasks:
+            task.cancel()
+        for worker in self.workers:
+            await asyncio.to_thread(worker.end)
+
+    async def answer(self, request: requests.Request) -> Done | None:
+        """Return the answer to a request; None if a newer one of the same tab took its place."""
+        if isinstance(request, requests.ShowBody) and request.body == MAIN:
+            return await self._body(request)
+        long = isinstance(request, requests.MeasureChart) or (
+            isinstance(request, requests.ShowLayer) and request.compare
+        )
+        slot: Hashable = None
+        if isinstance(request, requests.Ask) and request.tab:
+            slot = (request.tab, type(request))
+        found = await self._queues[long].ask(
+            request,
+            limit=LONG_LIMIT if long else LIMIT,
+            slot=slot,
+            progress=self._progress(request) if long else None,
+        )
+        if isinstance(request, requests.OpenFile) and found is not None and found.kind == "body":
+            return self._open(found)
+        return found
+
+    async def _body(self, request: requests.ShowBody) -> Done | None:
+        """Return the message of the main body, which all tabs get and which is made once."""
+        version = self.bodies[MAIN].version
+        if self._shown is None or self._shown[0] != version:
+            found = await self._queues[False].ask(request, limit=LIMIT)
+            if found is None or found.kind != "binary":
+                return found
+            self._shown = (version, found)
+        return self._shown[1]
+
+    def _progress(self, request: requests.Request) -> Callable[[int, int, str], None]:
+        tab = getattr(request, "tab", "")
+
+        def tell(done: int, total: int, words: str) -> None:
+            event = {"tab": tab, "done": done, "total": total, "words": words}
+            self.events.tell({"progress": event})
+
+        return tell
+
+    def _open(self, found: Done) -> Done:
+        self._opened += 1
+        body = replace(pickle.loads(found.content), id=str(self._opened))
+        self.bodies[body.id] = body
+        others = [name for name in self.bodies if name != MAIN]
+        for name in others[:-MOST_OPENED]:
+            del self.bodies[name]
+        told = {"id": body.id, "name": body.name, "warnings": list(body.warnings)}
+        return Done(found.number, "json", json.encode(told))
+
+    async def _prepare(self) -> None:
+        """Make ready what the first page asks for, and then the first tape."""
+        await self._body(requests.ShowBody())
+        await self._queues[False].ask(None, limit=LIMIT)
+
+    async def _watch(self) -> None:
+        """Read the body's file again when it has changed, and tell the pages."""
+        body = self.bodies[MAIN]
+        if body.settings is None:
+            return
+        path = Path(body.file)
+        seen = read = await asyncio.to_thread(_stamp, path)
+        while True:
+            await asyncio.sleep(LOOK)
+            now = await asyncio.to_thread(_stamp, path)
+            # A file that still grows, or is missing while another takes its place, waits.
+            if now is not None and now != read and now == seen:
+                read = now
+                found = await self._queues[False].ask(requests.ReadAgain(body=MAIN), limit=LIMIT)
+                if found is not None and found.kind == "body":
+                    self.bodies[MAIN] = pickle.loads(found.content)
+                    self.events.tell({"changed": True})
+                elif found is not None and found.kind == "error":
+                    self.events.tell({"error": found.content.decode()})
+            seen = now
+
+
+def _stamp(path: Path) -> tuple[int, int] | None:
+    try:
+        found = path.stat()
+    except OSError:
+        return None
+    return found.st_mtime_ns, found.st_size
