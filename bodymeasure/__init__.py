@@ -78,6 +78,7 @@ __all__ = [
     "contracted_loop",
     "derive_landmarks",
     "diagonals",
+    "export_page",
     "extreme_girth",
     "fit_body",
     "fork_point",
@@ -103,6 +104,7 @@ __all__ = [
     "read_topology",
     "sample_names",
     "save_topology",
+    "show",
     "solve_geodesic",
     "taut_tape",
     "tessellate",
@@ -133,6 +135,7 @@ _HOMES = (
     "chart",
     "fit",
     "report",
+    "viewer",
 )
 
 if TYPE_CHECKING:
@@ -245,6 +248,7 @@ if TYPE_CHECKING:
         Plane,
     )
     from bodymeasure.taut import TautStatus, TautTape, taut_tape
+    from bodymeasure.viewer import export_page, show
 else:
 
     def __getattr__(name: str) -> object:
@@ -253,7 +257,13 @@ else:
             return import_module(f"{__name__}.{name}")
         if name in __all__:
             for home in _HOMES:
-                module = import_module(f"{__name__}.{home}")
+                try:
+                    module = import_module(f"{__name__}.{home}")
+                except ModuleNotFoundError as error:
+                    # A bare checkout, which is not installed, has no viewer.
+                    if error.name != f"{__name__}.viewer":
+                        raise
+                    continue
                 if hasattr(module, name):
                     globals()[name] = getattr(module, name)
                     return globals()[name]

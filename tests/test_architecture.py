@@ -63,7 +63,7 @@ ORDERS = {
     " arcs, loop, through/poles · curve, part · bridged, places, section · hull",
     "taut": "poles, starts, status · skin · ridges, takeoffs, valleys · equilibrium · string ·"
     " refine · solve",
-    "viewer": "content, window · server",
+    "viewer": "content, window · page, server",
 }
 MOST_FILES = 15
 LEVEL = {layer: level for level, layers in enumerate(LAYERS) for layer in layers}

@@ -5,6 +5,7 @@ import typing
 from collections.abc import Iterator
 
 import pytest
+from anywidget import AnyWidget
 from trimesh import Trimesh
 from trimesh.path import Path3D
 
@@ -19,6 +20,7 @@ CLASSES = {name: each for name, each in PUBLIC.items() if inspect.isclass(each)}
 # Names in quoted annotations, whose modules import them for the type checker alone.
 QUOTED = {
     "CrossCheck": CrossCheck,
+    "AnyWidget": AnyWidget,
     "Chart": bm.Chart,
     "Path3D": Path3D,
     "Survey": bm.Survey,

@@ -22,7 +22,7 @@ WITHOUT = {
     *("homogeneous", "load_definitions", "load_sample", "path_to_trimesh", "sample_names"),
     *("read_atlas", "read_population", "read_topology"),
     *("write_atlas", "write_chart", "write_glb"),
-    *("write_paths", "write_population", "write_report"),
+    *("write_paths", "write_population", "write_report", "show"),
 }
 MANY = 3
 # What a process does, and whether a thread of its libraries was awake meanwhile: while a thread

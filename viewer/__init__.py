@@ -7,14 +7,18 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from bodymeasure.viewer.page.export import export_page
+    from bodymeasure.viewer.page.notebook import show
     from bodymeasure.viewer.window.describe import describe, describe_measured
     from bodymeasure.viewer.window.show import view, view_chart
 
-__all__ = ["describe", "describe_measured", "view", "view_chart"]
+__all__ = ["describe", "describe_measured", "export_page", "show", "view", "view_chart"]
 
 _MODULES = {
     "describe": "window.describe",
     "describe_measured": "window.describe",
+    "export_page": "page.export",
+    "show": "page.notebook",
     "view": "window.show",
     "view_chart": "window.show",
 }

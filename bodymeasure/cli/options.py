@@ -192,6 +192,11 @@ format_option = partial(
     show_default=True,
 )
 no_pictures_option = click.option("--no-pictures", is_flag=True, help="Leave out the pictures.")
+all_pictures_option = click.option(
+    "--all-pictures",
+    is_flag=True,
+    help="Draw everything from near as well, which the page otherwise shows in its scene to turn.",
+)
 no_cross_check_option = click.option(
     "--no-cross-check",
     is_flag=True,

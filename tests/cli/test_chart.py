@@ -11,6 +11,7 @@ import jsonschema
 import pytest
 from helpers.charts.hand_made_chart import tape_pictures
 from helpers.command_line import Run, hide_here, recorded_bars
+from helpers.files.page import Page
 
 import bodymeasure as bm
 
@@ -189,8 +190,10 @@ def test_pictures_and_progress(
     run: Run, definitions: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     bars = recorded_bars(monkeypatch, "measuring.chart")
+    near: list[bool] = []
 
-    def draw(_chart: Any, *, advance: Any) -> Any:
+    def draw(_chart: Any, *, closeups: bool, advance: Any) -> Any:
+        near.append(closeups)
         for name in range(5):
             advance(str(name))
         return tape_pictures()
@@ -198,8 +201,14 @@ def test_pictures_and_progress(
     monkeypatch.setattr("bodymeasure.scene.tape_pictures", draw, raising=False)
     ran = run("chart", "--set", definitions, "-o", tmp_path / "out")
     assert (ran.code, ran.err) == (0, "Drawn without <OpenGL>.\n")
-    page = (tmp_path / "out" / "chart.html").read_text("utf-8")
-    assert page.count("data:image/png") == 3
+    page = Page((tmp_path / "out" / "chart.html").read_bytes())
+    page.check_self_contained(scene=True)
+    assert page.source.count("data:image/png") == 3
+    assert b'id="bodymeasure-data"' in page.scene
+    run("chart", "--set", definitions, "-o", tmp_path / "all", "--all-pictures")
+    # What the scene shows is not drawn from near, unless it is asked for.
+    assert near == [False, True]
+    del bars[2:]
     assert [label for label, _, _ in bars] == ["measuring", "drawing"]
     assert bars[0][1:] == (3, [1, 2, 3])
 

@@ -8,6 +8,7 @@ from typing import Any
 import jsonschema
 import pytest
 from helpers.command_line import Run, hide_here, recorded_bars
+from helpers.files.page import Page
 
 from bodymeasure import read_atlas
 from bodymeasure.oracle import MeshDistances, mesh_distances
@@ -64,11 +65,30 @@ def test_a_single_patch_with_pictures_and_progress(
     assert content["unit"] == "mm"
     length = content["measurements"][0]["length"]
     assert math.isclose(length, 50.0 * math.sqrt(2.0) / 3.0, rel_tol=1e-13)
-    assert (tmp_path / "report.html").read_text("utf-8").count("data:image/png") > 4
+    page = Page((tmp_path / "report.html").read_bytes())
+    assert page.source.count("data:image/png") == 2
+    assert b'id="bodymeasure-data"' in page.scene
     assert [label for label, _, _ in bars] == ["comparing with libigl", "drawing"]
     for _, total, done in bars:
         assert done == sorted(done)
         assert done[-1] == total
+
+
+def test_all_pictures_are_drawn_on_request(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hide_here(monkeypatch, "pyvista")
+    opengl_trouble.cache_clear()
+    options = ("--no-cross-check", "--processes", 1, "-o", tmp_path)
+    ran = run("report", "enneper", "--all-pictures", *options)
+    opengl_trouble.cache_clear()
+    assert ran.code == 0
+    page = Page((tmp_path / "report.html").read_bytes())
+    assert page.source.count("data:image/png") > 4
+    assert b'id="bodymeasure-data"' in page.scene
+    ran = run("report", "enneper", "--all-pictures", "--no-pictures", *options)
+    assert ran.code == 2
+    assert "--no-pictures and --all-pictures contradict each other." in ran.err
 
 
 def test_a_second_report_replaces_the_first(run: Run, tmp_path: Path) -> None:

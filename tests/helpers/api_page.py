@@ -27,6 +27,7 @@ SUBJECTS = {
     "Girths, tapes and other measurements": ("measure", "section", "taut"),
     "Charts of body measurements": ("chart",),
     "Reports": ("report",),
+    "Looking at bodies": ("viewer",),
     "Meshes": ("mesh",),
     "Errors": ("errors",),
 }

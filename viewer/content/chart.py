@@ -78,6 +78,22 @@ def chart_of(
     return changed, chart
 
 
+def keep_chart(bodies: Bodies, body: ShownBody, chart: Chart) -> str:
+    """Keep a chart that was measured elsewhere; return the key of its set.
+
+    A page that asks for that set, on the body as it is, gets this chart.
+    """
+    whole = load_definitions()
+    if chart.definitions == whole and not chart.only:
+        key = DEFAULT
+    elif chart.definitions == whole and len(chart.only) == 1 and chart.only[0] in whole.presets:
+        (key,) = chart.only
+    else:
+        key, bodies.own = OWN, chart.definitions
+    bodies.chart((body.id, body.version, key, (), ()), lambda: chart)
+    return key
+
+
 def _set_of(bodies: Bodies, key: str) -> tuple[Definitions, tuple[str, ...]]:
     whole = load_definitions()
     if key == OWN and bodies.own is not None:
@@ -97,6 +113,11 @@ def chart_message(
 ) -> bytes:
     """Return the measurements of a set with their tapes."""
     body, chart = chart_of(bodies, request, progress)
+    return chart_content(body, chart, request.set)
+
+
+def chart_content(body: ShownBody, chart: Chart, name: str = DEFAULT) -> bytes:
+    """Return the message of a chart of a body; `name` is the key of its set."""
     document = chart_document(chart, Unit.M, subject=body.name)
     size = float(np.ptp(chart.atlas.points, axis=0).max())
     tapes: list[dict[str, Any]] = []
@@ -124,7 +145,7 @@ def chart_message(
     points, normals, free = (np.concatenate(each) for each in zip(none, *parts, strict=True))
     return packed(
         {
-            "set": request.set,
+            "set": name,
             "title": document.definitions,
             "body": body.id,
             "seconds": document.seconds,

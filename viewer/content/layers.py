@@ -82,10 +82,26 @@ def _diagonals(
         differences = None if check is None else check.relative_difference
     else:
         solution = diagonals(atlas, on_failure="status")
+    return diagonals_content(body, solution, differences)
+
+
+def diagonals_content(
+    body: ShownBody, solution: GeodesicSolution, differences: Array | None
+) -> bytes:
+    """Return the message of both diagonals of each patch.
+
+    Parameters
+    ----------
+    body : ShownBody
+    solution : GeodesicSolution
+        Of shape (patches, 2).
+    differences : ndarray, shape (patches, 2), optional
+        Relative differences of the lengths from the mesh.
+    """
     points, normals = diagonal_lines(body, solution)
     statuses = np.asarray(solution.status)
     items = []
-    for patch, name in enumerate(atlas.patch_names):
+    for patch, name in enumerate(body.atlas.patch_names):
         for number in range(2):
             status: Status = statuses[patch, number]
             item = {
@@ -99,7 +115,8 @@ def _diagonals(
             if differences is not None and np.isfinite(differences[patch, number]):
                 item["difference"] = float(differences[patch, number])
             items.append(item)
-    return _message(request, points, normals, items)
+    header = {"name": "diagonals", "items": items}
+    return packed(header, {"points": points, "normals": normals})
 
 
 def diagonal_lines(body: ShownBody, solution: GeodesicSolution) -> tuple[Array, Array]:

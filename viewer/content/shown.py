@@ -43,6 +43,8 @@ class ShownBody:
         With what the file can be read again by `read_atlas`; None if it cannot.
     start : mapping of str to object
         With what the page begins, as members of its header.
+    finest : int
+        The most steps along a patch's side of the triangles that are drawn.
     """
 
     id: str
@@ -53,6 +55,7 @@ class ShownBody:
     warnings: tuple[str, ...] = ()
     settings: Mapping[str, Any] | None = None
     start: Mapping[str, object] = field(default_factory=dict)
+    finest: int = max(SEGMENTS)
 
     @property
     def savable(self) -> bool:
@@ -63,7 +66,8 @@ class ShownBody:
     def segments(self) -> int:
         """Steps along a patch's side of the triangles that are drawn."""
         count = len(self.atlas)
-        return next((steps for steps, most in SEGMENTS.items() if count <= most), 1)
+        steps = next((steps for steps, most in SEGMENTS.items() if count <= most), 1)
+        return min(steps, self.finest)
 
     @property
     def rotation(self) -> Array:

@@ -25,12 +25,14 @@ from bodymeasure.cli.measuring.chart_tables import (
 )
 from bodymeasure.cli.measuring.many_scans import Charting, chart_scans
 from bodymeasure.cli.measuring.paths import check_paths_file, tape_curves, write_curves
+from bodymeasure.cli.measuring.scene import pictures_wanted, scene_of
 from bodymeasure.cli.measuring.subjects import Subject, charts_of, subjects_of
 from bodymeasure.cli.options import (
     CHART_PAGE,
     CHART_PICTURES,
     DEFAULT_SAMPLE,
     EXIT_CODES,
+    all_pictures_option,
     definitions_option,
     despite_errors_option,
     folder_option,
@@ -103,6 +105,7 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) ->
 )
 @unit_option
 @no_pictures_option
+@all_pictures_option
 @despite_errors_option
 def chart(
     atlases: tuple[str, ...],
@@ -115,6 +118,7 @@ def chart(
     sensitivity: bool,
     unit: str,
     no_pictures: bool,
+    all_pictures: bool,
     despite_errors: bool,
 ) -> int:
     """Take the body measurements of ATLAS: girths, lengths over the skin, heights.
@@ -138,10 +142,10 @@ def chart(
     if output is not None and form is not None:
         raise click.UsageError("--format is for printing; with -o, all formats are written.")
     begin = time.perf_counter()
-    pictures_wanted = output is not None and not no_pictures
+    with_pictures = pictures_wanted(none=no_pictures, every=all_pictures) and output is not None
     require(
         *((CHART_PAGE,) if output is not None else ()),
-        *((CHART_PICTURES,) if pictures_wanted else ()),
+        *((CHART_PICTURES,) if with_pictures else ()),
     )
     # Slow imports, which `--help` does not need.
     from bodymeasure.chart import load_definitions, selected_keys
@@ -157,7 +161,7 @@ def chart(
         check_paths_file(paths_file)
     scans = [name for name in atlases if is_scan(name)]
     if scans:
-        require_fit(page=output is not None, pictures=pictures_wanted)
+        require_fit(page=output is not None, pictures=with_pictures)
     if picks is not None and (not scans or len(atlases) > 1):
         raise click.UsageError("--landmarks are the picks of one scan; chart it by itself.")
     several = len(atlases) > 1
@@ -168,7 +172,7 @@ def chart(
             atlases,
             output,
             Charting(loaded_definitions, unit, only, sensitivity, despite_errors),
-            pictures=pictures_wanted,
+            pictures=with_pictures,
         )
     load = partial(load_sound_atlas, despite_errors=despite_errors, if_none=several)
     fit = None if not scans or several else scan_subject(scans[0], picks)
@@ -205,7 +209,9 @@ def chart(
         return _exit_code(document, asked_for=asked_for)
     with output_folder(output):
         measured = measuring()
-        pictures = _pictures(measured) if pictures_wanted else None
+        scene = scene_of(measured) if with_pictures else None
+        near = scene is None or all_pictures
+        pictures = _pictures(measured, near=near) if with_pictures else None
         stem = bodies[0].name
         # Whatever fails does so before the folder has its files.
         if paths_file is not None:
@@ -213,8 +219,10 @@ def chart(
         fits: tuple[Path, ...] = ()
         if fit is not None:
             place = output / f"{stem}.atlas"
-            fits = write_fit(fit, place, page=True, pictures=pictures_wanted)
-        files = write_chart(measured, output, unit=unit, stem=stem, pictures=pictures or False)
+            fits = write_fit(fit, place, page=True, pictures=with_pictures)
+        files = write_chart(
+            measured, output, unit=unit, stem=stem, pictures=pictures or False, scene=scene
+        )
         files = (*files, *fits, *(() if paths_file is None else (paths_file,)))
     document = chart_document(measured, unit, subject=stem)
     print_table(summary_table(document, time.perf_counter() - begin))
@@ -280,14 +288,14 @@ def measured_chart(
         )
 
 
-def _pictures(chart: "Chart") -> "TapePictures":
+def _pictures(chart: "Chart", *, near: bool) -> "TapePictures":
     from bodymeasure.scene import tape_pictures
 
     drawn = [item for item in chart.measured if item.tapes]
     # The bar may end early, since not all sides of all groups are drawn.
-    most = SIDES * len({item.definition.group for item in drawn}) + len(drawn)
+    most = SIDES * len({item.definition.group for item in drawn}) + near * len(drawn)
     with progress_bar("drawing", most) as progress:
-        return tape_pictures(chart, advance=count_calls(progress))
+        return tape_pictures(chart, closeups=near, advance=count_calls(progress))
 
 
 def _exit_code(document: "ChartDocument", *, asked_for: bool) -> int:

@@ -8,11 +8,13 @@ import click
 from rich.text import Text
 
 from bodymeasure.cli.console import count_calls, print_files, print_note, print_table, progress_bar
+from bodymeasure.cli.measuring.scene import pictures_wanted, scene_of
 from bodymeasure.cli.options import (
     COMPARISON,
     EXIT_CODES,
     PAGE,
     PICTURES,
+    all_pictures_option,
     despite_errors_option,
     folder_option,
     length_unit,
@@ -46,7 +48,6 @@ VERDICTS = {
 }
 # Statuses of diagonals that have a length all the same, in words.
 STATUSES = {"on_boundary": "of them run along an edge of their patch"}
-BODY_PICTURES = 4
 
 
 @click.command(short_help="Measure a body, check the lengths, write a report.", epilog=EXIT_CODES)
@@ -59,6 +60,7 @@ BODY_PICTURES = 4
 @unit_option
 @no_cross_check_option
 @no_pictures_option
+@all_pictures_option
 @processes_option
 @despite_errors_option
 def report(
@@ -67,6 +69,7 @@ def report(
     unit: str,
     no_cross_check: bool,
     no_pictures: bool,
+    all_pictures: bool,
     processes: int,
     despite_errors: bool,
 ) -> int:
@@ -75,25 +78,25 @@ def report(
     ATLAS is the average female sample if not given.
     """
     begin = time.perf_counter()
-    require(PAGE, *(() if no_cross_check else (COMPARISON,)), *(() if no_pictures else (PICTURES,)))
+    with_pictures = pictures_wanted(none=no_pictures, every=all_pictures)
+    require(
+        PAGE, *(() if no_cross_check else (COMPARISON,)), *((PICTURES,) if with_pictures else ())
+    )
     loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
     unit = length_unit(unit, loaded)
     with output_folder(output):
         # Slow imports, which `--help` does not need.
-        from bodymeasure.report import (
-            closeup_patches,
-            disagreements,
-            survey_document,
-            write_report,
-        )
+        from bodymeasure.report import disagreements, survey_document, write_report
 
         with progress_bar("comparing with libigl", 2 * len(loaded)) as progress:
             survey = measure_atlas(
                 loaded, compare=not no_cross_check, processes=processes, progress=progress
             )
         document = survey_document(survey, unit)
-        pictures = None if no_pictures else _pictures(survey, closeup_patches(document))
-        files = write_report(survey, output, unit=unit, pictures=pictures or False)
+        scene = scene_of(survey) if with_pictures else None
+        near = scene is None or all_pictures
+        pictures = _pictures(survey, document, near=near) if with_pictures else None
+        files = write_report(survey, output, unit=unit, pictures=pictures or False, scene=scene)
     print_table(_table(document, time.perf_counter() - begin))
     print_files(files)
     if pictures is not None and pictures.note:
@@ -105,11 +108,15 @@ def report(
     return EXIT_DISAGREES if wrong else 0
 
 
-def _pictures(survey: Survey, closeups: tuple[int, ...]) -> "Pictures":
+def _pictures(survey: Survey, document: "Document", *, near: bool) -> "Pictures":
+    from bodymeasure.report import closeup_patches
+    from bodymeasure.report.patches.outputs import BESIDE_SCENE
+    from bodymeasure.scene import SIDES
     from bodymeasure.scene import pictures as draw
 
-    with progress_bar("drawing", BODY_PICTURES + len(closeups)) as progress:
-        return draw(survey, closeups, advance=count_calls(progress))
+    closeups, sides = (closeup_patches(document), SIDES) if near else ((), BESIDE_SCENE)
+    with progress_bar("drawing", len(sides) + len(closeups)) as progress:
+        return draw(survey, closeups, sides=sides, advance=count_calls(progress))
 
 
 def _table(document: "Document", seconds: float) -> "Table":

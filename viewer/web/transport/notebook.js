@@ -35,6 +35,8 @@ export function notebookTransport(model) {
   const object = async (kind, request) => (await ask(kind, request)).message.answer;
   const file = async (kind, request) => {
     const { message, buffers } = await ask(kind, request);
+    // Landmarks that were saved into the body's own file are no file to download.
+    if (message.answer) return message.answer;
     return { name: message.name, content: new Blob([bytes(buffers[0])]) };
   };
   const options = model.get("options") ?? {};

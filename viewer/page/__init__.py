@@ -1,0 +1,1 @@
+"""The viewer's page without its server: as one file, and in a notebook."""
