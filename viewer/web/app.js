@@ -25,6 +25,7 @@ export class App {
     this.hiddenKeys = new Set();
     this.selected = null;
     this.lit = null;
+    this.reopened = false;
     this.on("sheet", () => this.#keep());
     this.on("sheet", () => this.measuring.askAll());
   }
@@ -58,14 +59,17 @@ export class App {
   }
 
   /** Read the body again, as when its file changed; tapes stay and are measured anew. */
-  async reopen() {
+  async reopen({ saved = false } = {}) {
     const { state } = this.sheet;
+    this.reopened = true;
     const { header, arrays } = await this.transport.body(this.bodyId);
     Object.assign(this, { header, arrays, chart: null, otherChart: null });
     this.sheet.forgetResults();
     this.emit("body");
+    this.reopened = false;
     this.emit("chart");
-    this.sheet.load(state);
+    // What was saved is the body's own now, and no change of it.
+    this.sheet.load(saved ? { ...state, landmarks: {} } : state);
   }
 
   get #place() {

@@ -1,5 +1,10 @@
 // Coloring the body by a quantity, and a second body: beside this one, or as the distance to it.
 
+/** Labels of the program are written as within a sentence. */
+export function sentenceCase(text) {
+  return text.slice(0, 1).toUpperCase() + text.slice(1);
+}
+
 export function comparing(app, viewport) {
   let key = "none";
   let beside = true;
@@ -25,7 +30,7 @@ export function comparing(app, viewport) {
         try {
           const against = wanted === "distance" ? app.other.header.id : undefined;
           const { header, arrays } = await app.transport.quantity(app.bodyId, wanted, against);
-          fields.set(place, { ...header, values: arrays.values.data });
+          fields.set(place, { ...header, label: sentenceCase(header.label), values: arrays.values.data });
         } finally {
           app.emit("progress", null);
         }

@@ -82,8 +82,11 @@ export function startViewer(root, transport, options = {}) {
     document.title = options.alone ? `${app.header.name} · bodymeasure` : document.title;
     for (const warning of app.header.warnings ?? []) app.emit("message", { text: warning, tone: "note" });
   });
-  const hint = () => app.emit("hint", workbench?.tool.hint ?? "");
-  app.on("tool", hint);
+  app.on("tool", (name) => {
+    // Names in the scene are pressed only where nothing is measured by pressing.
+    root.dataset.tool = name;
+    app.emit("hint", workbench?.tool.hint ?? "");
+  });
 
   const stopConnection = connection(app);
   testing(app, viewport, workbench, options);

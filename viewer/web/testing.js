@@ -4,14 +4,19 @@
 export function testing(app, viewport, workbench, options) {
   const handle = {
     ready: false,
-    /** Where a point of the body is, in pixels of the page; null when the body hides it. */
-    project(patch, u, v) {
+    /** Where a point of the body is, in pixels of the page; null where it cannot be clicked,
+     * unless hidden places count, too. */
+    project(patch, u, v, { hidden = false } = {}) {
       const point = viewport.surface.position([patch, u, v]);
       const { x, y } = viewport.stage.project(point);
       const { left, top, right, bottom } = viewport.stage.canvas.getBoundingClientRect();
       const place = [left + x, top + y];
+      if (hidden) return place;
       const outside = place[0] < left || place[0] > right || place[1] < top || place[1] > bottom;
-      return outside || viewport.hidden(point) ? null : place;
+      if (outside || viewport.hidden(point)) return null;
+      // Buttons lie over the scene in places; what moves with the body does not count.
+      const over = document.elementFromPoint(...place);
+      return over === viewport.stage.canvas || over?.closest(".labels, .handles") ? place : null;
     },
     state() {
       const { app: current, ...rest } = stateOf(app, viewport, workbench);

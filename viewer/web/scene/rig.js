@@ -28,6 +28,8 @@ export class Rig {
     this.camera = this.orthographic;
     this.radius = 1;
     this.aspect = 1;
+    // The part of the width that nothing lies over.
+    this.room = 1;
     this.onChange = onChange;
     this.controls = new OrbitControls(this.camera, element);
     this.controls.zoomToCursor = true;
@@ -92,8 +94,9 @@ export class Rig {
     this.camera.updateMatrixWorld();
   }
 
-  resize(aspect) {
+  resize(aspect, room) {
     this.aspect = aspect;
+    this.room = room;
     this.#fit();
   }
 
@@ -121,7 +124,7 @@ export class Rig {
     }
     const target = new Vector3();
     axes.forEach((axis, k) => target.addScaledVector(axis, (low[k] + high[k]) / 2));
-    let height = Math.max(high[1] - low[1], (high[0] - low[0]) / this.aspect) * MARGIN;
+    let height = Math.max(high[1] - low[1], (high[0] - low[0]) / (this.aspect * this.room)) * MARGIN;
     // What is nearer than the target looks larger in perspective.
     if (this.camera === this.perspective) height += (high[2] - low[2]) * 0.25;
     return { target: target.toArray(), theta, phi, height: height || this.radius };

@@ -1,5 +1,7 @@
 // A second body beside the first, in a scene of its own, under the same camera.
 import { Scene } from "three";
+import { h } from "../ui/dom.js";
+import { lifted, release, segmentsOf, thinSegments } from "./lines.js";
 import { Surface } from "./surface.js";
 
 export class Second {
@@ -7,6 +9,8 @@ export class Second {
     this.app = app;
     this.viewport = viewport;
     this.surface = null;
+    this.name = h("p", { class: "second-name", hidden: true, "data-testid": "second-name" });
+    viewport.host.append(this.name);
   }
 
   show({ header, arrays }) {
@@ -22,6 +26,15 @@ export class Second {
     this.surface.object.updateMatrixWorld();
     this.offset = this.surface.object.position;
     scene.add(this.surface.object);
+    if (arrays.seams?.shape[0]) {
+      const [count, samples] = arrays.seams.shape;
+      const raised = lifted(arrays.seams.data, arrays.seam_normals?.data, this.viewport.lift);
+      this.seams = thinSegments(segmentsOf(raised, count, samples), { color: "#4a4640", opacity: 0.3 });
+      // It moves with the body that it lies on.
+      this.surface.object.add(this.seams);
+    }
+    this.name.textContent = header.name;
+    this.name.hidden = false;
     const pick = this.surface.pick.bind(this.surface);
     this.surface.pick = (ray) => {
       const moved = ray.clone();
@@ -31,12 +44,20 @@ export class Second {
     this.viewport.stage.setSecond(scene);
   }
 
+  setCoarse(stride) {
+    this.surface?.setStride(stride);
+    if (this.seams) this.seams.visible = stride === 1;
+  }
+
   setTheme(theme) {
     this.surface?.setTheme(theme);
   }
 
   clear() {
     if (!this.surface) return;
+    release(this.seams);
+    this.seams = null;
+    this.name.hidden = true;
     this.surface.dispose();
     this.surface = null;
     this.viewport.stage.setSecond(null);

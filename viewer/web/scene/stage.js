@@ -8,6 +8,8 @@ const REST = 150;
 // A frame that takes longer is felt while turning, so it is drawn coarser.
 const SLOW_FRAME = 33;
 const MOST_RATIO = 2;
+// Buttons lie over the right side, in pixels; as much stays free at the left.
+const COVERED = 120;
 
 export class Stage {
   #wanted = 0;
@@ -71,7 +73,7 @@ export class Stage {
     this.renderer.setPixelRatio(this.ratio);
     this.renderer.setSize(clientWidth, clientHeight, false);
     const [width, height] = this.size;
-    this.rig.resize(width / height);
+    this.rig.resize(width / height, Math.max(0.6, 1 - COVERED / width));
     this.invalidate();
   }
 

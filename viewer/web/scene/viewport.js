@@ -76,7 +76,7 @@ export class Viewport {
 
   #quality(coarse) {
     this.surface?.setStride(coarse ? COARSE : 1);
-    this.second.surface?.setStride(coarse ? COARSE : 1);
+    this.second.setCoarse(coarse ? COARSE : 1);
     this.layers.setCoarse(coarse);
   }
 

@@ -4,11 +4,15 @@ import { h } from "../ui/dom.js";
 
 // One press of an arrow key, in pixels; with Shift one pixel.
 const STEP = 8;
+// Up to this many pixels a press on a handle is no drag.
+const STILL = 4;
 
 export class Handles {
   #handles = [];
 
-  constructor(app, viewport, picker) {
+  /** `onPress` gets a press on a handle that did not become a drag: a click on the body there. */
+  constructor(app, viewport, picker, onPress) {
+    this.onPress = onPress;
     this.app = app;
     this.viewport = viewport;
     this.picker = picker;
@@ -54,9 +58,12 @@ export class Handles {
       element.setPointerCapture(event.pointerId);
       this.dragged = entry;
       entry.first = true;
+      [entry.x, entry.y] = [event.clientX, event.clientY];
     });
     element.addEventListener("pointermove", (event) => {
       if (this.dragged !== entry) return;
+      const moved = Math.hypot(event.clientX - entry.x, event.clientY - entry.y);
+      if (entry.first && moved < STILL) return;
       const hit = at(event);
       // Off the body the point stays where it was last.
       if (!hit || hit.side) return;
@@ -64,11 +71,16 @@ export class Handles {
       entry.first = false;
     });
     const end = () => {
-      if (this.dragged !== entry) return;
+      if (this.dragged !== entry) return false;
       this.dragged = null;
       if (!entry.first) entry.handle.end?.();
+      return entry.first;
     };
-    element.addEventListener("pointerup", end);
+    element.addEventListener("pointerup", (event) => {
+      if (!end()) return;
+      const { left, top } = this.viewport.stage.canvas.getBoundingClientRect();
+      this.onPress({ x: event.clientX - left, y: event.clientY - top, alt: event.altKey, shift: event.shiftKey });
+    });
     element.addEventListener("pointercancel", end);
     element.addEventListener("keydown", (event) => {
       const [x, y] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key] ?? [];
@@ -93,6 +105,7 @@ export class Handles {
       if (!point) continue;
       const { x, y } = this.viewport.stage.project(point);
       element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+      if (!this.viewport.stage.moving) element.classList.toggle("behind", this.viewport.hidden(point));
     }
   }
 }

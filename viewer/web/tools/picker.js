@@ -1,7 +1,10 @@
 // From a pixel to a place on the body, drawn to landmarks and to corners of patches when near.
 
-// How near counts as near, in pixels.
+// How near a landmark counts as near, in pixels, and a corner, of which there are many more.
 const REACH = 13;
+const CORNER = 6;
+// Corners of patches that are smaller than this on the screen would leave nothing else to click.
+const LARGE = 36;
 
 export class Picker {
   constructor(app, viewport) {
@@ -19,21 +22,19 @@ export class Picker {
     return this.#landmark(plain, x, y) ?? this.#corner(plain, x, y) ?? plain;
   }
 
-  #near(point, hit, x, y) {
+  #pixels(point, x, y) {
     const place = this.viewport.stage.project(point);
-    const pixels = Math.hypot(place.x - x, place.y - y);
-    // A landmark on the far side of the body may be near on the screen only.
-    const apart = Math.hypot(...point.map((value, k) => value - hit.point[k]));
-    return pixels < REACH && apart < 4 * REACH * this.viewport.stage.pixelAt() ? pixels : Infinity;
+    return Math.hypot(place.x - x, place.y - y);
   }
 
   #landmark(hit, x, y) {
     if (!this.app.settings.get("layers").landmarks) return null;
     let best = null;
-    let least = Infinity;
+    let least = REACH;
     for (const landmark of this.app.landmarks) {
-      const pixels = this.#near(landmark.position, hit, x, y);
-      if (pixels < least) [best, least] = [landmark, pixels];
+      const pixels = this.#pixels(landmark.position, x, y);
+      // One on the far side of the body is near on the screen only.
+      if (pixels < least && !this.viewport.hidden(landmark.position)) [best, least] = [landmark, pixels];
     }
     if (!best) return null;
     const normal = Array.isArray(best.location) ? this.viewport.surface.normal(best.location) : hit.normal;
@@ -45,7 +46,10 @@ export class Picker {
     const location = [patch, Math.round(u), Math.round(v)];
     const { surface } = this.viewport;
     const point = surface.position(location);
-    if (this.#near(point, hit, x, y) === Infinity) return null;
+    if (this.#pixels(point, x, y) > CORNER || this.viewport.hidden(point)) return null;
+    const sides = [[1 - location[1], location[2]], [location[1], 1 - location[2]]];
+    const large = sides.every(([p, q]) => this.#pixels(surface.position([patch, p, q]), x, y) > LARGE);
+    if (!large) return null;
     return { ...hit, location, point, normal: surface.normal(location), snap: "corner", name: "corner of a patch" };
   }
 }

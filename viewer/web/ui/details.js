@@ -105,6 +105,10 @@ function ofTape(app, item, actions) {
 function ofMeasurement(app, item, actions) {
   const facts = [];
   if (item.other !== null && item.other !== undefined) facts.push(fact(app.other.header.name, formatValue({ ...item, value: item.other }, app.unit)));
+  const { contact, taut } = item.measurement;
+  if (Number.isFinite(contact) && Number.isFinite(taut)) {
+    facts.push(fact("On the skin", formatLength(contact, app.unit)), fact("Taut", formatLength(taut, app.unit)));
+  }
   if (item.uncertainty) facts.push(fact("Uncertain by the landmarks", formatError(item.uncertainty, app.unit)));
   for (const [system, codes] of Object.entries(item.codes)) {
     const text = [codes].flat().filter(Boolean).join(", ");

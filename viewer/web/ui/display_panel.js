@@ -1,4 +1,5 @@
 // What is drawn over the body, by what it is colored, and a second body to compare with.
+import { sentenceCase } from "../compare.js";
 import { h } from "./dom.js";
 
 const LAYERS = [
@@ -53,7 +54,7 @@ export function displayPanel(app, actions) {
       }),
     );
     const quantities = app.transport.can.measure ? (app.header.quantities ?? []).filter(({ key }) => key !== "distance" || app.other) : [];
-    color.replaceChildren(h("option", { value: "none" }, "Plain"), ...quantities.map(({ key, label }) => h("option", { value: key }, label)));
+    color.replaceChildren(h("option", { value: "none" }, "Plain"), ...quantities.map(({ key, label }) => h("option", { value: key }, sentenceCase(label))));
     color.value = actions.colorKey();
     color.disabled = !quantities.length;
     lines.value = app.settings.get("lines");

@@ -11,7 +11,7 @@ export function h(tag, attributes = {}, ...children) {
     else if (name in PROPERTIES) element[name] = value;
     else element.setAttribute(name, value === true ? "" : String(value));
   }
-  element.append(...children.flat().filter((child) => child !== null && child !== undefined && child !== false));
+  element.append(...children.flat(Infinity).filter((child) => child !== null && child !== undefined && child !== false));
   return element;
 }
 
@@ -46,7 +46,7 @@ const ICONS = {
   sun: ["M10 6.500a3.5 3.5 0 1 0 .01 0", "M10 1.800v1.900M10 16.300v1.900M1.8 10h1.900M16.3 10h1.900M4.2 4.200l1.3 1.300M14.5 14.500l1.3 1.300M4.2 15.800l1.3-1.300M14.5 5.500l1.3-1.3"],
   moon: ["M16.5 11.800A7 7 0 0 1 8.2 3.500a7 7 0 1 0 8.3 8.300z"],
   help: ["M10 2.500a7.5 7.5 0 1 0 .01 0", "M7.8 8a2.2 2.2 0 1 1 3.2 2c-.7.4-1 .8-1 1.6", "M10 14.200v.1"],
-  more: ["M4.5 10h.1M10 10h.1M15.5 10h.1"],
+  more: ["M3.5 5.5h13M3.5 10h13M3.5 14.5h13"],
   search: ["M9 3.500a5.5 5.5 0 1 0 .01 0", "M13 13l4 4"],
   close: ["M5 5l10 10M15 5 5 15"],
   frame: ["M3 7V3h4M13 3h4v4M17 13v4h-4M7 17H3v-4"],

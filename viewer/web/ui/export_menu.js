@@ -1,5 +1,6 @@
 // Ways out: the list as a file or for a spreadsheet, the scene as a picture, and ways in.
 import { plainLength, UNITS } from "../model/units.js";
+import { betweenLandmarks } from "./between.js";
 import { copyText } from "./details.js";
 import { download, h } from "./dom.js";
 
@@ -16,6 +17,8 @@ export function exportMenu(app, actions) {
   const chart = app.chart && app.transport.can.export;
   return [
     ...(app.transport.can.open ? [["Open a file…", () => file.click(), "menu-open"], null] : []),
+    ["Tape between landmarks…", () => betweenLandmarks(app), "menu-between"],
+    null,
     ["Copy the list", () => app.try(() => copyTable(app)), "menu-copy"],
     ["List as CSV", () => download(`${fileName(app)}.csv`, `\ufeff${table(app, ",")}`), "menu-csv"],
     ["My tapes as a file", () => download(`${fileName(app)}.tapes.json`, tapesFile(app)), "menu-tapes"],
@@ -27,7 +30,12 @@ export function exportMenu(app, actions) {
 }
 
 async function exported(app, format) {
-  const { name, content } = await app.transport.exportFile(app.bodyId, { format, set: app.chartSet, landmarks: app.landmarkChanges });
+  const { name, content } = await app.transport.exportFile(app.bodyId, {
+    format,
+    set: app.chartSet,
+    landmarks: app.landmarkChanges,
+    unit: { in: "inch", mm: "mm" }[app.unit] ?? "cm",
+  });
   download(name, content);
 }
 

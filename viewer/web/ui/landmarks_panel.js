@@ -104,11 +104,11 @@ export function landmarksPanel(app, workbench, actions) {
 function saving(app) {
   const save = (to) => () =>
     app.try(async () => {
-      const landmarks = Object.fromEntries(app.landmarks.map((one) => [one.name, one.location]));
-      for (const one of app.header.landmarks) landmarks[one.name] ??= null;
-      const answer = await app.transport.save(app.bodyId, { landmarks, to });
-      if (answer.saved) app.say(`Saved the landmarks in ${answer.saved}.`);
-      else {
+      const answer = await app.transport.save(app.bodyId, { landmarks: app.landmarkChanges ?? {}, to });
+      if (answer.saved) {
+        await app.reopen({ saved: true });
+        app.say(`Saved the landmarks in ${answer.saved}.`);
+      } else {
         download(answer.name, answer.content);
         app.say(`Saved as ${answer.name}.`);
       }

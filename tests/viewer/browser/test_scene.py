@@ -1,0 +1,195 @@
+"""The body is drawn, from five sides, in two projections, by day and by night, with its layers."""
+
+import io
+
+import numpy as np
+import pytest
+from helpers.viewer_page import Screen
+from PIL import Image
+
+VIEWS = ("front", "back", "left", "right", "top")
+
+
+def picture(screen: Screen) -> "np.ndarray[tuple[int, int, int], np.dtype[np.int64]]":
+    """The scene as it is on the screen, without what lies over it."""
+    screen.page.wait_for_timeout(250)
+    # Labels and buttons have colors of their own, which would count as the body's.
+    screen.page.evaluate(
+        """() => {
+          for (const element of document.querySelector("[data-testid=scene]").children) {
+            if (element.tagName !== "CANVAS") element.style.visibility = "hidden";
+          }
+        }"""
+    )
+    content = screen.page.locator("canvas").screenshot()
+    screen.page.evaluate(
+        """() => {
+          for (const element of document.querySelector("[data-testid=scene]").children) {
+            element.style.visibility = "";
+          }
+        }"""
+    )
+    return np.asarray(Image.open(io.BytesIO(content)).convert("RGB")).astype(int)
+
+
+def body_share(image: "np.ndarray[tuple[int, int, int], np.dtype[np.int64]]") -> float:
+    """The part of a picture that is warmer than the bluish background: the clay of the body."""
+    return float(((image[..., 0] - image[..., 2]) > 12).mean())
+
+
+def test_the_body_is_drawn(screen: Screen) -> None:
+    image = picture(screen)
+    colors = len(np.unique(image.reshape(-1, 3), axis=0))
+    assert colors > 300
+    assert 0.05 < body_share(image) < 0.5
+    assert screen.state()["triangles"] > 192_000
+
+
+def test_five_views_differ_and_frame_the_body(screen: Screen) -> None:
+    seen = {}
+    for name in VIEWS:
+        screen.get(f"view-{name}").click()
+        screen.until("state => !state.moving")
+        seen[name] = picture(screen)
+        assert 0.02 < body_share(seen[name]) < 0.6, name
+    directions = {}
+    for number, name in enumerate(VIEWS, start=1):
+        # The keys do as the buttons.
+        screen.page.keyboard.press(str(number))
+        screen.until("state => !state.moving")
+        view = screen.state()["view"]
+        directions[name] = (round(view["theta"], 2), round(view["phi"], 2))
+    assert directions["front"] == (0.0, 1.57)
+    assert directions["left"] == (1.57, 1.57)
+    assert directions["right"] == (-1.57, 1.57)
+    assert abs(directions["back"][0]) == 3.14
+    assert directions["top"][1] == 0.0
+    for name in VIEWS[1:]:
+        assert np.abs(seen[name] - seen["front"]).mean() > 1.0, name
+
+
+def test_from_the_left_the_front_of_the_body_looks_to_the_left_of_the_page(
+    screen: Screen,
+) -> None:
+    """The body's left is the page's right from the front; the eye at its left sees the front left."""
+    screen.get("view-left").click()
+    bust = screen.state()["landmarks"]
+    front = next(one for one in bust if one["name"] == "front neck point")["location"]
+    back = next(one for one in bust if one["name"] == "back neck point")["location"]
+    places = []
+    for patch, u, v in (front, back):
+        found = screen.page.evaluate(
+            "place => window.bodymeasure.project(...place, {hidden: true})", [patch, u, v]
+        )
+        places.append(found[0])
+    assert places[0] < places[1]
+
+
+def test_projections(screen: Screen) -> None:
+    before = picture(screen)
+    screen.get("projection").click()
+    assert screen.state()["projection"] == "perspective"
+    assert np.abs(picture(screen) - before).mean() > 0.3
+    assert 0.05 < body_share(picture(screen)) < 0.5
+    screen.page.keyboard.press("o")
+    assert screen.state()["projection"] == "orthographic"
+
+
+def test_dragging_turns_and_the_wheel_zooms(screen: Screen) -> None:
+    start = screen.state()["view"]
+    place = screen.spot(screen.seen()[10])
+    assert place is not None
+    screen.page.mouse.move(*place)
+    screen.page.mouse.down()
+    screen.page.mouse.move(place[0] + 120, place[1], steps=4)
+    screen.page.mouse.up()
+    turned = screen.state()
+    assert abs(turned["view"]["theta"] - start["theta"]) > 0.2
+    # A press that moves is no click.
+    assert turned["pending"] == 0
+    screen.page.mouse.wheel(0, -300)
+    screen.until("(state, height) => state.view.height < 0.95 * height", start["height"])
+    screen.page.keyboard.press("Home")
+    screen.until("(state, height) => Math.abs(state.view.height - height) < 0.2", start["height"])
+
+
+def test_light_and_dark(open_page) -> None:  # type: ignore[no-untyped-def]
+    dark: Screen = open_page(scheme="dark")
+    root = dark.page.locator("#bodymeasure")
+    assert root.get_attribute("data-theme") == "dark"
+    corner = picture(dark)[5, 5]
+    assert corner.max() < 80
+    dark.get("theme").click()
+    assert root.get_attribute("data-theme") == "light"
+    assert picture(dark)[5, 5].min() > 180
+    # It is remembered in the tab.
+    dark.page.reload()
+    dark.page.wait_for_selector("#bodymeasure[data-ready]")
+    assert root.get_attribute("data-theme") == "light"
+
+
+@pytest.mark.parametrize("layer", ["seams", "nets", "boundary", "diagonals"])
+def test_layers(screen: Screen, layer: str) -> None:
+    screen.get("tab-display").click()
+    box = screen.get(f"layer-{layer}")
+    shown = box.is_checked()
+    before = picture(screen)
+    geometries = screen.state()["geometries"]
+    box.click()
+    sign = -1 if shown else 1
+    screen.until(
+        "(state, [count, sign]) => sign * (state.geometries - count) > 0", [geometries, sign]
+    )
+    assert np.abs(picture(screen) - before).mean() > 0.05
+    if layer == "diagonals":
+        assert "Length" in screen.get("legend").inner_text()
+    box.click()
+    screen.until("(state, count) => state.geometries === count", geometries)
+
+
+@pytest.mark.parametrize("key", ["gaussian", "mean", "seam_angle"])
+def test_colors_by_a_quantity(screen: Screen, key: str) -> None:
+    screen.get("tab-display").click()
+    before = picture(screen)
+    screen.get("color").select_option(key)
+    screen.get("legend").wait_for()
+    assert np.abs(picture(screen) - before).mean() > 0.05
+    words = screen.get("legend").inner_text()
+    assert "2 %" in words or "98" in words
+    screen.get("color").select_option("none")
+    screen.get("legend").wait_for(state="hidden")
+    assert np.abs(picture(screen) - before).mean() < 0.05
+
+
+def test_what_is_under_the_pointer_is_named(screen: Screen) -> None:
+    thigh = next(place for place in screen.seen() if place[0] == 174)
+    screen.hover(thigh)
+    readout = screen.get("readout")
+    readout.wait_for()
+    assert "thigh right" in readout.inner_text()
+    screen.get("tab-display").click()
+    screen.get("color").select_option("mean")
+    screen.get("legend").wait_for()
+    screen.hover(thigh)
+    screen.page.wait_for_timeout(100)
+    assert "Mean curvature" in readout.inner_text()
+    assert "1/m" in readout.inner_text()
+    # Off the body there is nothing to name.
+    screen.page.mouse.move(30, 500)
+    readout.wait_for(state="hidden")
+
+
+def test_moving_quality(screen: Screen) -> None:
+    """While the view turns, drawing in software is coarser; at rest it is whole again."""
+    assert screen.state()["software"]
+    whole = screen.state()["triangles"]
+    place = screen.spot(screen.seen()[10])
+    assert place is not None
+    screen.page.mouse.move(*place)
+    screen.page.mouse.down()
+    screen.page.mouse.move(place[0] + 40, place[1], steps=3)
+    screen.until("state => state.coarse")
+    coarse = screen.until("state => state.coarse && state.ratio < 1 && state")
+    assert coarse["triangles"] < 0.5 * whole
+    screen.page.mouse.up()
+    screen.until("(state, whole) => !state.coarse && state.triangles === whole", whole)
