@@ -30,7 +30,7 @@ settings.register_profile(
 
 def pytest_configure(config: pytest.Config) -> None:
     """Choose how examples are made, before the tests are read."""
-    quick = config.getoption("markexpr") == "not slow"
+    quick = config.getoption("markexpr") == "not slow and not browser"
     settings.load_profile(PROFILE if quick else "slow")
 
 

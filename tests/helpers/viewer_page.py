@@ -133,6 +133,11 @@ class Screen:
         )
         return [(int(patch), u, w) for patch, u, w in found[::apart]]
 
+    def middle_of(self, landmark: str) -> tuple[int, float, float]:
+        """The middle of the patch that a landmark lies on."""
+        one = next(one for one in self.state()["landmarks"] if one["name"] == landmark)
+        return int(one["location"][0]), 0.5, 0.5
+
     def hover(self, location: Location) -> None:
         place = self.spot(location)
         assert place is not None, f"{location} cannot be seen"

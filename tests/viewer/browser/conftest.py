@@ -42,6 +42,7 @@ def chromium() -> str:
 
 @pytest.fixture(scope="session")
 def _driver(chromium: str) -> Iterator[Playwright]:
+    assert chromium
     with sync_playwright() as driver:
         yield driver
 

@@ -1,7 +1,7 @@
 """The length shown is the library's, to every digit that is shown."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 import pytest
@@ -20,10 +20,12 @@ def other(request: pytest.FixtureRequest) -> Iterator[tuple[str, Served]]:
     served.stop()
 
 
-def test_random_pairs(other, open_page, rng) -> None:  # type: ignore[no-untyped-def]
+def test_random_pairs(
+    other: tuple[str, Served], open_page: Callable[..., Screen], rng: np.random.Generator
+) -> None:
     name, served = other
     atlas = bm.load_sample(name)
-    screen: Screen = open_page(served.link, size=(1024, 700))
+    screen = open_page(served.link, size=(1024, 700))
     failures = 0
     for _ in range(PAIRS):
         known = _visible_pair(screen, rng, len(atlas))
@@ -33,7 +35,7 @@ def test_random_pairs(other, open_page, rng) -> None:  # type: ignore[no-untyped
             # Where the click was, up to a snap and half a pixel.
             apart = np.linalg.norm(atlas.position(end) - atlas.position(bm.AtlasPoint(*place)))
             assert apart < 0.035
-        path = bm.geodesic_between(atlas, *ends, on_failure="status")
+        path = bm.geodesic_between(atlas, ends[0], ends[1], on_failure="status")
         shown = screen.get("length").inner_text()
         if not np.isfinite(path.length):
             failures += 1
@@ -47,11 +49,14 @@ def test_random_pairs(other, open_page, rng) -> None:  # type: ignore[no-untyped
     assert failures < PAIRS / 2
 
 
-def _visible_pair(screen: Screen, rng, patches: int):  # type: ignore[no-untyped-def]
+def _visible_pair(
+    screen: Screen, rng: np.random.Generator, patches: int
+) -> list[tuple[int, float, float]]:
     """Two random points of a body that can be seen, at least 30 pixels apart."""
     pair: list[tuple[int, float, float]] = []
     while len(pair) < 2:
-        place = (int(rng.integers(patches)), *(float(x) for x in rng.uniform(0.02, 0.98, 2)))
+        u, v = rng.uniform(0.02, 0.98, 2).tolist()
+        place = (int(rng.integers(patches)), u, v)
         spot = screen.spot(place)
         if spot is None:
             continue
@@ -64,5 +69,7 @@ def _visible_pair(screen: Screen, rng, patches: int):  # type: ignore[no-untyped
     return pair
 
 
-def _place(atlas, location):  # type: ignore[no-untyped-def]
-    return atlas.landmarks[location] if isinstance(location, str) else bm.AtlasPoint(*location)
+def _place(atlas: bm.Atlas, location: str | list[float]) -> bm.AtlasPoint:
+    if isinstance(location, str):
+        return atlas.landmarks[location]
+    return bm.AtlasPoint(int(location[0]), location[1], location[2])

@@ -1,6 +1,7 @@
 """The body is drawn, from five sides, in two projections, by day and by night, with its layers."""
 
 import io
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -71,7 +72,7 @@ def test_five_views_differ_and_frame_the_body(screen: Screen) -> None:
 def test_from_the_left_the_front_of_the_body_looks_to_the_left_of_the_page(
     screen: Screen,
 ) -> None:
-    """The body's left is the page's right from the front; the eye at its left sees the front left."""
+    """From the body's own left, its face looks to the left of the page."""
     screen.get("view-left").click()
     bust = screen.state()["landmarks"]
     front = next(one for one in bust if one["name"] == "front neck point")["location"]
@@ -113,8 +114,8 @@ def test_dragging_turns_and_the_wheel_zooms(screen: Screen) -> None:
     screen.until("(state, height) => Math.abs(state.view.height - height) < 0.2", start["height"])
 
 
-def test_light_and_dark(open_page) -> None:  # type: ignore[no-untyped-def]
-    dark: Screen = open_page(scheme="dark")
+def test_light_and_dark(open_page: Callable[..., Screen]) -> None:
+    dark = open_page(scheme="dark")
     root = dark.page.locator("#bodymeasure")
     assert root.get_attribute("data-theme") == "dark"
     corner = picture(dark)[5, 5]

@@ -1,4 +1,4 @@
-"""The tape tool: clicks, points on the way, snapping, the rubber band, and what is done with tapes."""
+"""The tape tool: clicks, points on the way, snapping, the rubber band, and what becomes of tapes."""
 
 import numpy as np
 import pytest
@@ -22,11 +22,11 @@ def test_two_clicks_make_a_tape(screen: Screen) -> None:
     assert screen.state()["selected"] == tape["id"]
     assert f"{tape['id']}/0" in screen.state()["lines"]
     # Measuring goes on: the next two clicks make the next one.
-    assert screen.measure((120, 0.5, 0.5), END)["name"] == "Tape 2"
+    assert screen.measure(screen.middle_of("front waist point"), END)["name"] == "Tape 2"
 
 
 def test_points_on_the_way(screen: Screen, atlas: bm.Atlas) -> None:
-    middle = (120, 0.5, 0.5)
+    middle = screen.middle_of("front waist point")
     screen.click(START)
     screen.click(middle, "Shift")
     tape = screen.measure(END)
@@ -111,7 +111,7 @@ def test_an_end_is_dragged_and_the_tape_follows(screen: Screen, atlas: bm.Atlas)
     handle = screen.get(f"handle-{tape['id']}-1").bounding_box()
     assert handle is not None
     center = (handle["x"] + handle["width"] / 2, handle["y"] + handle["height"] / 2)
-    target = screen.spot((300, 0.5, 0.5)) or screen.spot((120, 0.5, 0.5))
+    target = screen.spot((300, 0.5, 0.5)) or screen.spot(screen.middle_of("front waist point"))
     assert target is not None
     screen.page.mouse.move(*center)
     screen.page.mouse.down()
@@ -124,7 +124,7 @@ def test_an_end_is_dragged_and_the_tape_follows(screen: Screen, atlas: bm.Atlas)
         atlas.landmarks[one] if isinstance(one, str) else bm.AtlasPoint(*one)
         for one in moved["locations"]
     ]
-    path = bm.geodesic_between(atlas, *ends, on_failure="status")
+    path = bm.geodesic_between(atlas, ends[0], ends[1], on_failure="status")
     assert moved["result"]["length"] == path.length
     # The whole drag is one step.
     screen.page.keyboard.press("Control+z")
@@ -160,12 +160,13 @@ def test_undo_redo_delete_hide_and_names(screen: Screen) -> None:
 
 
 def test_contact_taut_and_straight(screen: Screen, atlas: bm.Atlas) -> None:
-    tape = screen.measure((15, 0.5, 0.5), (69, 0.5, 0.5))
+    tape = screen.measure((15, 0.5, 0.5), screen.middle_of("front waist point"))
     contact = tape["result"]["length"]
     screen.get("kind-taut").click()
     taut = screen.settle()["tapes"][0]
     assert taut["kind"] == "taut"
-    expected = bm.taut_tape(atlas, *[bm.AtlasPoint(*one) for one in taut["locations"]])
+    start, end = (bm.AtlasPoint(*one) for one in taut["locations"])
+    expected = bm.taut_tape(atlas, start, end)
     assert taut["result"]["length"] == pytest.approx(expected.length, abs=1e-12)
     straight = taut["result"]["straight"]
     assert straight < taut["result"]["length"] <= contact
