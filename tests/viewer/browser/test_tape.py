@@ -1,4 +1,4 @@
-"""The tape tool: clicks, points on the way, snapping, the rubber band, and what becomes of tapes."""
+"""The tape tool: clicks, points on the way, snapping, the rubber band, ends that are dragged."""
 
 import numpy as np
 import pytest
