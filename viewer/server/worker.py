@@ -59,7 +59,8 @@ class Worker:
 
     def begin(self) -> None:
         """Start the process, unless it runs. It is ready for jobs before it has imported all."""
-        if self._process is not None and self._process.is_alive():
+        # A process whose end of the connection is closed is as good as dead.
+        if self._connection is not None:
             return
         self.end()
         # Fresh interpreters: a fork would copy the locks of other threads as they stand.
@@ -75,16 +76,12 @@ class Worker:
 
     def end(self) -> None:
         """End the process, whatever it is at."""
-        process, self._process = self._process, None
-        connection, self._connection = self._connection, None
+        process, self._process, self._connection = self._process, None, None
         if process is not None:
+            # The thread that listens sees its end, and closes the connection.
             process.kill()
             process.join()
             process.close()
-        if connection is not None:
-            # A connection that another thread reads is closed by that thread, which has seen
-            # the end of the process.
-            self._known = {}
 
     async def run(
         self,
@@ -123,7 +120,7 @@ class Worker:
             # The pipe may be full, and then waits for the worker.
             await asyncio.to_thread(self._send, job)
             answer = await asyncio.wait_for(future, limit)
-        except TimeoutError:
+        except (TimeoutError, WorkerGoneError):
             await asyncio.to_thread(self.end)
             raise
         finally:
@@ -171,6 +168,7 @@ class Worker:
     def _lost(self, connection: Connection) -> None:
         if connection is not self._connection:
             return
+        self._connection = None
         if self._waiting is not None:
             if not self._waiting[1].done():
                 self._waiting[1].set_exception(WorkerGoneError())
