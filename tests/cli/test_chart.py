@@ -192,8 +192,8 @@ def test_pictures_and_progress(
     bars = recorded_bars(monkeypatch, "measuring.chart")
     near: list[bool] = []
 
-    def draw(_chart: Any, *, closeups: bool, advance: Any) -> Any:
-        near.append(closeups)
+    def draw(_chart: Any, *, few: bool, advance: Any) -> Any:
+        near.append(not few)
         for name in range(5):
             advance(str(name))
         return tape_pictures()

@@ -58,9 +58,9 @@ def test_a_scene_stands_in_the_page_and_cards_lead_into_it() -> None:
 
 @pytest.mark.parametrize(
     ("wanted", "scene", "drawn"),
-    [(True, None, [True]), (True, b"", [False]), ("all", b"", [True]), (False, b"", [])],
+    [(True, None, [False]), (True, b"", [True]), ("all", b"", [False]), (False, b"", [])],
 )
-def test_beside_a_scene_measurements_are_not_drawn_from_near(
+def test_beside_a_scene_few_pictures_are_drawn(
     wanted: Any,
     scene: bytes | None,
     drawn: list[bool],
@@ -69,8 +69,8 @@ def test_beside_a_scene_measurements_are_not_drawn_from_near(
 ) -> None:
     asked = []
 
-    def draw(_chart: object, *, closeups: bool) -> Any:
-        asked.append(closeups)
+    def draw(_chart: object, *, few: bool) -> Any:
+        asked.append(few)
         return tape_pictures()
 
     monkeypatch.setattr("bodymeasure.scene.tape_pictures", draw)

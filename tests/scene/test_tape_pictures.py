@@ -14,10 +14,10 @@ from bodymeasure.errors import InputError
 from bodymeasure.scene import SIDES, TapeScene, tape_pictures
 from bodymeasure.scene.drawing.opengl_check import SOFTWARE
 from bodymeasure.scene.drawing.picture import Draw, Picture
-from bodymeasure.scene.drawing.visibility import Sight
+from bodymeasure.scene.drawing.visibility import Sight, sight
 from bodymeasure.scene.tapes.camera import best_sides
 from bodymeasure.scene.tapes.closeup import SIZE, closeup
-from bodymeasure.scene.tapes.gallery import body_picture
+from bodymeasure.scene.tapes.gallery import body_picture, roomy_views, shown_sides
 from bodymeasure.scene.tapes.label_layout import Columns
 from bodymeasure.scene.tapes.labels import numbered
 from bodymeasure.scene.tapes.mesh import BAND, COLORS, tape_mesh
@@ -149,6 +149,24 @@ def test_all_pictures_of_a_chart(chart: Chart, monkeypatch: pytest.MonkeyPatch) 
     assert sizes == {SIZE}
     heights = {Image.open(io.BytesIO(file)).size[1] for file in shots.body.values()}
     assert heights == {300}
+
+
+def test_few_pictures_number_every_measurement_once(
+    chart: Chart, scene: TapeScene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("bodymeasure.scene.tapes.gallery.BODY_PIXELS", 60)
+    shots = tape_pictures(chart, few=True, renderer=SOFTWARE)
+    assert not shots.closeups
+    views = roomy_views(scene, chart.atlas.axes)
+    shown = shown_sides(scene, {side: sight(scene.surface, view) for side, view in views.items()})
+    groups = {line.key: line.group for line in scene.tapes}
+    for key, group in groups.items():
+        assert any((group, side) in shots.body for side in shown[key])
+    # Each picture numbers a measurement that no other of its group does.
+    for group, side in shots.body:
+        own = [key for key in shown if groups[key] == group]
+        others = {other for name, other in shots.body if name == group} - {side}
+        assert any(side in shown[key] and not shown[key] & others for key in own)
 
 
 def test_a_chart_without_tapes_has_no_pictures(square: Atlas) -> None:

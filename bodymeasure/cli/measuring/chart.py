@@ -295,7 +295,7 @@ def _pictures(chart: "Chart", *, near: bool) -> "TapePictures":
     # The bar may end early, since not all sides of all groups are drawn.
     most = SIDES * len({item.definition.group for item in drawn}) + near * len(drawn)
     with progress_bar("drawing", most) as progress:
-        return tape_pictures(chart, closeups=near, advance=count_calls(progress))
+        return tape_pictures(chart, few=not near, advance=count_calls(progress))
 
 
 def _exit_code(document: "ChartDocument", *, asked_for: bool) -> int:

@@ -58,8 +58,8 @@ def write_chart(
         Name of the file for SeamlyMe, without its ``.smis``.
     pictures : bool, "all" or TapePictures
         Whether the page has pictures, which are drawn then; or pictures that are drawn already,
-        by `bodymeasure.scene.tape_pictures`. Beside a `scene`, each measurement from near is only
-        drawn for "all".
+        by `bodymeasure.scene.tape_pictures`. Beside a `scene`, they are few: the body, but no
+        measurement from near, unless "all" are wanted.
     scene : bytes, optional
         A page that shows the body with its tapes, to turn, which is put into ``chart.html``:
         `bodymeasure.export_page` makes it.
@@ -114,4 +114,4 @@ def _pictures(
     # Matplotlib is slow to load, and not needed without pictures.
     from bodymeasure.scene import tape_pictures
 
-    return tape_pictures(chart, closeups=scene is None or wanted == "all")
+    return tape_pictures(chart, few=scene is not None and wanted != "all")

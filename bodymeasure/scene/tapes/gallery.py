@@ -68,7 +68,7 @@ class TapePictures:
 def tape_pictures(
     chart: Chart,
     *,
-    closeups: bool = True,
+    few: bool = False,
     renderer: str | None = None,
     advance: Callable[[str], None] | None = None,
 ) -> TapePictures:
@@ -77,8 +77,9 @@ def tape_pictures(
     Parameters
     ----------
     chart : Chart
-    closeups : bool
-        Whether each measurement is drawn from near as well, which takes most of the time.
+    few : bool
+        Whether only what paper needs is drawn, beside a scene that can be turned: the body from
+        the fewest sides on which all measurements of a group are numbered, and none from near.
     renderer : str, optional
         ``pyvista`` or ``software``; by default as `choose_renderer` says.
     advance : callable, optional
@@ -96,10 +97,10 @@ def tape_pictures(
     advance = advance or (lambda _name: None)
     body, near = {}, {}
     with RENDERERS[choice.renderer]() as draw:
-        for name, picture in _body_pictures(scene, chart.atlas.axes):
+        for name, picture in _body_pictures(scene, chart.atlas.axes, few=few):
             body[name] = webp(draw(picture))
             advance(", ".join(name))
-        for key, picture in _closeups(scene, chart.atlas.axes) if closeups else ():
+        for key, picture in _closeups(scene, chart.atlas.axes) if not few else ():
             near[key] = webp(draw(picture))
             advance(key)
     groups = list(_groups(scene))
@@ -153,14 +154,32 @@ def _groups(scene: TapeScene) -> dict[str, list[TapeLine]]:
     return groups
 
 
-def _body_pictures(scene: TapeScene, axes: Axes) -> Iterator[tuple[tuple[str, str], Picture]]:
+def _body_pictures(
+    scene: TapeScene, axes: Axes, *, few: bool
+) -> Iterator[tuple[tuple[str, str], Picture]]:
     """Pictures of the body by group and side, those of one side after one another."""
     seen = _seen(scene, axes)
     shown = shown_sides(scene, seen)
+    groups = _groups(scene)
+    sides = {group: _fewest(lines, shown) if few else SIDES for group, lines in groups.items()}
     for side in SIDES:
-        for group, lines in _groups(scene).items():
-            if numbers := _numbers(lines, shown, side):
+        for group, lines in groups.items():
+            if side in sides[group] and (numbers := _numbers(lines, shown, side)):
                 yield (group, side), body_picture(scene, lines, numbers, seen[side])
+
+
+def _fewest(lines: Sequence[TapeLine], shown: Mapping[str, set[str]]) -> list[str]:
+    """Choose sides that number all measurements, each time the one that numbers most of the rest.
+
+    That they are the fewest is not proven, and with four sides no matter.
+    """
+    left = {line.key for line in lines}
+    chosen: list[str] = []
+    while left:
+        counts = [sum(side in shown[key] for key in left) for side in SIDES]
+        chosen.append(SIDES[int(np.argmax(counts))])
+        left = {key for key in left if chosen[-1] not in shown[key]}
+    return chosen
 
 
 def _numbers(lines: Sequence[TapeLine], shown: Mapping[str, set[str]], side: str) -> list[int]:
