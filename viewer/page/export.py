@@ -1,6 +1,7 @@
 """A body, its chart or its survey as one file that any browser opens, without a server."""
 
-from pathlib import Path
+from dataclasses import replace
+from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -67,11 +68,19 @@ def export_page(
     """
     if path is not None:
         file_path(path, "the path")
-    content = given(shown, unit, finest=SEGMENTS)
-    page = page_of(f"{content.body.name or 'a body'} · bodymeasure", _data(content))
+    page = exported(given(shown, unit))
     if path is not None:
         write_bytes(Path(path), page)
     return page
+
+
+def exported(content: Given) -> bytes:
+    """Return the page of what is to be shown."""
+    body, chart, survey = content
+    # A page that is mailed does not tell where the file lies at home.
+    body = replace(body, finest=SEGMENTS, file=PurePath(body.file).name)
+    data = _data(Given(body, chart, survey))
+    return page_of(f"{body.name or 'a body'} · bodymeasure", data)
 
 
 def _data(content: Given) -> dict[str, Any]:

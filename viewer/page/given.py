@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from bodymeasure.viewer.content.shown import SEGMENTS, ShownBody
+from bodymeasure.viewer.content.shown import ShownBody
 
 from bodymeasure.atlas import Atlas, Unit
 from bodymeasure.errors import InputError
@@ -24,7 +24,7 @@ class Given(NamedTuple):
     survey: "Survey | None" = None
 
 
-def given(shown: Any, unit: Unit | str | None = None, *, finest: int = max(SEGMENTS)) -> Given:
+def given(shown: Any, unit: Unit | str | None = None) -> Given:
     """Return what is to be shown.
 
     Parameters
@@ -32,8 +32,6 @@ def given(shown: Any, unit: Unit | str | None = None, *, finest: int = max(SEGME
     shown : Atlas, Chart, Survey, str or Path
     unit : Unit or str, optional
         Unit of a file's coordinates, for formats that state none.
-    finest : int
-        The most steps along a patch's side of the triangles.
 
     Raises
     ------
@@ -45,7 +43,7 @@ def given(shown: Any, unit: Unit | str | None = None, *, finest: int = max(SEGME
         # Landmarks can be saved into a file that can be read in the same way again.
         settings = {"unit": unit}
         name = read.name or Path(shown).stem
-        return Given(ShownBody("0", read, name, str(shown), settings=settings, finest=finest))
+        return Given(ShownBody("0", read, name, str(shown), settings=settings))
     if unit is not None:
         raise InputError(
             f"unit is {unit!r}, but it is the unit of a file's coordinates, and no name of a file "
@@ -54,7 +52,7 @@ def given(shown: Any, unit: Unit | str | None = None, *, finest: int = max(SEGME
     atlas: Any = shown if isinstance(shown, Atlas) else getattr(shown, "atlas", None)
     if not isinstance(atlas, Atlas):
         raise InputError(f"there is nothing to show in {shown!r}; expected {EXPECTED}")
-    body = ShownBody("0", atlas, atlas.name, finest=finest)
+    body = ShownBody("0", atlas, atlas.name)
     if hasattr(shown, "measured"):
         return Given(body, chart=shown)
     if hasattr(shown, "diagonals"):

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import click
 
+from bodymeasure.cli.measuring.view_export import write_page
 from bodymeasure.cli.measuring.view_page import Page, show_page
 from bodymeasure.cli.measuring.view_window import show_window
 from bodymeasure.cli.options import (
@@ -64,6 +65,13 @@ SET_SUFFIX = ".toml"
     help="Write a picture of what the window shows as a PNG file, and open nothing.",
 )
 @click.option(
+    "--export",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Write the page as one HTML file that needs no server and no network, and open nothing; "
+    "with --chart, with all tapes. It measures nothing itself but straight distances.",
+)
+@click.option(
     "--measure",
     "key",
     metavar="KEY",
@@ -81,6 +89,7 @@ def view(
     no_browser: bool,
     desktop: bool,
     screenshot: Path | None,
+    export: Path | None,
     key: str | None,
     no_cross_check: bool,
     processes: int,
@@ -97,6 +106,15 @@ def view(
     atlas, chart, definitions = _sorted_out(atlas, chart, definitions)
     if chart is None and (key is not None or definitions is not None):
         raise click.UsageError("--measure and --set are about measurements; add --chart.")
+    if export is not None:
+        if desktop or screenshot is not None or key is not None:
+            raise click.UsageError(
+                "--export writes the page; it goes with neither --desktop, --screenshot nor "
+                "--measure."
+            )
+        wanted = None if chart is None else (definitions, chart)
+        write_page(atlas, export, wanted, despite_errors=despite_errors)
+        return
     if desktop or screenshot is not None:
         show_window(
             atlas,

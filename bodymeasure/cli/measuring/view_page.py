@@ -75,7 +75,7 @@ def show_page(name: str, page: Page) -> None:
         from bodymeasure.chart import load_definitions
 
         own = load_definitions(page.definitions)
-    loaded, members = _loaded(name)
+    loaded, members = loaded_body(name)
     chart = OWN if own is not None and page.chart == EVERY else page.chart
     body = ShownBody(
         id="0",
@@ -104,7 +104,7 @@ def show_page(name: str, page: Page) -> None:
     )
 
 
-def _loaded(name: str) -> tuple["Atlas", dict[str, Any]]:
+def loaded_body(name: str) -> tuple["Atlas", dict[str, Any]]:
     """Return the atlas of a name, or the fit to a scan, and what the page knows of its file."""
     path = path_of_atlas(name)
     if is_scan(name):

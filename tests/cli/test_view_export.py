@@ -1,0 +1,46 @@
+"""`bodymeasure view --export`."""
+
+from pathlib import Path
+
+import pytest
+from helpers.command_line import Run
+
+from bodymeasure.formats import write_atlas
+from bodymeasure.samples import load_sample
+
+
+def test_a_page_is_written_with_the_chart_that_is_asked_for(run: Run, tmp_path: Path) -> None:
+    write_atlas(load_sample("female_average"), tmp_path / "anna.atlas")
+    for chart, holds in (((), False), (("--chart", "trousers"), True)):
+        path = tmp_path / f"page{holds}.html"
+        ran = run("view", tmp_path / "anna.atlas", *chart, "--export", path)
+        assert (ran.code, ran.out) == (0, f"{path}\n")
+        page = path.read_bytes()
+        assert (b'"chart": "' in page) == holds
+        assert len(page) < 3e6
+        # Where the file lies at home is nobody's business.
+        assert str(tmp_path).encode() not in page
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--export", "page.png"), "page.png: the page is an HTML file; give a name that ends"),
+        (("--export", "gone/page.html"), "gone/page.html: cannot be written"),
+        (("gone.atlas", "--export", "page.html"), "gone.atlas: no such file"),
+        (("--export", "page.html", "--desktop"), "--export writes the page; it goes with neither"),
+        (("--export", "page.html", "--set", "a.toml"), "add --chart"),
+    ],
+)
+def test_a_page_that_cannot_be_written_is_told(
+    run: Run,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: tuple[str, ...],
+    message: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    ran = run("view", *arguments)
+    assert (ran.code, ran.out) == (2, "")
+    assert message in ran.err
+    assert list(tmp_path.iterdir()) == []
