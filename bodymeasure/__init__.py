@@ -68,6 +68,7 @@ __all__ = [
     "Tessellation",
     "Topology",
     "TriangleMeshError",
+    "UnfoldedPatches",
     "Unit",
     "approximation_error",
     "body_girth",
@@ -108,6 +109,7 @@ __all__ = [
     "solve_geodesic",
     "taut_tape",
     "tessellate",
+    "unfold_patches",
     "vertical_drop",
     "write_atlas",
     "write_chart",
@@ -134,6 +136,7 @@ _HOMES = (
     "measure",
     "chart",
     "fit",
+    "pattern",
     "report",
     "viewer",
 )
@@ -242,6 +245,7 @@ if TYPE_CHECKING:
         vertical_drop,
     )
     from bodymeasure.mesh import MeshPath, measure_mesh, path_to_trimesh, write_glb, write_paths
+    from bodymeasure.pattern import UnfoldedPatches, unfold_patches
     from bodymeasure.report import write_chart, write_report
     from bodymeasure.samples import load_sample, sample_names
     from bodymeasure.section import (

@@ -22,7 +22,7 @@ LAYERS = (
     ("mesh", "taut"),
     ("measure",),
     ("chart",),
-    ("fit",),
+    ("fit", "pattern"),
     ("scene",),
     ("report",),
     ("viewer",),
@@ -40,8 +40,8 @@ ORDERS = {
     " landmarks/paths, landmarks/places · body, input/slopes, sides · kinds, landmarks/rules ·"
     " approximated, landmarks · input · taken · definitions, sensitivity · needed, reading,"
     " selection, chart · evaluate",
-    "cli": "console, tables · options · fitting · atlases, docs, landmarks, measuring, study ·"
-    " main",
+    "cli": "console, tables · options · fitting · atlases, docs, landmarks, measuring, patterns,"
+    " study · main",
     "compare": "names, records · readings · gaps, iso20685, plausible, read, shown · comparison,"
     " page",
     "fit": "model, scan · completed, solving · topology · export",
@@ -56,6 +56,7 @@ ORDERS = {
     "mesh": "arrays, path, tubes · curved, exact, points · coarseness, curves, glb, lines ·"
     " measure",
     "paper": "method · data · surface · tables · reproduction · page",
+    "pattern": "patches",
     "report": "files, serial, units · numbers · templating · landmarks · patches · body ·"
     " population",
     "scene": "model · camera, colors · lighting · figures · drawing · diagonals · tapes",

@@ -18,6 +18,7 @@ FOLDER = Path(__file__).parents[1] / "docs"
 PAGES = (
     "quickstart",
     "charts",
+    "patterns",
     "viewer",
     "landmarks",
     "scans",

@@ -27,6 +27,7 @@ COMMANDS = {
     "fit": "fitting.fit",
     "compare": "measuring.compare",
     "landmarks": "landmarks.group",
+    "pattern": "patterns.pattern",
     "diagonals": "measuring.diagonals",
     "check": "atlases.check",
     "info": "atlases.info",

@@ -1,0 +1,1 @@
+"""Commands that make flat pieces from bodies."""

@@ -1,0 +1,1 @@
+"""Single patches unfolded into the plane, as the paper does it."""
