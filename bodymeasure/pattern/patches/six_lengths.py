@@ -50,7 +50,7 @@ def flat_quadrilaterals(lengths: Array) -> Array:
     found = _solved(_first(wanted), wanted)
     back = np.empty_like(found)
     np.put_along_axis(back, corner[:, :, None], found, axis=1)
-    return _upright(back) * size[:, :, None]
+    return np.asarray(_upright(back) * size[:, :, None])
 
 
 def lengths_of(corners: Array) -> Array:
