@@ -18,7 +18,9 @@ BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", flags=re.MULTILINE | re.DOTALL)
 every_file = pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 
 
-@pytest.mark.parametrize("page", ["quickstart", "charts", "landmarks", "python", "pyvista"])
+@pytest.mark.parametrize(
+    "page", ["quickstart", "charts", "landmarks", "python", "pyvista", "viewer"]
+)
 def test_the_examples_of_a_page_run_and_print_what_it_says(
     page: str,
     tmp_path: Path,

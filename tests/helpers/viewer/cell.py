@@ -15,6 +15,7 @@ class Cell:
     def __init__(self, view: Any) -> None:
         self.view = view
         self.sent: list[dict[str, Any]] = []
+        self.asked: list[dict[str, Any]] = []
         view.send = self._receive
 
     def _receive(self, content: dict[str, Any], buffers: Any = ()) -> None:

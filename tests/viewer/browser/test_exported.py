@@ -125,6 +125,6 @@ def test_without_scripts_a_chart_is_whole_but_for_the_scene(
     page = context.new_page()
     page.goto((tmp_path / "chart.html").as_uri())
     assert "This part needs JavaScript" in page.locator("#scene").inner_text()
-    assert page.get_by_text("on the body", exact=True).first.is_hidden()
+    assert page.get_by_text("Show on the body", exact=True).first.is_hidden()
     assert "Waist girth" in page.locator("main").inner_text()
     context.close()
