@@ -19,6 +19,9 @@ if (root) {
 function render({ model, el }) {
   const cell = document.createElement("div");
   cell.style.height = `${model.get("height") ?? 620}px`;
+  // JupyterLab takes letters for commands, of which x would cut the cell away, unless what has the
+  // focus itself says not to.
+  cell.addEventListener("focusin", ({ target }) => target.setAttribute("data-lm-suppress-shortcuts", "true"));
   el.append(cell);
   const transport = notebookTransport(model);
   const { ready, stop } = startViewer(cell, transport, { alone: false, ...transport.options });

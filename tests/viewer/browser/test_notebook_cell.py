@@ -90,6 +90,9 @@ def test_two_clicks_in_a_cell_measure_along_the_body(
     box = screen.page.locator("#cell > div").bounding_box()
     assert box is not None
     assert box["height"] == 560
+    # Without this, JupyterLab would take keys in the cell for its own: x cuts the whole cell away.
+    screen.get("scene").focus()
+    assert screen.get("scene").get_attribute("data-lm-suppress-shortcuts") == "true"
     screen.get("tool-tape").click()
     area = canvas.bounding_box()
     assert area is not None
