@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from bodymeasure.chart import Definitions
 
 LOG = logging.getLogger("bodymeasure.viewer")
+# What glibc otherwise keeps of large arrays after a long search: 20 MB and more. Others ignore it.
+RETURN_MEMORY = {"MALLOC_MMAP_THRESHOLD_": "1048576", "MALLOC_TRIM_THRESHOLD_": "2097152"}
 
 
 class WorkerGoneError(Exception):
@@ -67,7 +69,7 @@ class Worker:
         context = multiprocessing.get_context("spawn")
         here, there = context.Pipe()
         process = context.Process(target=work, args=(there,), daemon=True)
-        with environment(ONE_THREAD), deaf_to_interrupts():
+        with environment({**ONE_THREAD, **RETURN_MEMORY}), deaf_to_interrupts():
             process.start()
         # Only the worker holds its end, so that this one sees when it dies.
         there.close()

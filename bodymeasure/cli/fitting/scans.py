@@ -11,7 +11,6 @@ from bodymeasure.cli.console import progress_bar
 from bodymeasure.cli.options import file_settings, given_topology, path_of_atlas, require
 from bodymeasure.files import read_bytes
 from bodymeasure.formats.obj.triangles import TRIANGLE_MESHES, is_of_triangles
-from bodymeasure.measure import package_versions
 
 if TYPE_CHECKING:
     from bodymeasure.atlas import Atlas
@@ -120,6 +119,9 @@ def fitted(path: Path, picks: Path | None) -> "FittedBody":
 
 def _with_source(atlas: "Atlas", path: Path) -> "Atlas":
     """Return an atlas that says from which file it was made, so that this can be found again."""
+    # It loads the solver, which a command that fits no scan does not need.
+    from bodymeasure.measure import package_versions
+
     settings = ", ".join(f"{key} {value}" for key, value in scan_settings().items())
     source = {
         "scan": path.name,

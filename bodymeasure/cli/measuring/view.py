@@ -4,9 +4,7 @@ from pathlib import Path
 
 import click
 
-from bodymeasure.cli.measuring.view_export import write_page
-from bodymeasure.cli.measuring.view_page import Page, show_page
-from bodymeasure.cli.measuring.view_window import show_window
+from bodymeasure.cli.measuring.view_page import EVERY, Page, show_page
 from bodymeasure.cli.options import (
     DEFAULT_SAMPLE,
     EXIT_CODES,
@@ -17,8 +15,6 @@ from bodymeasure.cli.options import (
     processes_option,
 )
 
-# What --chart stands for without a name.
-EVERY = "default"
 SET_SUFFIX = ".toml"
 
 
@@ -112,10 +108,16 @@ def view(
                 "--export writes the page; it goes with neither --desktop, --screenshot nor "
                 "--measure."
             )
+        # Slow imports, which the page does not need.
+        from bodymeasure.cli.measuring.view_export import write_page
+
         wanted = None if chart is None else (definitions, chart)
         write_page(atlas, export, wanted, despite_errors=despite_errors)
         return
     if desktop or screenshot is not None:
+        # Slow imports, which the page does not need.
+        from bodymeasure.cli.measuring.view_window import show_window
+
         show_window(
             atlas,
             screenshot,

@@ -9,8 +9,8 @@ from bodymeasure.atlas import Severity, check_atlas
 from bodymeasure.cli.console import print_note
 from bodymeasure.cli.fitting.files import fitted_in_words
 from bodymeasure.cli.fitting.scans import is_scan, require_fit, scan_subject
-from bodymeasure.cli.measuring.view_window import not_installed
 from bodymeasure.cli.options import file_settings, load_atlas, path_of_atlas, require
+from bodymeasure.errors import InputError
 from bodymeasure.samples import sample_names
 from bodymeasure.wording import counted
 
@@ -131,4 +131,12 @@ def _findings(atlas: "Atlas") -> tuple[str, ...]:
     return (
         f"The check of the atlas finds {counted(len(errors), 'error')}, near which lengths may "
         f"be wrong: {told}{'; …' if len(errors) > TOLD else ''}",
+    )
+
+
+def not_installed() -> InputError:
+    """Return what a bare checkout is told, which has no viewer."""
+    return InputError(
+        "the viewer is part of an installed bodymeasure, and this is a bare checkout; "
+        "install it with: pip install -e ."
     )

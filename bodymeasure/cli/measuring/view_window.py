@@ -9,6 +9,7 @@ import click
 
 from bodymeasure.cli.console import print_note, progress_bar
 from bodymeasure.cli.measuring.chart import measured_chart
+from bodymeasure.cli.measuring.view_page import EVERY, not_installed
 from bodymeasure.cli.options import (
     COMPARISON,
     VIEWER,
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
     from bodymeasure.chart import Chart
 
 PICTURE_SUFFIXES = (".png", "")
-EVERY = "default"
 
 
 def show_window(
@@ -141,11 +141,3 @@ def _viewers() -> tuple[Callable[[Survey, Path | None], str], Callable[..., str]
         raise not_installed() from None
     # Installed under another name than its folder's, so that the type checker does not see it.
     return view, view_chart
-
-
-def not_installed() -> InputError:
-    """Return what a bare checkout is told, which has no viewer."""
-    return InputError(
-        "the viewer is part of an installed bodymeasure, and this is a bare checkout; "
-        "install it with: pip install -e ."
-    )
