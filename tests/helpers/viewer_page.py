@@ -66,6 +66,18 @@ def serve(*arguments: str) -> Served:
     raise AssertionError(f"the viewer ended with {process.wait()} and printed no link")
 
 
+# As a file manager drops it: playwright has no way to do this.
+DROP = """([name, bytes]) => {
+  const transfer = new DataTransfer();
+  transfer.items.add(new File([new Uint8Array(bytes)], name));
+  const root = document.querySelector("#bodymeasure");
+  for (const type of ["dragover", "drop"]) {
+    const event = new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true });
+    root.dispatchEvent(event);
+  }
+}"""
+
+
 @dataclass
 class Screen:
     """A page that shows a body.
@@ -124,8 +136,12 @@ class Screen:
         found = self.page.evaluate(
             """v => {
               const seen = [];
-              for (let patch = 0; patch < 376; patch++) {
-                if (window.bodymeasure.project(patch, 0.5, v)) seen.push([patch, 0.5, v]);
+              const page = window.bodymeasure;
+              const { patches } = page.state();
+              for (let patch = 0; patch < patches; patch++) {
+                // At the outline, a pixel more or less misses the body.
+                if (page.facing(patch, 0.5, v) < 0.5) continue;
+                if (page.project(patch, 0.5, v)) seen.push([patch, 0.5, v]);
               }
               return seen;
             }""",
@@ -181,6 +197,10 @@ class Screen:
         self.until("(state, count) => state.tapes.length > count", count)
         tape: dict[str, Any] = self.settle()["tapes"][-1]
         return tape
+
+    def drop(self, name: str, content: bytes) -> None:
+        """Drop a file on the page."""
+        self.page.evaluate(DROP, [name, list(content)])
 
     def take_chart(self) -> None:
         self.get("take-chart").click()

@@ -24,6 +24,11 @@ export function opening(app) {
       const { id, warnings } = await app.transport.open(file, unit);
       app.other = null;
       await app.open(id);
+      app.emit("progress", null);
+      if (app.header.unit === "" && !unit) {
+        const chosen = await askUnit(app.root, file.name);
+        if (chosen) await openBody(file, chosen);
+      }
       for (const warning of warnings ?? []) app.emit("message", { text: warning, tone: "note" });
     } finally {
       app.emit("progress", null);
@@ -39,24 +44,18 @@ export function opening(app) {
           return;
         }
       }
-      try {
-        await openBody(file);
-      } catch (error) {
-        // Some formats do not say their unit; then the user is asked, once.
-        if (!/unit/i.test(error.message) || error.gone) throw error;
-        const unit = await askUnit(app.root, error.message);
-        if (unit) await openBody(file, unit);
-      }
+      await openBody(file);
     });
 }
 
-function askUnit(root, sentence) {
+/** Some formats do not say their unit; the user may know it. */
+function askUnit(root, name) {
   return new Promise((resolve) => {
     const dialog = showDialog(
       root,
       "In which unit is this file?",
-      h("p", {}, sentence),
-      h("div", { class: "row" }, ["mm", "cm", "m", "inch"].map((unit) => h("button", { type: "button", class: "button", "data-testid": `unit-${unit}`, onClick: () => { resolve(unit); dialog.close(); } }, unit))),
+      h("p", {}, `${name} does not say it. Close this to go on without a unit.`),
+      h("div", { class: "row form" }, ["mm", "cm", "m", "inch"].map((unit) => h("button", { type: "button", class: "button", "data-testid": `unit-${unit}`, onClick: () => { resolve(unit); dialog.close(); } }, unit))),
     );
     dialog.addEventListener("close", () => resolve(null));
   });

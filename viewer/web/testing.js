@@ -1,6 +1,8 @@
 // What tests and scripts may ask of a page: when it is ready, where a point of the body is on the
 // screen, and what it holds.
 
+import { Vector3 } from "three";
+
 export function testing(app, viewport, workbench, options) {
   const handle = {
     ready: false,
@@ -17,6 +19,13 @@ export function testing(app, viewport, workbench, options) {
       // Buttons lie over the scene in places; what moves with the body does not count.
       const over = document.elementFromPoint(...place);
       return over === viewport.stage.canvas || over?.closest(".labels, .handles") ? place : null;
+    },
+    /** How much the body faces the viewer there: 1 fully, 0 at its outline, less on its far side. */
+    facing(patch, u, v) {
+      const normal = new Vector3(...viewport.surface.normal([patch, u, v]));
+      const { position } = viewport.stage.rig.camera;
+      const { target } = viewport.stage.rig.controls;
+      return normal.dot(position.clone().sub(target).normalize());
     },
     state() {
       const { app: current, ...rest } = stateOf(app, viewport, workbench);
@@ -48,6 +57,7 @@ function stateOf(app, viewport, workbench) {
   return {
     body: app.header?.name ?? null,
     id: app.bodyId,
+    patches: app.header?.patches ?? 0,
     tapes: app.sheet.tapes.map((tape) => ({ ...tape, result: app.sheet.result(tape) ?? null })),
     landmarks: app.landmarks,
     selected: app.selected,

@@ -163,7 +163,7 @@ def test_colors_by_a_quantity(screen: Screen, key: str) -> None:
 
 
 def test_what_is_under_the_pointer_is_named(screen: Screen) -> None:
-    thigh = next(place for place in screen.seen() if place[0] == 174)
+    thigh = next(place for place in screen.seen() if place[0] == 173)
     screen.hover(thigh)
     readout = screen.get("readout")
     readout.wait_for()

@@ -6,7 +6,7 @@ from helpers.viewer_page import Screen
 
 import bodymeasure as bm
 
-START, END = (15, 0.5, 0.5), (174, 0.5, 0.5)
+START, END = (15, 0.5, 0.5), (173, 0.5, 0.5)
 
 
 @pytest.fixture(scope="module")

@@ -1,0 +1,78 @@
+"""Two bodies beside each other under one view, or one colored by its distance from the other."""
+
+from pathlib import Path
+
+import pytest
+from helpers.viewer_page import Screen
+
+import bodymeasure as bm
+
+
+@pytest.fixture
+def heavy(tmp_path: Path) -> Path:
+    path = tmp_path / "heavy.atlas"
+    bm.write_atlas(bm.load_sample("female_heavy"), path)
+    return path
+
+
+def compare(screen: Screen, path: Path) -> None:
+    screen.get("tab-display").click()
+    screen.get("compare-file").set_input_files(path)
+    screen.until("state => state.side")
+
+
+def test_side_by_side_and_differences(screen: Screen, heavy: Path) -> None:
+    screen.take_chart()
+    compare(screen, heavy)
+    assert "Heavy" in screen.get("second-name").inner_text()
+    screen.get("tab-list").click()
+    first = bm.measure_chart(bm.load_sample("female_average"))
+    second = bm.measure_chart(bm.load_sample("female_heavy"))
+    values = [{one.definition.key: one.value for one in each.measured} for each in (first, second)]
+    for key in ("bust_girth", "hip_girth"):
+        difference = 100 * (values[1][key] - values[0][key])
+        shown = screen.get(f"row-chart:{key}").locator("td").last.inner_text()
+        sign = "+" if difference > 0 else "\N{MINUS SIGN}"
+        assert shown == f"{sign}{abs(difference):.2f} cm"
+    # One view for both: turned over the right body, the left one turns as well.
+    box = screen.page.locator("canvas").bounding_box()
+    assert box is not None
+    before = screen.state()["view"]["theta"]
+    screen.page.mouse.move(box["x"] + 0.75 * box["width"], 450)
+    screen.page.mouse.down()
+    screen.page.mouse.move(box["x"] + 0.75 * box["width"] + 90, 450, steps=3)
+    screen.page.mouse.up()
+    assert abs(screen.state()["view"]["theta"] - before) > 0.2
+    screen.page.keyboard.press("1")
+    screen.until("state => !state.moving")
+    # Over the other body its own patches are named.
+    screen.page.mouse.move(box["x"] + 0.72 * box["width"], 400)
+    screen.get("readout").get_by_text("Heavy").wait_for()
+    screen.page.mouse.click(box["x"] + 0.72 * box["width"], 400)
+    assert "at the left" in screen.message()
+    screen.get("tab-display").click()
+    screen.get("compare-end").click()
+    assert not screen.state()["side"]
+
+
+def test_color_by_distance(screen: Screen, heavy: Path) -> None:
+    compare(screen, heavy)
+    screen.get("by-distance").click()
+    legend = screen.get("legend")
+    legend.wait_for()
+    assert "Distance" in legend.inner_text()
+    assert not screen.state()["side"]
+    screen.page.keyboard.press("1")
+    screen.hover(screen.seen()[12])
+    screen.get("readout").get_by_text("Distance").wait_for()
+    screen.get("beside").click()
+    screen.until("state => state.side")
+    legend.wait_for(state="hidden")
+
+
+def test_another_layout_says_so(screen: Screen, tmp_path: Path) -> None:
+    path = tmp_path / "paraboloid.atlas"
+    bm.write_atlas(bm.load_sample("paraboloid"), path)
+    compare(screen, path)
+    assert "another way" in screen.page.locator(".compare").inner_text()
+    assert screen.get("by-distance").is_disabled()

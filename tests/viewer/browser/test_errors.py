@@ -1,0 +1,136 @@
+"""What goes wrong is said in a sentence, and the page lives on."""
+
+from collections.abc import Callable, Iterator
+
+import psutil
+import pytest
+from helpers.viewer_page import Screen, Served, serve
+from playwright.sync_api import Browser
+
+START, END = (15, 0.5, 0.5), (173, 0.5, 0.5)
+
+
+@pytest.fixture
+def own() -> Iterator[Served]:
+    """A server that a test may kill."""
+    served = serve("female_average")
+    yield served
+    served.stop()
+
+
+def test_a_point_off_the_body(screen: Screen) -> None:
+    screen.page.mouse.click(60, 500)
+    assert "off the body" in screen.message()
+    assert screen.state()["pending"] == 0
+
+
+def test_the_server_is_gone(own: Served, open_page: Callable[..., Screen]) -> None:
+    screen = open_page(own.link)
+    tape = screen.measure(START, END)
+    own.process.kill()
+    own.process.wait()
+    banner = screen.get("banner")
+    banner.wait_for()
+    assert "connects again by itself" in banner.inner_text()
+    # The list stays, the body turns, and what is under the pointer is named.
+    assert screen.get(f"row-{tape['id']}").is_visible()
+    before = screen.state()["view"]["theta"]
+    screen.page.keyboard.press("2")
+    assert screen.state()["view"]["theta"] != before
+    screen.page.keyboard.press("1")
+    screen.page.mouse.move(60, 500)
+    screen.hover(END)
+    screen.get("readout").wait_for()
+    # A tape that is asked for now waits, and is not lost.
+    screen.click(START)
+    screen.click(screen.middle_of("front waist point"))
+    screen.until("state => state.tapes.length === 2")
+    # The browser itself complains of connections that are refused.
+    screen.errors[:] = [text for text in screen.errors if "ERR_" not in text]
+
+
+def test_connected_again(screen: Screen) -> None:
+    context = screen.page.context
+    context.set_offline(True)
+    screen.click(START)
+    screen.click(END)
+    banner = screen.get("banner")
+    banner.wait_for()
+    assert "Your tapes are kept" in banner.inner_text()
+    context.set_offline(False)
+    # What was asked while nobody answered is asked again without a click. The stream of news did
+    # not notice, so that the next question tells that the program is there.
+    screen.page.reload()
+    screen.page.wait_for_selector("#bodymeasure[data-ready]")
+    assert screen.settle()["tapes"][0]["result"]["length"] > 0.1
+    banner.wait_for(state="hidden")
+    screen.errors[:] = [text for text in screen.errors if "ERR_" not in text]
+
+
+def test_the_worker_dies(own: Served, open_page: Callable[..., Screen]) -> None:
+    screen = open_page(own.link)
+    screen.measure(START, END)
+    for child in psutil.Process(own.process.pid).children(recursive=True):
+        if "spawn_main" in " ".join(child.cmdline()):
+            child.kill()
+    tape = screen.measure(screen.middle_of("front waist point"), END)
+    assert tape["result"]["length"] > 0.1
+    screen.page.get_by_text("had to be started anew").wait_for()
+
+
+def test_no_length_is_an_answer(screen: Screen) -> None:
+    """Two pieces of the body are not joined: the page says what the library says."""
+    sentence = "These points lie on parts of the body that are not joined."
+    screen.page.route(
+        "**/api/path*",
+        lambda route: route.fulfill(status=422, json={"error": sentence}),
+    )
+    screen.measure(START, END)
+    assert screen.get("length").inner_text() == "No length"
+    assert screen.get("words").inner_text() == sentence
+    assert screen.page.locator("tr.failed").count() == 1
+    # It is drawn all the same, as the straight line that it would be.
+    assert screen.state()["lines"]
+    screen.errors[:] = [text for text in screen.errors if "422" not in text]
+
+
+def test_no_webgl(
+    launch: Callable[..., Browser], server: Served, open_page: Callable[..., Screen]
+) -> None:
+    screen = open_page(server.link, within=launch("--disable-3d-apis"))
+    assert "WebGL" in screen.get("no-graphics").inner_text()
+    # The table works all the same.
+    screen.take_chart()
+    assert screen.get("row-chart:bust_girth").locator(".value").inner_text().endswith("cm")
+    screen.get("more").click()
+    screen.get("menu-between").click()
+    screen.get("between-measure").click()
+    screen.until("state => state.tapes.length === 1")
+    assert screen.settle()["tapes"][0]["result"]["length"] > 0.05
+    # Chromium says that it cannot, too.
+    screen.errors[:] = [text for text in screen.errors if "WebGL" not in text]
+
+
+def test_context_lost_and_restored(screen: Screen) -> None:
+    screen.page.evaluate(
+        """() => {
+          const context = document.querySelector("canvas").getContext("webgl2");
+          window.lose = context.getExtension("WEBGL_lose_context");
+          window.lose.loseContext();
+        }"""
+    )
+    banner = screen.get("banner")
+    banner.wait_for()
+    assert "graphics card" in banner.inner_text()
+    frames = screen.state()["frames"]
+    screen.page.evaluate("() => window.lose.restoreContext()")
+    banner.wait_for(state="hidden")
+    screen.until("(state, frames) => state.frames > frames", frames)
+    screen.errors[:] = [text for text in screen.errors if "context" not in text.lower()]
+
+
+def test_without_the_token(browser: Browser, server: Served) -> None:
+    page = browser.new_context().new_page()
+    page.goto(server.address)
+    page.get_by_text("open the link").first.wait_for()
+    page.context.close()

@@ -1,0 +1,85 @@
+"""Files that are dropped on the page or chosen: bodies, what is none, and what has no unit."""
+
+from pathlib import Path
+
+import pytest
+from helpers.viewer_page import Screen
+
+import bodymeasure as bm
+
+
+@pytest.fixture
+def complaints(screen: Screen) -> Screen:
+    """A page whose browser complains of answers with a status of 422, as it should."""
+    screen.errors = _Answers(screen.errors)
+    return screen
+
+
+class _Answers(list[str]):
+    """Complaints without those of answers that say what is wrong with a request."""
+
+    def append(self, text: str) -> None:
+        if "status of 422" not in text:
+            super().append(text)
+
+
+def test_a_dropped_body_is_shown_and_measured(screen: Screen, tmp_path: Path) -> None:
+    atlas = bm.load_sample("male_average")
+    path = tmp_path / "male.atlas"
+    bm.write_atlas(atlas, path)
+    screen.measure((15, 0.5, 0.5), (173, 0.5, 0.5))
+    screen.drop("male.atlas", path.read_bytes())
+    screen.until("state => state.body.includes('male body, 174')")
+    state = screen.settle()
+    assert not state["tapes"]
+    places = screen.seen(apart=9)
+    tape = screen.measure(places[2], places[4])
+    ends = [
+        atlas.landmarks[one] if isinstance(one, str) else bm.AtlasPoint(*one)
+        for one in tape["locations"]
+    ]
+    path_between = bm.geodesic_between(atlas, ends[0], ends[1], on_failure="status")
+    assert tape["result"]["length"] == path_between.length
+
+
+def test_what_is_no_body_is_said_in_a_sentence(complaints: Screen) -> None:
+    screen = complaints
+    screen.drop("letter.docx", b"Dear Sir or Madam")
+    assert ".docx" in screen.message() or "docx" in screen.message()
+    screen.drop("broken.atlas", b"{")
+    screen.page.get_by_text("broken.atlas").first.wait_for()
+    # The body that was open is still there, and is measured.
+    assert screen.measure((15, 0.5, 0.5), (173, 0.5, 0.5))["result"]["length"] > 0.1
+
+
+def test_a_triangle_mesh_is_sent_to_the_fit(complaints: Screen) -> None:
+    scan = Path(__file__).parents[2] / "data" / "scans" / "coarse.ply"
+    complaints.drop("coarse.ply", scan.read_bytes())
+    assert "bodymeasure fit" in complaints.message()
+
+
+def test_tapes_of_another_layout_are_refused(screen: Screen) -> None:
+    content = (
+        b'{"format": "bodymeasure tapes", "version": 1, "body": "Someone", "layout": "other",'
+        b' "tapes": []}'
+    )
+    screen.drop("someone.tapes.json", content)
+    assert "Someone" in screen.message()
+
+
+def test_names_in_files_are_text(screen: Screen, tmp_path: Path) -> None:
+    """A name may hold anything; nothing in it becomes an element of the page."""
+    from dataclasses import replace
+
+    atlas = bm.load_sample("paraboloid")
+    name = "<img src=x onerror=alert(1)>"
+    path = tmp_path / "named.atlas"
+    bm.write_atlas(replace(atlas, name=name, landmarks={name: bm.AtlasPoint(0, 0.5, 0.5)}), path)
+    screen.drop("named.atlas", path.read_bytes())
+    screen.until("state => state.body.includes('<img')")
+    screen.get("tab-display").click()
+    screen.get("layer-names").click()
+    screen.get("tab-landmarks").click()
+    assert screen.get("landmarks").get_by_text(name).is_visible()
+    assert screen.page.locator("h1").inner_text() == name
+    assert screen.page.locator("#bodymeasure img").count() == 0
