@@ -10,9 +10,10 @@ const STILL = 4;
 export class Handles {
   #handles = [];
 
-  /** `onPress` gets a press on a handle that did not become a drag: a click on the body there. */
-  constructor(app, viewport, picker, onPress) {
+  /** A press that did not become a drag, and a hover, are the body's: `onPress` and `onHover`. */
+  constructor(app, viewport, picker, { onPress, onHover }) {
     this.onPress = onPress;
+    this.onHover = onHover;
     this.app = app;
     this.viewport = viewport;
     this.picker = picker;
@@ -61,7 +62,10 @@ export class Handles {
       [entry.x, entry.y] = [event.clientX, event.clientY];
     });
     element.addEventListener("pointermove", (event) => {
-      if (this.dragged !== entry) return;
+      if (this.dragged !== entry) {
+        if (!event.buttons) this.onHover(at(event));
+        return;
+      }
       const moved = Math.hypot(event.clientX - entry.x, event.clientY - entry.y);
       if (entry.first && moved < STILL) return;
       const hit = at(event);

@@ -22,7 +22,10 @@ export class Workbench {
     this.viewport = viewport;
     this.picker = new Picker(app, viewport);
     this.tapes = new TapeLines(app, viewport);
-    this.handles = new Handles(app, viewport, this.picker, (press) => this.press(press));
+    this.handles = new Handles(app, viewport, this.picker, {
+      onPress: (press) => this.press(press),
+      onHover: (hit) => this.hover(hit),
+    });
     const tools = [LookTool, TapeTool, GirthTool, LoopTool, LandmarkTool].map((Tool) => new Tool(app, viewport));
     this.tools = Object.fromEntries(tools.map((tool) => [tool.name, tool]));
     this.tool = this.tools.tape;

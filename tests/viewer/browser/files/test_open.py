@@ -53,7 +53,7 @@ def test_what_is_no_body_is_said_in_a_sentence(complaints: Screen) -> None:
 
 
 def test_a_triangle_mesh_is_sent_to_the_fit(complaints: Screen) -> None:
-    scan = Path(__file__).parents[2] / "data" / "scans" / "coarse.ply"
+    scan = Path(__file__).parents[3] / "data" / "scans" / "coarse.ply"
     complaints.drop("coarse.ply", scan.read_bytes())
     assert "bodymeasure fit" in complaints.message()
 

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from helpers.viewer_page import REQUIRED, Screen
 
-WEB = Path(__file__).parents[3] / "viewer" / "web"
+WEB = Path(__file__).parents[4] / "viewer" / "web"
 AXE = WEB / "node_modules" / "axe-core" / "axe.min.js"
 
 
