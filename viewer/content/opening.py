@@ -25,8 +25,7 @@ def opened(request: OpenFile) -> ShownBody:
     # The name is shown, and its ending says what the file holds; nothing is looked up by it.
     name = Path(request.name.replace("\\", "/")).name or "body"
     options = ReadOptions.checked(request.unit, None, None, (), None, None, False, False)
-    with warnings.catch_warnings(record=True) as noted:
-        warnings.simplefilter("always", ReadWarning)
+    with warnings.catch_warnings(record=True, action="always", category=ReadWarning) as noted:
         atlas = decode(request.content, name, format_of(Path(name)), options)
     notes = tuple(str(note.message) for note in noted if issubclass(note.category, ReadWarning))
     return ShownBody("", atlas, atlas.name or Path(name).stem, name, warnings=notes)
@@ -42,8 +41,7 @@ def read_again(body: ShownBody) -> ShownBody:
     """
     if body.settings is None:
         raise InputError(f"{body.name}: was not opened from a file that can be read again")
-    with warnings.catch_warnings(record=True) as noted:
-        warnings.simplefilter("always", ReadWarning)
+    with warnings.catch_warnings(record=True, action="always", category=ReadWarning) as noted:
         atlas = read_atlas(body.file, **dict(body.settings))
     notes = tuple(str(note.message) for note in noted if issubclass(note.category, ReadWarning))
     return replace(body, atlas=atlas, version=body.version + 1, warnings=notes)
