@@ -89,6 +89,7 @@ def _offers(bodies: Bodies, body: ShownBody) -> dict[str, Any]:
         "quantities": [{"key": key, "label": label} for key, label in QUANTITIES.items()],
         "can": {"chart": True, "save_atlas": body.savable, "mirror": True, "taut": True},
         "sets": sets_of(bodies.own),
+        "bodies": [{"id": one.id, "name": one.name} for one in bodies.shown.values()],
     }
 
 

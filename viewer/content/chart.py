@@ -44,12 +44,17 @@ FILES: Mapping[str, tuple[Callable[[Any], bytes], str]] = {
 def sets_of(own: Definitions | None) -> list[dict[str, str]]:
     """Return the sets of measurements that a page offers: their keys and names."""
     whole = load_definitions()
-    sets = [{"key": DEFAULT, "label": whole.name}]
-    sets += [
-        {"key": name, "label": f"{name} ({counted(len(keys), 'key')})"}
-        for name, keys in whole.presets.items()
+    sets = [{"key": DEFAULT, "label": whole.name}, *_presets(whole, "")]
+    if own is None:
+        return sets
+    return [{"key": OWN, "label": own.name}, *_presets(own, f"{OWN}:"), *sets]
+
+
+def _presets(definitions: Definitions, prefix: str) -> list[dict[str, str]]:
+    return [
+        {"key": prefix + name, "label": f"{name} ({counted(len(keys), 'key')})"}
+        for name, keys in definitions.presets.items()
     ]
-    return ([{"key": OWN, "label": own.name}] if own is not None else []) + sets
 
 
 def chart_of(
@@ -95,15 +100,14 @@ def keep_chart(bodies: Bodies, body: ShownBody, chart: Chart) -> str:
 
 
 def _set_of(bodies: Bodies, key: str) -> tuple[Definitions, tuple[str, ...]]:
-    whole = load_definitions()
-    if key == OWN and bodies.own is not None:
-        return bodies.own, ()
-    if key == DEFAULT:
-        return whole, ()
-    if key not in whole.presets:
+    of, _, preset = key.rpartition(":")
+    definitions = bodies.own if OWN in (of, key) else load_definitions()
+    if definitions is not None and key in (OWN, DEFAULT):
+        return definitions, ()
+    if definitions is None or preset not in definitions.presets or of not in ("", OWN):
         known = [one["key"] for one in sets_of(bodies.own)]
         raise InputError(f"there is no set {key!r} of measurements; {hint(key, known)}")
-    return whole, (key,)
+    return definitions, (preset,)
 
 
 def chart_message(

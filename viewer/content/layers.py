@@ -73,8 +73,8 @@ def _boundary(body: ShownBody, request: ShowLayer) -> bytes:
 def _diagonals(
     body: ShownBody, request: ShowLayer, progress: Callable[[int, int], None] | None
 ) -> bytes:
-    atlas, differences = body.atlas, None
-    if request.compare:
+    atlas, differences = body.atlas, body.differences
+    if request.compare and differences is None:
         every = 2 * len(atlas)
         tell = None if progress is None else lambda done: progress(done, every)
         survey = measure_atlas(atlas, progress=tell)

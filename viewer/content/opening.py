@@ -44,7 +44,8 @@ def read_again(body: ShownBody) -> ShownBody:
     with warnings.catch_warnings(record=True, action="always", category=ReadWarning) as noted:
         atlas = read_atlas(body.file, **dict(body.settings))
     notes = tuple(str(note.message) for note in noted if issubclass(note.category, ReadWarning))
-    return replace(body, atlas=atlas, version=body.version + 1, warnings=notes)
+    known = body.differences if atlas.digest == body.atlas.digest else None
+    return replace(body, atlas=atlas, version=body.version + 1, warnings=notes, differences=known)
 
 
 def may_write(path: str) -> bool:

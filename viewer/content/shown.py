@@ -41,6 +41,8 @@ class ShownBody:
         Sentences about the file.
     settings : mapping of str to object, optional
         With what the file can be read again by `read_atlas`; None if it cannot.
+    differences : ndarray, shape (patches, 2), optional
+        Relative differences of the diagonals' lengths from the mesh, where a report has them.
     start : mapping of str to object
         With what the page begins, as members of its header.
     finest : int
@@ -54,6 +56,7 @@ class ShownBody:
     version: int = 1
     warnings: tuple[str, ...] = ()
     settings: Mapping[str, Any] | None = None
+    differences: Array | None = None
     start: Mapping[str, object] = field(default_factory=dict)
     finest: int = max(SEGMENTS)
 

@@ -2,7 +2,7 @@
 
 import asyncio
 import pickle
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -36,15 +36,24 @@ class Service:
     body : ShownBody
     own : Definitions, optional
         A set of definitions that the user has given.
+    others : sequence of ShownBody
+        Bodies that are open beside it; no more than may be.
     """
 
-    def __init__(self, body: "ShownBody", own: "Definitions | None" = None) -> None:
+    def __init__(
+        self,
+        body: "ShownBody",
+        own: "Definitions | None" = None,
+        others: "Sequence[ShownBody]" = (),
+    ) -> None:
         self.bodies = {MAIN: replace(body, id=MAIN)}
+        for number, other in enumerate(others[:MOST_OPENED], start=1):
+            self.bodies[str(number)] = replace(other, id=str(number))
         # What takes long has a process of its own, so that tapes never wait for a chart; it is
         # started when it is first needed.
         self.workers = (Worker(own), Worker(own))
         self._loop: asyncio.AbstractEventLoop | None = None
-        self._opened = 0
+        self._opened = len(self.bodies) - 1
         self._shown: tuple[int, Done] | None = None
 
     def begin(self) -> None:
@@ -78,9 +87,7 @@ class Service:
         """Return the answer to a request; None if a newer one of the same tab took its place."""
         if isinstance(request, requests.ShowBody) and request.body == MAIN:
             return await self._body(request)
-        long = isinstance(request, requests.MeasureChart) or (
-            isinstance(request, requests.ShowLayer) and request.compare
-        )
+        long = isinstance(request, requests.MeasureChart) or self._compares(request)
         slot: Hashable = None
         if isinstance(request, requests.Ask) and request.tab:
             slot = (request.tab, type(request))
@@ -103,6 +110,13 @@ class Service:
                 return found
             self._shown = (version, found)
         return self._shown[1]
+
+    def _compares(self, request: requests.Request) -> bool:
+        """Return whether a request is for a comparison that no report has made already."""
+        if not isinstance(request, requests.ShowLayer) or not request.compare:
+            return False
+        body = self.bodies.get(request.body)
+        return body is not None and body.differences is None
 
     def _progress(self, request: requests.Request) -> Callable[[int, int, str], None]:
         tab = getattr(request, "tab", "")

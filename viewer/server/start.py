@@ -6,7 +6,7 @@ import socket
 import tempfile
 import threading
 import webbrowser
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from html import escape
 from pathlib import Path
@@ -32,6 +32,7 @@ def serve(
     body: "ShownBody",
     *,
     own: "Definitions | None" = None,
+    others: "Sequence[ShownBody]" = (),
     host: str = LOOPBACK,
     port: int = 0,
     browser: bool = True,
@@ -44,6 +45,8 @@ def serve(
     body : ShownBody
     own : Definitions, optional
         A set of definitions that the page offers beside the default one.
+    others : sequence of ShownBody
+        Bodies that are open beside it.
     host : str
         The address to listen at; any other than loopback lets other machines in that know the link.
     port : int
@@ -73,7 +76,7 @@ def serve(
     from bodymeasure.viewer.server.guard import own_names
 
     listener = bound(host, port)
-    service = Service(body, own)
+    service = Service(body, own, others)
     # The worker imports what it needs while this process does.
     service.workers[0].begin()
     token, taken = secrets.token_urlsafe(TOKEN_BYTES), listener.getsockname()[1]

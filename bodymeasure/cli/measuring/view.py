@@ -34,6 +34,13 @@ SET_SUFFIX = ".toml"
 )
 @definitions_option
 @click.option(
+    "--report",
+    type=click.Path(path_type=Path),
+    metavar="FOLDER",
+    help="Show what `bodymeasure report -o` or `bodymeasure chart -o` has written there; ATLAS is "
+    "found if it lies in the folder, or is a sample.",
+)
+@click.option(
     "--port",
     type=click.IntRange(0, 65535),
     default=0,
@@ -80,6 +87,7 @@ def view(
     atlas: str | None,
     chart: str | None,
     definitions: Path | None,
+    report: Path | None,
     port: int,
     host: str,
     no_browser: bool,
@@ -100,8 +108,10 @@ def view(
     the mesh, or with --chart the tapes; --screenshot writes a picture of it.
     """
     atlas, chart, definitions = _sorted_out(atlas, chart, definitions)
-    if chart is None and (key is not None or definitions is not None):
+    if report is None and chart is None and (key is not None or definitions is not None):
         raise click.UsageError("--measure and --set are about measurements; add --chart.")
+    if report is not None and (desktop or screenshot is not None or export is not None):
+        raise click.UsageError("--report is shown by the page that is served; give it by itself.")
     if export is not None:
         if desktop or screenshot is not None or key is not None:
             raise click.UsageError(
@@ -112,14 +122,14 @@ def view(
         from bodymeasure.cli.measuring.view_export import write_page
 
         wanted = None if chart is None else (definitions, chart)
-        write_page(atlas, export, wanted, despite_errors=despite_errors)
+        write_page(atlas or DEFAULT_SAMPLE, export, wanted, despite_errors=despite_errors)
         return
     if desktop or screenshot is not None:
         # Slow imports, which the page does not need.
         from bodymeasure.cli.measuring.view_window import show_window
 
         show_window(
-            atlas,
+            atlas or DEFAULT_SAMPLE,
             screenshot,
             None if chart is None else (definitions, chart, key),
             no_cross_check=no_cross_check,
@@ -129,12 +139,13 @@ def view(
         return
     if key is not None:
         raise click.UsageError("--measure is for --desktop and --screenshot; search in the page.")
-    show_page(atlas, Page(chart, definitions, host, port, browser=not no_browser))
+    page = Page(chart, definitions, report, host, port, browser=not no_browser)
+    show_page(atlas, page)
 
 
 def _sorted_out(
     atlas: str | None, chart: str | None, definitions: Path | None
-) -> tuple[str, str | None, Path | None]:
+) -> tuple[str | None, str | None, Path | None]:
     """Return the atlas, the set and the file of definitions that are meant.
 
     A name after --chart that is no set is the atlas, as in ``view --chart body.atlas``.
@@ -154,4 +165,4 @@ def _sorted_out(
                     f"--chart {chart!r} is no set of measurements; {hint(str(chart), presets)}"
                 )
             atlas, chart = chart, EVERY
-    return atlas or DEFAULT_SAMPLE, chart, definitions
+    return atlas, chart, definitions

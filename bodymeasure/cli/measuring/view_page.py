@@ -1,5 +1,6 @@
 """`bodymeasure view`: the page in the browser."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -9,13 +10,21 @@ from bodymeasure.atlas import Severity, check_atlas
 from bodymeasure.cli.console import print_note
 from bodymeasure.cli.fitting.files import fitted_in_words
 from bodymeasure.cli.fitting.scans import is_scan, require_fit, scan_subject
-from bodymeasure.cli.options import file_settings, load_atlas, path_of_atlas, require
+from bodymeasure.cli.options import (
+    DEFAULT_SAMPLE,
+    file_settings,
+    load_atlas,
+    path_of_atlas,
+    require,
+)
 from bodymeasure.errors import InputError
+from bodymeasure.formats import read_population
 from bodymeasure.samples import sample_names
 from bodymeasure.wording import counted
 
 if TYPE_CHECKING:
     from bodymeasure.atlas import Atlas
+    from bodymeasure.chart import Definitions
 
 SERVER = (
     ("the page", "starlette", "starlette", "viewer"),
@@ -36,6 +45,8 @@ class Page(NamedTuple):
         The set of measurements that is shown at once.
     definitions : Path or None
         A file of definitions.
+    report : Path or None
+        A folder of a report or a chart that is shown at once.
     host : str
     port : int
     browser : bool
@@ -43,18 +54,19 @@ class Page(NamedTuple):
 
     chart: str | None
     definitions: Path | None
+    report: Path | None
     host: str
     port: int
     browser: bool
 
 
-def show_page(name: str, page: Page) -> None:
+def show_page(name: str | None, page: Page) -> None:
     """Serve the page of a body until it is interrupted.
 
     Parameters
     ----------
-    name : str
-        The name of a file or a sample that the command was given.
+    name : str or None
+        The name of a file or a sample that the command was given, if any.
     page : Page
 
     Raises
@@ -70,20 +82,8 @@ def show_page(name: str, page: Page) -> None:
         if error.name != "bodymeasure.viewer":
             raise
         raise not_installed() from None
-    own = None
-    if page.definitions is not None:
-        from bodymeasure.chart import load_definitions
-
-        own = load_definitions(page.definitions)
-    loaded, members = loaded_body(name)
-    chart = OWN if own is not None and page.chart == EVERY else page.chart
-    body = ShownBody(
-        id="0",
-        atlas=loaded,
-        name=loaded.name or Path(name).stem,
-        start={"start": {"chart": chart}},
-        **members,
-    )
+    bodies, start, own = _content(name, page)
+    body, *others = (ShownBody(id="0", start=start, **members) for members in bodies)
 
     def listening(link: str) -> None:
         click.echo(link)
@@ -97,11 +97,65 @@ def show_page(name: str, page: Page) -> None:
     serve(
         body,
         own=own,
+        others=others,
         host=page.host,
         port=page.port,
         browser=page.browser,
         listening=listening,
     )
+
+
+def _content(
+    name: str | None, page: Page
+) -> "tuple[list[dict[str, Any]], dict[str, Any], Definitions | None]":
+    """Return what the page knows of its bodies, with what it begins, and the user's definitions."""
+    own = None
+    if page.definitions is not None:
+        from bodymeasure.chart import load_definitions
+
+        own = load_definitions(page.definitions)
+    chart = (
+        page.chart
+        if own is None
+        else {None: None, EVERY: OWN}.get(page.chart, f"{OWN}:{page.chart}")
+    )
+    if page.report is None:
+        return _bodies(name or DEFAULT_SAMPLE), {"start": {"chart": chart}}, own
+    # Slow imports, which a page without a report does not need.
+    from bodymeasure.chart import load_definitions
+    from bodymeasure.cli.measuring import view_report
+
+    report = view_report.finished(page.report)
+    given = name or view_report.atlas_of(report)
+    wanted = view_report.set_of(report, own or load_definitions())
+    members = {**_bodies(given)[0]}
+    view_report.require_same(report, members["atlas"], given)
+    members["differences"] = view_report.differences_of(report, len(members["atlas"]))
+    if wanted is None:
+        return [members], {"start": {"chart": chart, "layers": ["diagonals"]}}, own
+    definitions, preset = wanted
+    if preset is None:
+        return [members], {"start": {"chart": OWN if own else EVERY}}, own
+    return [members], {"start": {"chart": f"{OWN}:{preset}"}}, definitions
+
+
+def _bodies(name: str) -> list[dict[str, Any]]:
+    """Return what the page knows of the bodies in a file, of which there may be many."""
+    path = path_of_atlas(name)
+    if path.suffix.lower() == ".npz" and path.is_file():
+        bodies = read_population(path)
+        if len(bodies) > 1:
+            return [
+                {
+                    "atlas": body,
+                    "name": body.name or f"{path.stem} {number}",
+                    "file": f"{path.name}, body {number}",
+                    "warnings": (_one_of_many(path, bodies, number), *_findings(body)),
+                }
+                for number, body in enumerate(bodies, start=1)
+            ]
+    loaded, members = loaded_body(name)
+    return [{"atlas": loaded, "name": loaded.name or Path(name).stem, **members}]
 
 
 def loaded_body(name: str) -> tuple["Atlas", dict[str, Any]]:
@@ -120,6 +174,10 @@ def loaded_body(name: str) -> tuple["Atlas", dict[str, Any]]:
     else:
         members["settings"] = file_settings()
     return atlas, members
+
+
+def _one_of_many(path: Path, bodies: Sequence["Atlas"], number: int) -> str:
+    return f"{path.name} holds {len(bodies)} bodies; this is number {number}."
 
 
 def _findings(atlas: "Atlas") -> tuple[str, ...]:
