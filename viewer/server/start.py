@@ -1,6 +1,8 @@
 """The server from its start to its end: port, link, browser, Ctrl-C."""
 
 import ipaddress
+import os
+import re
 import secrets
 import socket
 import tempfile
@@ -23,6 +25,9 @@ if TYPE_CHECKING:
 LOOPBACK = "127.0.0.1"
 EVERYWHERE = ("0.0.0.0", "::")
 TOKEN_BYTES = 24
+# Gives the token, so that pages find a server that was started again; nobody must guess it.
+TOKEN_VARIABLE = "BODYMEASURE_VIEW_TOKEN"
+TOKEN_PATTERN = re.compile(r"[A-Za-z0-9_-]{20,200}")
 # Seconds for which a connection is kept: longer than pages think, so that none is closed just when
 # the next request comes.
 KEEP_ALIVE = 600
@@ -75,11 +80,12 @@ def serve(
         raise MissingExtraError("the page", str(error.name), "viewer") from None
     from bodymeasure.viewer.server.guard import own_names
 
+    token = chosen_token()
     listener = bound(host, port)
     service = Service(body, own, others)
     # The worker imports what it needs while this process does.
     service.workers[0].begin()
-    token, taken = secrets.token_urlsafe(TOKEN_BYTES), listener.getsockname()[1]
+    taken = listener.getsockname()[1]
     local = is_loopback(host)
     app = application(
         service,
@@ -122,6 +128,25 @@ def serve(
         finally:
             for worker in service.workers:
                 worker.end()
+
+
+def chosen_token() -> str:
+    """Return the token of the link: a random one, unless the environment gives it.
+
+    Raises
+    ------
+    InputError
+        If it is one that could be guessed, or that a link cannot hold.
+    """
+    given = os.environ.get(TOKEN_VARIABLE)
+    if given is None:
+        return secrets.token_urlsafe(TOKEN_BYTES)
+    if not TOKEN_PATTERN.fullmatch(given):
+        raise InputError(
+            f"{TOKEN_VARIABLE}: expected 20 to 200 letters, digits, - and _, which nobody can "
+            "guess; leave the variable out to have a random token"
+        )
+    return given
 
 
 def bound(host: str, port: int) -> socket.socket:

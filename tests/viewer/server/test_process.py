@@ -1,5 +1,6 @@
 """The viewer's processes: they end together, in order, and leave nothing behind."""
 
+import os
 import signal
 import threading
 from pathlib import Path
@@ -143,6 +144,18 @@ def test_a_port_that_was_given_is_taken_again_at_once() -> None:
     with viewer("paraboloid", "--port", port) as server:
         assert server.port == port
         assert server.get("/api/body").status_code == 200
+
+
+def test_a_token_may_be_given_but_none_that_can_be_guessed() -> None:
+    token = "a_token-of_20_letters_and_more"
+    with viewer("paraboloid", env={**os.environ, "BODYMEASURE_VIEW_TOKEN": token}) as server:
+        assert server.token == token
+        assert server.get("/api/body").status_code == 200
+    for bad in ("", "short", "x" * 19, "a token of 20 letters and more", "x" * 30 + "#"):
+        environment = {**os.environ, "BODYMEASURE_VIEW_TOKEN": bad}
+        ran = run_apart("view", "paraboloid", "--no-browser", env=environment)
+        assert (ran.code, ran.out) == (2, "")
+        assert "expected 20 to 200 letters, digits" in ran.err
 
 
 def test_another_address_says_what_it_means() -> None:
