@@ -3,11 +3,11 @@
 python tests/benchmarks/bodies/scan_charts.py [--random N] [--first K] [--noise MM] [--keys KEYS]
     [SCAN TRUTH UNIT ...]
 
-Random bodies of the space stand in random poses; each is scanned with noise, fitted and charted. A
-scan of yours is a mesh with the control vertices of its body (an .npz file with `vertices`) and a
-unit. Printed are the processor time of fit and chart, and for each measurement the share of true
-errors within twice the stated uncertainty, and their root mean square in units of it; and how far
-each landmark was off.
+Random bodies that are not quite of the space (`tests/helpers/synthetic_scans.py`) stand in random
+poses; each is scanned with noise, fitted and charted. A scan of yours is a mesh with the control
+vertices of its body (an .npz file with `vertices`) and a unit. Printed are the processor time of
+fit and chart, and for each measurement the share of true errors within twice the stated
+uncertainty, and their root mean square in units of it; and how far each landmark was off.
 """
 
 import os
@@ -15,6 +15,7 @@ import os
 os.environ["OMP_NUM_THREADS"] = "1"
 
 import argparse
+import sys
 import time
 from collections import defaultdict
 from pathlib import Path
@@ -22,19 +23,12 @@ from pathlib import Path
 import numpy as np
 
 import bodymeasure as bm
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.chart import found_landmarks
-from bodymeasure.fit.model import (
-    atlas_of_vertices,
-    body_model,
-    limit_matrix,
-    posed,
-    skeleton,
-)
-from bodymeasure.scene.fits.pictures import Triangles, vertex_normals
+from bodymeasure.fit.model import atlas_of_vertices, limit_matrix
 
-# Standard deviations of the coefficients, and of the angles of joints in radians.
-SPREAD, BENT = 0.9, 0.06
+sys.path.insert(0, str(Path(__file__).parents[2]))
+from helpers.synthetic_scans import synthetic_scan
 
 
 def main() -> None:
@@ -50,10 +44,9 @@ def main() -> None:
     errors: dict[str, list[float]] = defaultdict(list)
     off: dict[str, list[float]] = defaultdict(list)
     for number in range(options.first, options.first + options.random):
-        rng = np.random.default_rng([2026, number])
-        vertices = _body(rng)
-        points, triangles = _scan(vertices, 1e-3 * options.noise, rng)
-        _one(f"random {number}", (points, triangles), "m", vertices, keys, (ratios, errors, off))
+        scan = synthetic_scan(number, noise=1e-3 * options.noise)
+        mesh = (scan.vertices, scan.triangles)
+        _one(f"random {number}", mesh, "m", scan.truth, keys, (ratios, errors, off))
     for mesh, truth, unit in zip(*[iter(options.scans)] * 3, strict=True):
         with np.load(truth) as data:
             vertices = data["vertices"].astype(float)
@@ -83,26 +76,9 @@ def _line(name: str, errors: list[float], ratios: list[float]) -> str:
     return f"{name:36s} {len(ratios):3d} {size:8.2f} {within:8.0%} {rms:8.2f}"
 
 
-def _body(rng: np.random.Generator) -> Array:
-    """Return the vertices of a random body in a random pose."""
-    count = len(body_model().components)
-    rotations = rng.normal(scale=BENT, size=(len(skeleton().parents), 3))
-    rotations[0] = 0.0
-    return posed(rng.normal(scale=SPREAD, size=count), rotations)
-
-
-def _scan(vertices: Array, noise: float, rng: np.random.Generator) -> tuple[Array, Array]:
-    """Return the limit surface of a body as triangles with noise along its normals."""
-    quads = body_model().quads
-    triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
-    points = np.asarray(limit_matrix() @ vertices)
-    normals = vertex_normals(Triangles(points, triangles))
-    return points + rng.normal(scale=noise, size=(len(points), 1)) * normals, triangles
-
-
 def _one(
     name: str,
-    mesh: str | tuple[Array, Array],
+    mesh: str | tuple[Array, Ints],
     unit: str,
     vertices: Array,
     keys: list[str],
