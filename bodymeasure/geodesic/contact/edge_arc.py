@@ -32,10 +32,11 @@ DEGREE = 2
 
 
 class EdgeArc(NamedTuple):
-    """An arc, and whether it is pressed against its edge all along."""
+    """An arc, whether it is pressed against its edge all along, and whether nowhere it is."""
 
     solved: SolvedLeg
     is_pressed: bool
+    is_geodesic: bool
 
 
 def edge_arc(surface: Surface, contact: Contact, begin: Array, end: Array) -> EdgeArc:
@@ -72,7 +73,8 @@ def edge_arc(surface: Surface, contact: Contact, begin: Array, end: Array) -> Ed
         index=np.zeros(1, np.int64),
         trusted=np.ones(1, bool),
     )
-    return EdgeArc(SolvedLeg(space, values, length), bool((arcs.turn <= UNPRESSED).all()))
+    pressed, geodesic = (bool((turn <= UNPRESSED).all()) for turn in (arcs.turn, np.abs(arcs.turn)))
+    return EdgeArc(SolvedLeg(space, values, length), pressed, geodesic)
 
 
 class _Halves(NamedTuple):

@@ -59,3 +59,41 @@ def test_points_that_differ_in_their_last_digits_are_measured(
     path = bm.geodesic_between(body, start, end)
     # The seams are nearly smooth.
     assert apart - path.error_estimate <= path.length <= (1.0 + 1e-3) * apart
+
+
+# Triples that contradicted each other: pieces of a billionth of the path were held in a corner, a
+# route round a corner was not tried again from a better start, and on the sphere a path turned back
+# at a line about the pole.
+CONTRADICTED = (
+    (
+        "female_average",
+        (171, 8.272916236939028e-08, 5.86216732170168e-11),
+        (172, 3.647100577391635e-08, 0.9999999999413783),
+        (192, 1.0, 5.373270405991794e-07),
+    ),
+    ("female_heavy", (89, 1.0, 1.0), (241, 0.5532898410251491, 1.0), (89, 1.0, 0.9999999999999625)),
+    ("male_average", (89, 1.0, 1.0), (241, 0.5532898410251491, 1.0), (89, 1.0, 0.9999999999999625)),
+    (
+        "random 2",
+        (14, 2.1819276946335369e-10, 1.0629506279378549e-08),
+        (10, 0.9999999999999784, 1.0629506279378549e-08),
+        (4, 0.0, 1.0),
+    ),
+    (
+        "sphere",
+        (2, 6.266302972454985e-13, 0.2254689782279905),
+        (1, 0.9999999808679201, 0.2254689782279905),
+        (2, 0.0, 0.8433197150157207),
+    ),
+)
+
+
+@pytest.mark.parametrize(("name", "first", "second", "third"), CONTRADICTED)
+def test_paths_that_contradicted_each_other_agree(
+    name: str,
+    first: tuple[int, float, float],
+    second: tuple[int, float, float],
+    third: tuple[int, float, float],
+) -> None:
+    points = bm.AtlasPoint(*first), bm.AtlasPoint(*second), bm.AtlasPoint(*third)
+    assert not list(contradictions(SURFACES[name](), points))

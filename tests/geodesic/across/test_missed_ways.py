@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from helpers.body_space import body_of
+from helpers.many_patches import SURFACES
 
 import bodymeasure as bm
 from bodymeasure.atlas import AtlasPoint
@@ -87,3 +88,27 @@ def test_a_path_is_not_held_by_changing_sides_of_a_seam_back_and_forth() -> None
         assert path.length <= 0.68211136299 + path.error_estimate
         assert path.error_estimate < 1e-9
         assert path.patches.count(361) == 1
+
+
+@pytest.mark.parametrize("u", [0.0, 1e-3])
+def test_a_path_over_a_ridge_that_is_at_rest_gives_way_to_one_beside_it(u: float) -> None:
+    # Round an ellipsoid's sharpest rim, from its longest axis to the middle one, the rim is a
+    # geodesic along a seam, and longer than the curves that lead over the flat side.
+    body = SURFACES["ellipsoid"]()
+    start, end = AtlasPoint(0, u, 0.0), AtlasPoint(5, 0.0, 1.0)
+    path = bm.geodesic_between(body, start, end)
+    assert path.status is bm.Status.CONVERGED
+    first, last = (float(np.arctan2(y / 0.7, x)) for x, y, _ in map(body.position, (start, end)))
+    angle = np.linspace(first, last, 4001)
+    lengths = []
+    for height in np.linspace(0.0, 0.2, 41):
+        up = height * np.sin(np.pi * (angle - angle[0]) / np.ptp(angle))
+        curve = np.array(
+            [np.cos(up) * np.cos(angle), 0.7 * np.cos(up) * np.sin(angle), 0.4 * np.sin(up)]
+        )
+        lengths.append(np.linalg.norm(np.diff(curve, axis=1), axis=0).sum())
+    assert lengths[0] - min(lengths) > 1e-4
+    # The best of these curves is nearly the shortest one.
+    assert min(lengths) - 1e-4 < path.length < min(lengths)
+    back = bm.geodesic_between(body, end, start)
+    assert back.length == pytest.approx(path.length, abs=path.error_estimate + back.error_estimate)

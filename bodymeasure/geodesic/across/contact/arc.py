@@ -44,4 +44,6 @@ def pressed_arc(
     for number, on, (begin, end) in sides:
         surface = surfaces_of(scaled(atlas.control_points[[number]], 1.0 / size))
         arcs.append(edge_arc(surface, on, np.array(begin[1:]), np.array(end[1:])))
-    return arcs[0] if all(arc.is_pressed for arc in arcs) else None
+    if not all(arc.is_pressed for arc in arcs):
+        return None
+    return arcs[0]._replace(is_geodesic=all(arc.is_geodesic for arc in arcs))

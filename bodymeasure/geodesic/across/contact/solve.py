@@ -66,6 +66,7 @@ def held_path(
                 return None
             legs[number] = leg
     solved: list[PathPart] = []
+    pressed = False
     for number, part in enumerate(parts):
         if isinstance(part, FreePart):
             solved.append(legs[number])
@@ -74,7 +75,11 @@ def held_path(
         arc = _arc(atlas, neighbors, polygon, part, beside)
         if arc is None:
             return None
-        solved.append(arc)
+        solved.append(arc[0])
+        pressed |= arc[1]
+    # Edges that are geodesics themselves hold nothing, and the path along them need be no minimum.
+    if not pressed:
+        return None
     path = PathPart.joined(solved)
     return path if path.length.corrected <= polygon.length * (1.0 + ROUNDING) else None
 
@@ -115,8 +120,11 @@ def _arc(
     polygon: RefinedPath,
     part: HeldPart,
     beside: tuple[PathPart | None, PathPart | None],
-) -> PathPart | None:
-    """An arc between where the legs beside it meet its edge; None if the edge does not hold it."""
+) -> tuple[PathPart, bool] | None:
+    """An arc between where the legs beside it meet its edge, and whether it is pressed there.
+
+    None if it would be shorter off the edge.
+    """
     patch, axis = polygon.route.patches[part.piece], 1 - part.contact.axis
     before, after = beside
     begin, end = (
@@ -137,4 +145,5 @@ def _arc(
         return None
     space, values, known = arc.solved
     length = known.mapped(lambda array: array[0]).scaled(size)
-    return PathPart((PathPiece(patch, space, values, float(length.raw)),), (), length)
+    piece = PathPiece(patch, space, values, float(length.raw))
+    return PathPart((piece,), (), length), not arc.is_geodesic

@@ -99,15 +99,16 @@ def refine(
     minimum = minimize_in_box(problem.expand, guess, problem.idle)
     refined = measured(problem, minimum)
     corners = _corners(refined)
+    refined = sharpened(refined, problem.idle)
     if not corners.any():
-        return sharpened(refined, problem.idle)
+        return refined
     place = np.where(corners, np.round(minimum.unknowns), minimum.unknowns)
     pinned = minimize_in_box(problem.expand, place, problem.idle | corners)
     through = measured(problem, replace(pinned, held=pinned.held | corners))
-    steps = refined.steps + through.steps
-    if through.length < refined.length:
-        return sharpened(replace(through, steps=steps), problem.idle | corners)
-    return sharpened(replace(refined, steps=steps), problem.idle)
+    through = sharpened(through, problem.idle | corners)
+    # Only without what smooths it is the shorter one known where both ends are near the corner.
+    shorter = through if through.length < refined.length else refined
+    return replace(shorter, steps=refined.steps + through.steps)
 
 
 def sharpened(refined: RefinedPath, idle: Bools) -> RefinedPath:

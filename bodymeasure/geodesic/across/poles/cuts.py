@@ -67,13 +67,17 @@ class Cut(NamedTuple):
     def hold(self, refined: RefinedPath) -> bool:
         """Return whether a path would be shorter if it did not have to cross all the lines.
 
-        It then has a part of no length between two of them, or between one and a seam.
+        It then has a part of no length between two of them, or between one and a seam, or it turns
+        back at one.
         """
         for number, crossing in enumerate(self.route.crossings):
             if crossing.within is None:
                 continue
-            # The same place of the line, and of the pole.
             axis, along = EDGES[crossing.from_side].fixed_axis, refined.route.along[number]
+            before, after = refined.values[number, axis, -2], refined.values[number + 1, axis, 1]
+            if (crossing.within - before) * (after - crossing.within) < 0.0:
+                return True
+            # The same place of the line, and of the pole.
             places = np.full((2, 2), along)
             places[:, axis] = crossing.within, np.round(crossing.within)
             surface = refined.problem.surface.take(np.array([number]))

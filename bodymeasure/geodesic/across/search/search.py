@@ -17,6 +17,7 @@ from bodymeasure.geodesic.across.pieces.error import LoopKind, route_length
 from bodymeasure.geodesic.across.pieces.part import PathPart
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
 from bodymeasure.geodesic.across.routes.route import Route
+from bodymeasure.geodesic.across.search.off_saddle import beside_saddle
 from bodymeasure.geodesic.across.search.repair import detours, other_loops, other_routes
 from bodymeasure.geodesic.across.search.simpler import ROUNDING, simplified
 from bodymeasure.geodesic.across.search.tried import TriedRoutes
@@ -46,8 +47,9 @@ HOPELESS = 5e-3
 # but not one that is within rounding of another: mostly it is the same. So many are taken further.
 CLOSE, SAME, MOST_RIVALS = 1e-4, 1e-9, 3
 # A route is better if its path is shorter by this part of it: smaller differences are errors of the
-# trial space. One with fewer crossings is better if it is not longer by more than `ROUNDING`.
-SHORTER = 1e-9
+# trial space, which are smaller from a degree on. One with fewer crossings is better if it is not
+# longer by more than `ROUNDING`.
+SHORTER, FINE, SHORTER_FINE = 1e-9, 16, 1e-11
 # Where a path runs along an edge it is no geodesic, and polynomials do not bend as sharply as it
 # does. Its error is then estimated as this many times the largest difference of its lengths at the
 # last three degrees.
@@ -125,7 +127,10 @@ def shortest_along(
     for rival in _rivals(begun):
         if not found or not search.budget.has_run_out():
             found.append(_along(search, rival))
-    return min(found, key=_preference)
+    best = min(found, key=_preference)
+    if best.status is Status.NOT_A_MINIMUM and not closed:
+        return min((best, *_beside(search, best)), key=_preference)
+    return best
 
 
 class Search(NamedTuple):
@@ -179,6 +184,17 @@ def _preference(found: SearchResult) -> tuple[bool, float]:
     return not found.status.has_length, float(found.part.length.corrected)
 
 
+def _beside(search: Search, saddle: SearchResult) -> Iterator[SearchResult]:
+    """Yield what searches on both sides of a saddle find."""
+    for refined in beside_saddle(saddle.refined):
+        if search.budget.has_run_out():
+            return
+        search.budget.spend(refined)
+        tried = TriedRoutes((refined.route,))
+        best, missed, held = repaired(search, refined, tried)
+        yield _along(search, _Begun(best, tried, missed, held))
+
+
 def _along(search: Search, begun: _Begun) -> SearchResult:
     """Return the result of a search that has begun, at the degree that its path needs."""
     best, tried, missed, held = begun
@@ -197,8 +213,10 @@ def _along(search: Search, begun: _Begun) -> SearchResult:
                 break
             best = search.refined(best.route, degree, best)
             # At a low degree, a loop may be shorter over a neighbor only because it consists of two
-            # polynomials there. So routes of loops are tried again at the next degree.
-            tried = TriedRoutes((best.route,)) if closed else tried
+            # polynomials there, and a path through a corner as short as those that pass it. So
+            # routes of loops and round corners are tried again at the next degree.
+            through_corner = bool((best.lengths[1:-1] == 0.0).any())
+            tried = TriedRoutes((best.route,)) if closed or through_corner else tried
             best, missed, held = repaired(search, best, tried)
         if closed and best.length < COLLAPSED * search.size:
             raise InputError(NO_LOOP)
@@ -280,7 +298,8 @@ def repaired(
             other = search.refined(route, degree)
             tried.add(route, other.route)
             simpler = len(route.crossings) < len(best.problem.route.crossings)
-            margin = 1.0 + ROUNDING if simpler else 1.0 - SHORTER
+            least = SHORTER_FINE if degree >= FINE and not route.closed else SHORTER
+            margin = 1.0 + ROUNDING if simpler else 1.0 - least
             if other.length < best.length * margin:
                 best, improved, missed = other, True, 0.0
                 break

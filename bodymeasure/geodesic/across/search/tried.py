@@ -13,7 +13,7 @@ from bodymeasure.geodesic.across.routes.route import Route, RouteKey
 
 # Starts that cross every seam at parameters that differ by no more lead to the same path.
 SAME_START = 0.1
-# So many starts are tried along routes that were tried before.
+# So many more starts are tried along a route that was tried before.
 MOST_AGAIN = 2
 
 
@@ -27,21 +27,20 @@ class TriedRoutes:
 
     def __init__(self, routes: Iterable[Route]) -> None:
         self._along: dict[RouteKey, list[tuple[float, ...]]] = {}
-        self._again = 0
+        self._starts: dict[RouteKey, int] = {}
         self.add(*routes)
-        self._again = 0
 
-    def add(self, *routes: Route) -> None:
-        """Note routes as tried: those of starts, and those of the paths to which they led."""
-        self._again += any(route.key in self._along for route in routes)
-        for route in routes:
+    def add(self, start: Route, *ends: Route) -> None:
+        """Note the route of a start as tried, and those of the paths to which it led."""
+        self._starts[start.key] = self._starts.get(start.key, 0) + 1
+        for route in (start, *ends):
             self._along.setdefault(route.key, []).append(route.along)
 
     def __contains__(self, route: Route) -> bool:
         """Return whether a route was tried from a start nearby; for a loop, from any start."""
         return any(
             route.closed
-            or self._again >= MOST_AGAIN
+            or self._starts.get(route.key, 0) > MOST_AGAIN
             or np.allclose(route.along, place, rtol=0.0, atol=SAME_START)
             for place in self._along.get(route.key, ())
         )
