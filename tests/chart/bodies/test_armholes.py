@@ -1,6 +1,7 @@
 """The girths beside the arms: high bust and armscye."""
 
 from collections.abc import Collection
+from dataclasses import replace as replace_fields
 
 import numpy as np
 import pytest
@@ -8,7 +9,7 @@ from helpers.body_space import random_body
 from msgspec.structs import replace
 
 from bodymeasure import load_sample
-from bodymeasure.atlas import Atlas
+from bodymeasure.atlas import Atlas, closest_point
 from bodymeasure.chart import Chart, load_definitions, measure_chart
 
 
@@ -41,6 +42,19 @@ def test_the_tape_of_an_armhole_has_no_corner() -> None:
     # Once round, evenly: before, it turned by 63 degrees at one point.
     assert turns.sum() == pytest.approx(360.0, abs=10.0)
     assert turns.max() < 15.0
+
+
+def test_an_armhole_that_runs_on_along_the_trunk_has_no_girth() -> None:
+    # With the armpit point on the side of the chest, the plane cuts the trunk from the armpit to
+    # the hip: on the body of a scan, that made an armhole of 1.46 m.
+    body = load_sample("female_average")
+    place = np.array([0.13389332, -0.00919276, 1.16183624])
+    low = replace_fields(
+        body, landmarks={**body.landmarks, "armpit point left": closest_point(body, place)[0]}
+    )
+    (left,) = measure_chart(low, only=["armscye_girth_left"]).measured
+    assert np.isnan(left.value)
+    assert "runs on far beyond them: the plane cuts into the trunk" in left.reason
 
 
 @pytest.mark.slow

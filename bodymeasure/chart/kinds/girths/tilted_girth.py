@@ -18,6 +18,9 @@ from bodymeasure.section import Plane
 # The second landmark is on the loop of the first if it is no farther from it than this part of the
 # girth, which is far more than the spacing of the loop's samples.
 ON_LOOP = 0.02
+# The loop round a limb ends no farther beyond the landmarks than this part of their distance; that
+# of an armhole ends within 0.1 of it beyond the armpit, if the plane does not cut into the trunk.
+BEYOND = 0.5
 
 
 class TiltedGirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="tilted girth"):
@@ -69,7 +72,19 @@ class TiltedGirthMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="
                 f"the loop at {self.through[0]!r} does not pass {self.through[1]!r}: the plane "
                 "cuts two parts of the body; choose landmarks on one of them"
             )
+        if self.limb:
+            self._refuse_beyond(girth.loop.positions, first, second)
         return taped_girth(body, self, self.tape, girth)
+
+    def _refuse_beyond(self, loop: Array, first: Array, second: Array) -> None:
+        """Refuse a loop that runs on from the limb along the trunk."""
+        way = (loop - first) @ (second - first) / ((second - first) @ (second - first))
+        if way.min() < -BEYOND or way.max() > 1.0 + BEYOND:
+            one, other = self.through
+            raise InputError(
+                f"the loop through {one!r} and {other!r} runs on far beyond them: the plane cuts "
+                f"into the trunk; move {other!r} down the limb, or away from the trunk"
+            )
 
     def slopes(
         self, body: Body, found: Measured, others: Mapping[str, Measured]
