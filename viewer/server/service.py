@@ -1,15 +1,17 @@
 """What the server knows: the bodies that are open, its workers, and who listens."""
 
 import asyncio
+import logging
 import pickle
 from collections.abc import Callable, Hashable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from bodymeasure.viewer.content import requests
 from bodymeasure.viewer.server.events import Events
-from bodymeasure.viewer.server.queue import Queue
+from bodymeasure.viewer.server.queue import BusyError, GoneError, Queue
 from bodymeasure.viewer.server.work import Done
 from bodymeasure.viewer.server.worker import Worker
 from msgspec import json
@@ -19,6 +21,7 @@ if TYPE_CHECKING:
 
     from bodymeasure.chart import Definitions
 
+LOG = logging.getLogger("bodymeasure.viewer")
 MAIN = "0"
 # Bodies that may be open beside the first; those opened longest ago are closed.
 MOST_OPENED = 6
@@ -139,8 +142,10 @@ class Service:
 
     async def _prepare(self) -> None:
         """Make ready what the first page asks for, and then the first tape."""
-        await self._body(requests.ShowBody())
-        await self._queues[False].ask(None, limit=LIMIT)
+        # What cannot be made ready is told to whoever asks for it.
+        with suppress(GoneError, BusyError):
+            await self._body(requests.ShowBody())
+            await self._queues[False].ask(None, limit=LIMIT)
 
     async def _watch(self) -> None:
         """Read the body's file again when it has changed, and tell the pages."""
@@ -154,8 +159,13 @@ class Service:
             now = await asyncio.to_thread(_stamp, path)
             # A file that still grows, or is missing while another takes its place, waits.
             if now is not None and now != read and now == seen:
+                try:
+                    again = requests.ReadAgain(body=MAIN)
+                    found = await self._queues[False].ask(again, limit=LIMIT)
+                except (GoneError, BusyError) as error:
+                    LOG.error("%s cannot be read again: %s", path, error)
+                    found = None
                 read = now
-                found = await self._queues[False].ask(requests.ReadAgain(body=MAIN), limit=LIMIT)
                 if found is not None and found.kind == "body":
                     self.bodies[MAIN] = pickle.loads(found.content)
                     self.events.tell({"changed": True})
