@@ -44,9 +44,15 @@ class Viewer:
         found: list[psutil.Process] = psutil.Process(self.process.pid).children(recursive=True)
         return found
 
-    def end(self, sent: int = signal.SIGINT) -> tuple[int, str]:
-        """End the server by a signal; return its code and what it has said on stderr."""
-        self.process.send_signal(sent)
+    def end(self, sent: int = signal.SIGINT, *, to_all: bool = False) -> tuple[int, str]:
+        """End the server by a signal; return its code and what it has said on stderr.
+
+        The Ctrl-C of a terminal goes to all processes of the group.
+        """
+        if to_all:
+            os.killpg(self.process.pid, sent)
+        else:
+            self.process.send_signal(sent)
         _, said = self.process.communicate(timeout=PATIENCE)
         return self.process.returncode, said
 
@@ -69,9 +75,9 @@ def viewer(*arguments: object, browser: str = "", **options: Any) -> Iterator[Vi
                 process.communicate(timeout=PATIENCE)
 
 
-def gone(processes: list[psutil.Process]) -> bool:
+def gone(processes: list[psutil.Process], patience: float = PATIENCE) -> bool:
     """Return whether processes end by themselves."""
-    _, alive = psutil.wait_procs(processes, timeout=PATIENCE)
+    _, alive = psutil.wait_procs(processes, timeout=patience)
     return not bool(alive)
 
 

@@ -10,6 +10,7 @@ from bodymeasure.viewer.server.guard import MOST_BYTES, MOST_FILE_BYTES, Guard
 from helpers.viewer_server import Viewer
 
 TOKEN, PORT = "the secret", 4321
+PATIENCE = 60.0
 OURS = {"host": f"127.0.0.1:{PORT}", "x-token": TOKEN}
 
 
@@ -141,7 +142,7 @@ def test_a_websocket_is_closed_before_it_is_accepted() -> None:
 
 def raw(server: Viewer, request: str) -> str:
     """Send a request as it is, and return the first line of the answer."""
-    with socket.create_connection(("127.0.0.1", server.port)) as connection:
+    with socket.create_connection(("127.0.0.1", server.port), PATIENCE) as connection:
         connection.sendall(request.replace("\n", "\r\n").encode("latin-1"))
         return connection.makefile("rb").readline().decode().strip()
 

@@ -9,6 +9,8 @@ from bodymeasure.viewer.server.queue import MOST_WAITING, BusyError, GoneError, 
 from bodymeasure.viewer.server.work import Done
 from bodymeasure.viewer.server.worker import WorkerGoneError
 
+PATIENCE = 60.0
+
 
 class Scripted:
     """A worker that answers when it is told to."""
@@ -31,7 +33,7 @@ def with_queue(test: Callable[[Queue, Scripted, list[str]], Awaitable[None]]) ->
     async def run() -> None:
         worker, told = Scripted(), list[str]()
         queue = Queue(worker, {}, lambda: told.append("restarted"))
-        await test(queue, worker, told)
+        await asyncio.wait_for(test(queue, worker, told), PATIENCE)
 
     asyncio.run(run())
 
