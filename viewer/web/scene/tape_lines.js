@@ -59,17 +59,22 @@ export class TapeLines {
     for (const item of app.items) {
       const lit = item.id === app.lit || item.id === app.selected;
       if (!(item.visible || lit)) continue;
-      const color = lit ? LIT_COLOR[theme] : item.source === "tape" ? TAPE_COLOR[theme] : groupColor(groups.indexOf(item.group), theme);
-      const parts = item.source === "tape" ? this.#ofTape(item) : layers.tapes || lit ? this.#ofMeasurement(item) : [];
+      const mine = item.source === "tape";
+      const color = mine ? TAPE_COLOR[theme] : groupColor(groups.indexOf(item.group), theme);
+      const parts = mine ? this.#ofTape(item) : layers.tapes || lit ? this.#ofMeasurement(item) : [];
       parts.forEach((part, n) => {
-        const width = lit ? 4.5 : item.source === "tape" ? 3.5 : 2;
         const dashed = part.through ? this.viewport.radius * 0.01 : 0;
+        const line = { id: `${item.id}/${n}`, points: part.points, dashed, through: part.through };
         const tint = item.failed ? NO_LENGTH_COLOR : color;
-        lines.push({ id: `${item.id}/${n}`, points: part.points, color: tint, width, dashed, through: part.through });
+        // What is lit lies over the others, which need not be drawn anew for it.
+        const batched = !mine && !part.through && item.visible && layers.tapes;
+        if (batched) lines.push({ ...line, color: tint, width: 2, batched });
+        if (batched && lit) lines.push({ ...line, id: `${line.id}/lit`, color: LIT_COLOR[theme], width: 4.5 });
+        if (!batched) lines.push({ ...line, color: lit && !item.failed ? LIT_COLOR[theme] : tint, width: lit ? 4.5 : mine ? 3.5 : 2 });
         this.places.push({ id: item.id, points: part.points });
       });
       const anchor = this.#anchor(parts);
-      const named = lit || (item.source === "tape" && layers.labels);
+      const named = lit || (mine && layers.labels);
       if (anchor && named) {
         const value = item.waiting ? "…" : item.failed ? "no length" : formatValue(item, app.unit);
         labels.push({

@@ -78,6 +78,7 @@ export class Viewport {
     this.surface?.setStride(coarse ? COARSE : 1);
     this.second.setCoarse(coarse ? COARSE : 1);
     this.layers.setCoarse(coarse);
+    this.lines.setCoarse(coarse);
   }
 
   /** What lies under a point of the host, in its pixels: {location, point, side} or null. */
