@@ -15,7 +15,7 @@ from playwright.sync_api import Locator, Page
 
 REQUIRED = os.environ.get("BODYMEASURE_BROWSER") == "required"
 # The machines that run tests stall; what takes longer than this will not come.
-PATIENCE = 60.0
+PATIENCE = 180.0
 Location = Sequence[float]
 
 

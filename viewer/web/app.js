@@ -26,6 +26,7 @@ export class App {
     this.selected = null;
     this.lit = null;
     this.reopened = false;
+    this.taking = false;
     this.on("sheet", () => this.#keep());
     this.on("sheet", () => this.measuring.askAll());
   }
@@ -165,7 +166,9 @@ export class App {
 
   /** Take the measurements of a set on the body with its landmarks as they are now. */
   async takeChart(set) {
+    this.taking = true;
     this.emit("progress", { words: "Taking the measurements…" });
+    this.emit("chart");
     try {
       const chosen = set ?? this.header.sets?.[0]?.key ?? "default";
       this.chart = await this.transport.chart(this.bodyId, chosen, this.landmarkChanges);
@@ -173,9 +176,10 @@ export class App {
       this.#hideStraight();
       this.chartLandmarks = JSON.stringify(this.landmarkChanges);
       if (this.other) this.otherChart = await this.transport.chart(this.other.header.id, chosen, null);
-      this.emit("chart");
     } finally {
+      this.taking = false;
       this.emit("progress", null);
+      this.emit("chart");
     }
   }
 

@@ -1,6 +1,7 @@
 // What lies over the scene: the hint, the views, what is under the pointer, the legend, progress.
 import { colorOf, gradient } from "../model/colors.js";
 import { formatError, formatLength, formatValue } from "../model/units.js";
+import { sentenceCase } from "../compare.js";
 import { h, iconButton } from "./dom.js";
 
 const VIEW_BUTTONS = [
@@ -38,7 +39,7 @@ export function overlays(app, host, actions) {
     progress.hidden = !state;
     if (!state) return;
     const part = state.total ? h("progress", { value: state.done, max: state.total, "aria-label": state.words }) : h("span", { class: "spinner", "aria-hidden": "true" });
-    progress.replaceChildren(part, h("span", {}, state.words));
+    progress.replaceChildren(part, h("span", {}, sentenceCase(state.words)));
   });
   app.on("hover", (hit) => {
     readout.hidden = !hit;
