@@ -67,17 +67,23 @@ export function comparing(app, viewport) {
     app.emit("chart");
   };
 
+  /** Put a body that the program has open beside this one. */
+  const put = async (id) => {
+    app.other = await app.transport.body(id);
+    app.other.header.id = id;
+    if (app.chart) app.otherChart = await app.transport.chart(id, app.chartSet, null);
+    setBeside(true);
+    app.emit("chart");
+  };
+
+  const compareWith = (id) => app.try(() => put(id));
+
   const compare = (file) =>
     app.try(async () => {
       app.emit("progress", { words: `Opening ${file.name}…` });
       try {
         const { id } = await app.transport.open(file);
-        app.other = await app.transport.body(id);
-        // What was opened is known by the number that the program gave it.
-        app.other.header.id = id;
-        if (app.chart) app.otherChart = await app.transport.chart(id, app.chartSet, null);
-        setBeside(true);
-        app.emit("chart");
+        await put(id);
       } finally {
         app.emit("progress", null);
       }
@@ -95,6 +101,7 @@ export function comparing(app, viewport) {
   return {
     color,
     compare,
+    compareWith,
     setBeside,
     endCompare,
     beside: () => beside,

@@ -20,6 +20,7 @@ export function connection(app) {
     }
     if (news.progress) app.emit("progress", news.progress.done >= news.progress.total ? null : news.progress);
     if (news.worker) app.emit("message", { text: "The measuring process had to be started anew. What was under way is asked again.", tone: "note" });
+    if (news.error) app.emit("message", { text: news.error, tone: "bad" });
     if (news.changed) {
       app.try(async () => {
         await app.reopen();

@@ -115,6 +115,11 @@ async function begin(app, viewport, workbench, parts) {
   app.emit("progress", null);
   workbench?.use(app.options.tool ?? (app.header.start?.chart ? "look" : "tape"));
   if (viewport) await new Promise((resolve) => viewport.stage.afterFrame.push(resolve));
+  for (const layer of app.header.start?.layers ?? []) {
+    // A finished report has the differences already, which are what it is opened for.
+    if (layer === "diagonals") app.settings.set("lines", "difference");
+    app.settings.setLayer(layer, true);
+  }
   const wanted = app.header.start?.chart ?? app.options.chart;
   if (wanted && app.transport.can.chart) app.try(() => app.takeChart(typeof wanted === "string" ? wanted : undefined));
 }

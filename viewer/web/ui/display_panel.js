@@ -67,8 +67,11 @@ export function displayPanel(app, actions) {
   const drawCompare = () => {
     const file = h("input", { type: "file", class: "hidden", tabindex: "-1", "aria-label": "File of the second body", "data-testid": "compare-file", onChange: () => file.files[0] && actions.compare(file.files[0]) });
     const choose = h("button", { type: "button", class: "button", "data-testid": "compare", onClick: () => file.click() }, app.other ? "Compare with another…" : "Compare with a body…");
+    const others = (app.header.bodies ?? []).filter(({ id }) => id !== app.bodyId && id !== app.other?.header.id);
+    const open = h("select", { "aria-label": "Body to compare with", "data-testid": "compare-open", onChange: () => open.value && actions.compareWith(open.value) }, h("option", { value: "" }, "One that is open…"), others.map(({ id, name }) => h("option", { value: id }, name)));
+    const known = others.length ? open : "";
     if (!app.other) {
-      compare.replaceChildren(h("p", { class: "soft small" }, "A second body stands beside this one under the same view, and the list shows how their measurements differ."), choose, file);
+      compare.replaceChildren(h("p", { class: "soft small" }, "A second body stands beside this one under the same view, and the list shows how their measurements differ."), known, choose, file);
       return;
     }
     const same = app.other.header.layout === app.header.layout;
@@ -79,6 +82,7 @@ export function displayPanel(app, actions) {
         h("button", { type: "button", "aria-pressed": String(Boolean(actions.beside())), "data-testid": "beside", onClick: () => actions.setBeside(true) }, "Side by side"),
         h("button", { type: "button", disabled: !same, "aria-pressed": String(!actions.beside()), "data-testid": "by-distance", onClick: () => actions.setBeside(false) }, "Color by distance"),
       ),
+      known,
       h("div", { class: "row" }, choose, h("button", { type: "button", class: "button", "data-testid": "compare-end", onClick: actions.endCompare }, "End"), file),
     );
   };

@@ -17,6 +17,7 @@ export function exportMenu(app, actions) {
   const chart = app.chart && app.transport.can.export;
   return [
     ...(app.transport.can.open ? [["Open a file…", () => file.click(), "menu-open"], null] : []),
+    ...(app.header.bodies ?? []).filter(({ id }) => id !== app.bodyId).map(({ id, name }) => [`Go to ${name}`, () => app.try(() => app.open(id)), `menu-body-${id}`]),
     ["Tape between landmarks…", () => betweenLandmarks(app), "menu-between"],
     null,
     ["Copy the list", () => app.try(() => copyTable(app)), "menu-copy"],

@@ -1,9 +1,10 @@
 """Two bodies beside each other under one view, or one colored by its distance from the other."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from helpers.viewer_page import Screen
+from helpers.viewer_page import Screen, serve
 
 import bodymeasure as bm
 
@@ -76,3 +77,22 @@ def test_another_layout_says_so(screen: Screen, tmp_path: Path) -> None:
     compare(screen, path)
     assert "another way" in screen.page.locator(".compare").inner_text()
     assert screen.get("by-distance").is_disabled()
+
+
+def test_bodies_of_one_file(open_page: Callable[..., Screen], tmp_path: Path) -> None:
+    """A file of many bodies opens with its first; the others are there to compare and to go to."""
+    path = tmp_path / "two.npz"
+    bm.write_population([bm.load_sample(name) for name in ("female_average", "female_old")], path)
+    served = serve(str(path))
+    try:
+        screen = open_page(served.link)
+        screen.get("tab-display").click()
+        screen.get("compare-open").select_option("1")
+        screen.until("state => state.side")
+        assert "Old" in screen.get("second-name").inner_text()
+        screen.get("more").click()
+        screen.get("menu-body-1").click()
+        screen.until("state => state.id === '1' && !state.side")
+        assert screen.measure((15, 0.5, 0.5), (173, 0.5, 0.5))["result"]["length"] > 0.1
+    finally:
+        served.stop()
