@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 LOG = logging.getLogger("bodymeasure.viewer")
 # Requests that may wait; of one tab there are a few at most.
 MOST_WAITING = 200
+ENDED = "the viewer has ended"
 
 
 class BusyError(Exception):
@@ -61,6 +62,7 @@ class Queue:
         self._numbers = itertools.count()
         self._runner: asyncio.Task[None] | None = None
         self._current: _Waiting | None = None
+        self._closed = False
 
     def __len__(self) -> int:
         return len(self._waiting)
@@ -91,6 +93,8 @@ class Queue:
         GoneError
             If it took too long, or the worker died of it.
         """
+        if self._closed:
+            raise GoneError(ENDED)
         future: asyncio.Future[Done | None] = asyncio.get_running_loop().create_future()
         key = next(self._numbers) if slot is None else ("slot", slot)
         if key in self._waiting:
@@ -139,10 +143,16 @@ class Queue:
                     waiting.future.set_result(answer)
 
     def close(self) -> None:
-        """Let all that wait end; what the worker is at goes on until it is ended."""
+        """Let all that wait end, and begin nothing any more.
+
+        What the worker is at goes on until it is ended.
+        """
+        self._closed = True
+        if self._runner is not None:
+            self._runner.cancel()
         for waiting in (*self._waiting.values(), *([self._current] if self._current else [])):
             if not waiting.future.done():
-                waiting.future.set_exception(GoneError("the viewer has ended"))
+                waiting.future.set_exception(GoneError(ENDED))
         self._waiting.clear()
 
     def _failed(self, waiting: _Waiting, words: str) -> None:

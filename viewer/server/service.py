@@ -76,6 +76,8 @@ class Service:
 
     def _close(self) -> None:
         self.events.closing.set()
+        for task in self._tasks:
+            task.cancel()
         for queue in self._queues:
             queue.close()
 
@@ -84,7 +86,7 @@ class Service:
         for task in self._tasks:
             task.cancel()
         for worker in self.workers:
-            await asyncio.to_thread(worker.end)
+            await asyncio.to_thread(worker.end, for_good=True)
 
     async def answer(self, request: requests.Request) -> Done | None:
         """Return the answer to a request; None if a newer one of the same tab took its place."""

@@ -108,7 +108,9 @@ def serve(
 
         def handle_exit(self, sig: int, frame: FrameType | None) -> None:
             service.close()
-            super().handle_exit(sig, frame)
+            # The end takes a second at the most; an impatient user must not break it off half-way.
+            if not self.should_exit:
+                super().handle_exit(sig, frame)
 
     config = uvicorn.Config(
         app,

@@ -47,6 +47,7 @@ class Worker:
     def __init__(self, own: "Definitions | None" = None) -> None:
         self.own = own
         self.lost: Callable[[], None] | None = None
+        self._lock, self._ended = threading.Lock(), False
         self._process: BaseProcess | None = None
         self._connection: Connection | None = None
         self._known: dict[str, int] = {}
@@ -61,10 +62,15 @@ class Worker:
 
     def begin(self) -> None:
         """Start the process, unless it runs. It is ready for jobs before it has imported all."""
-        # A process whose end of the connection is closed is as good as dead.
-        if self._connection is not None:
-            return
-        self.end()
+        with self._lock:
+            if self._ended:
+                raise WorkerGoneError
+            # A process whose end of the connection is closed is as good as dead.
+            if self._connection is None:
+                self._kill()
+                self._begin()
+
+    def _begin(self) -> None:
         # Fresh interpreters: a fork would copy the locks of other threads as they stand.
         context = multiprocessing.get_context("spawn")
         here, there = context.Pipe()
@@ -76,8 +82,13 @@ class Worker:
         self._process, self._connection, self._known = process, here, {}
         threading.Thread(target=self._listen, args=(here,), daemon=True).start()
 
-    def end(self) -> None:
-        """End the process, whatever it is at."""
+    def end(self, *, for_good: bool = False) -> None:
+        """End the process, whatever it is at; `for_good`, none is begun any more."""
+        with self._lock:
+            self._ended = self._ended or for_good
+            self._kill()
+
+    def _kill(self) -> None:
         process, self._process, self._connection = self._process, None, None
         if process is not None:
             # The thread that listens sees its end, and closes the connection.
@@ -136,7 +147,8 @@ class Worker:
             raise WorkerGoneError
         try:
             connection.send(job)
-        except OSError:
+        except (OSError, TypeError, ValueError):
+            # The thread that listens may close the connection at any time.
             raise WorkerGoneError from None
 
     def _listen(self, connection: Connection) -> None:

@@ -147,5 +147,7 @@ def test_all_that_wait_end_with_the_viewer() -> None:
         for task in tasks:
             with pytest.raises(GoneError, match="the viewer has ended"):
                 await task
+        with pytest.raises(GoneError, match="the viewer has ended"):
+            await asking(queue, "too late")
 
     with_queue(test)
