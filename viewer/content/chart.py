@@ -78,7 +78,13 @@ def chart_of(
     changed = with_changes(body, changes)
     chart = bodies.chart(
         key,
-        lambda: measure_chart(changed.atlas, definitions, only=only, progress=progress),
+        lambda: measure_chart(
+            changed.atlas,
+            definitions,
+            only=only,
+            progress=progress,
+            despite_errors=body.despite_errors,
+        ),
     )
     return changed, chart
 

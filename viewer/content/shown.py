@@ -43,6 +43,8 @@ class ShownBody:
         With what the file can be read again by `read_atlas`; None if it cannot.
     differences : ndarray, shape (patches, 2), optional
         Relative differences of the diagonals' lengths from the mesh, where a report has them.
+    despite_errors : bool
+        Whether charts are measured although the landmarks contradict the axes, sides or size.
     start : mapping of str to object
         With what the page begins, as members of its header.
     finest : int
@@ -57,6 +59,7 @@ class ShownBody:
     warnings: tuple[str, ...] = ()
     settings: Mapping[str, Any] | None = None
     differences: Array | None = None
+    despite_errors: bool = False
     start: Mapping[str, object] = field(default_factory=dict)
     finest: int = max(SEGMENTS)
 

@@ -139,7 +139,15 @@ def view(
         return
     if key is not None:
         raise click.UsageError("--measure is for --desktop and --screenshot; search in the page.")
-    page = Page(chart, definitions, report, host, port, browser=not no_browser)
+    page = Page(
+        chart,
+        definitions,
+        report,
+        host,
+        port,
+        browser=not no_browser,
+        despite_errors=despite_errors,
+    )
     show_page(atlas, page)
 
 

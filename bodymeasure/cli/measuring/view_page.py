@@ -50,6 +50,8 @@ class Page(NamedTuple):
     host : str
     port : int
     browser : bool
+    despite_errors : bool
+        Whether charts are measured on a body whose landmarks contradict one another.
     """
 
     chart: str | None
@@ -58,6 +60,7 @@ class Page(NamedTuple):
     host: str
     port: int
     browser: bool
+    despite_errors: bool
 
 
 def show_page(name: str | None, page: Page) -> None:
@@ -83,7 +86,10 @@ def show_page(name: str | None, page: Page) -> None:
             raise
         raise not_installed() from None
     bodies, start, own = _content(name, page)
-    body, *others = (ShownBody(id="0", start=start, **members) for members in bodies)
+    body, *others = (
+        ShownBody(id="0", start=start, despite_errors=page.despite_errors, **members)
+        for members in bodies
+    )
 
     def listening(link: str) -> None:
         click.echo(link)

@@ -164,3 +164,19 @@ def test_a_set_that_there_is_not_is_told(bodies: Bodies) -> None:
         answer(bodies, MeasureChart(set="cores"))
     with pytest.raises(InputError, match="there is no set 'own'"):
         answer(bodies, MeasureChart(set="own"))
+
+
+def test_landmarks_that_contradict_the_sides_are_told_unless_the_user_wants_it(
+    female: ShownBody,
+) -> None:
+    landmarks = dict(female.atlas.landmarks)
+    for name in ("elbow point", "bust point", "patella point", "shoulder point"):
+        left, right = landmarks[f"{name} left"], landmarks[f"{name} right"]
+        landmarks[f"{name} left"], landmarks[f"{name} right"] = right, left
+    swapped = replace(female, atlas=replace(female.atlas, landmarks=landmarks))
+    bodies = Bodies(own=knee_and_back())
+    bodies.put(swapped)
+    with pytest.raises(InputError, match="the landmarks contradict the axes, the sides or the"):
+        values(bodies)
+    bodies.put(replace(swapped, despite_errors=True))
+    assert values(bodies)["knee"]["value"] is not None
