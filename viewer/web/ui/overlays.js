@@ -51,6 +51,8 @@ export function overlays(app, host, actions) {
 
 function readoutLines(app, hit, actions) {
   const lines = [hit.words.filter(Boolean).join(" · ")];
+  // With nobody to ask for lengths, where a point is is what a page can say of it.
+  if (!app.transport.can.measure && hit.point) lines.push(positionText(hit.point, app.unit));
   if (hit.row) {
     const item = app.item(hit.row);
     if (item) lines.push(`${item.name}: ${formatValue(item, app.unit)}`);
@@ -62,6 +64,12 @@ function readoutLines(app, hit, actions) {
     lines.push(`${item.name}: ${formatLength(item.length ?? NaN, app.unit)} ${formatError(item.error_estimate ?? NaN, app.unit)}${difference}`);
   }
   return lines;
+}
+
+/** A position in words: the page's axes are the body's left, up and front. */
+function positionText([left, up, front], unit) {
+  const along = (value, positive, negative) => `${formatLength(Math.abs(value), unit)} ${value < 0 ? negative : positive}`;
+  return [along(left, "left", "right"), along(up, "up", "down"), along(front, "front", "back")].join(", ");
 }
 
 export function fieldText(field, value, unit) {

@@ -87,6 +87,11 @@ def test_two_clicks_give_the_straight_distance_and_say_what_it_is(
     ends = [body.position(body.landmarks[name]) for name in names]
     assert tape["result"]["length"] == pytest.approx(np.linalg.norm(ends[1] - ends[0]), rel=1e-9)
     assert "cannot measure along the body" in tape["result"]["words"]
+    # A point says where it is, in the body's own directions.
+    screen.hover(body.landmarks["bust point left"])
+    x, y, z = 100.0 * ends[0]
+    where = f"{x:.2f} cm left, {z:.2f} cm up, {-y:.2f} cm front"
+    assert where in screen.get("readout").inner_text()
     # What would ask the program is not offered.
     for name in ("tool-girth", "tool-loop", "tool-landmark"):
         assert screen.get(name).count() == 0
