@@ -208,7 +208,10 @@ class Screen:
         """Drop a file on the page."""
         self.page.evaluate(DROP, [name, list(content)])
 
-    def take_chart(self) -> None:
+    def take_chart(self, preset: str = "core") -> None:
+        """Take the measurements of a preset; all of them would take most of the tests' time."""
+        if self.get("set").is_visible():
+            self.get("set").select_option(preset)
         self.get("take-chart").click()
         self.until("state => state.chart > 0")
 

@@ -26,7 +26,7 @@ def values(screen: Screen) -> list[float]:
 
 
 def test_the_chart_is_the_librarys(chart: Screen) -> None:
-    measured = bm.measure_chart(bm.load_sample("female_average"))
+    measured = bm.measure_chart(bm.load_sample("female_average"), only=("core",))
     assert chart.state()["chart"] == len(measured.measured)
     expected = {item.definition.key: item.value for item in measured.measured}
     for key in ("bust_girth", "waist_girth", "back_neck_to_waist"):
@@ -169,7 +169,7 @@ def test_files(chart: Screen, entry: str, ending: str) -> None:
     if ending == ".json":
         assert json.loads(text)
     elif ending == ".csv":
-        assert len(list(csv.reader(io.StringIO(text)))) > 150
+        assert len(list(csv.reader(io.StringIO(text)))) == 1 + len(rows(chart))
     else:
         assert "<smis>" in text
 

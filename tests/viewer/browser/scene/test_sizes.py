@@ -54,7 +54,7 @@ def test_fingers(open_page: Callable[..., Screen]) -> None:
 def test_the_picture_of_readme(open_page: Callable[..., Screen], tmp_path: Path) -> None:
     """Taken anew into viewer/page.png with BODYMEASURE_PICTURE=viewer/page.png."""
     screen = open_page(size=(1400, 900))
-    screen.take_chart()
+    screen.take_chart("default")
     screen.get("tab-display").click()
     screen.get("layer-tapes").click()
     screen.get("tab-list").click()
