@@ -1,10 +1,11 @@
 """Two bodies beside each other under one view, or one colored by its distance from the other."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from helpers.viewer_page import Screen, serve
+from helpers.viewer_page import Screen, Served, serve
 
 import bodymeasure as bm
 
@@ -79,20 +80,26 @@ def test_another_layout_says_so(screen: Screen, tmp_path: Path) -> None:
     assert screen.get("by-distance").is_disabled()
 
 
-def test_bodies_of_one_file(open_page: Callable[..., Screen], tmp_path: Path) -> None:
-    """A file of many bodies opens with its first; the others are there to compare and to go to."""
+@pytest.fixture
+def pair(tmp_path: Path) -> Iterator[Served]:
+    """The page of a file with two bodies."""
     path = tmp_path / "two.npz"
-    bm.write_population([bm.load_sample(name) for name in ("female_average", "female_old")], path)
+    body = bm.load_sample("female_average")
+    taller = replace(body, name="Taller body", points=1.02 * body.points)
+    bm.write_population([body, taller], path)
     served = serve(str(path))
-    try:
-        screen = open_page(served.link)
-        screen.get("tab-display").click()
-        screen.get("compare-open").select_option("1")
-        screen.until("state => state.side")
-        assert "Old" in screen.get("second-name").inner_text()
-        screen.get("more").click()
-        screen.get("menu-body-1").click()
-        screen.until("state => state.id === '1' && !state.side")
-        assert screen.measure((15, 0.5, 0.5), (173, 0.5, 0.5))["result"]["length"] > 0.1
-    finally:
-        served.stop()
+    yield served
+    served.stop()
+
+
+def test_bodies_of_one_file(pair: Served, open_page: Callable[..., Screen]) -> None:
+    """A file of many bodies opens with its first; the others are there to compare and to go to."""
+    screen = open_page(pair.link)
+    screen.get("tab-display").click()
+    screen.get("compare-open").select_option("1")
+    screen.until("state => state.side")
+    assert "Taller" in screen.get("second-name").inner_text()
+    screen.get("more").click()
+    screen.get("menu-body-1").click()
+    screen.until("state => state.id === '1' && !state.side")
+    assert screen.measure((15, 0.5, 0.5), (173, 0.5, 0.5))["result"]["length"] > 0.1
