@@ -94,7 +94,7 @@ def main() -> None:
         screen.page.keyboard.press("1")
         screen.until("state => !state.moving && Math.abs(state.view.theta) < 1e-6")
         screen.measure((15, 0.5, 0.5), (173, 0.5, 0.5))
-        screen.take_chart()
+        screen.take_chart("default")
         screen.page.wait_for_timeout(1500)
         print("with a chart:", end=" ")
         moving_frames(screen)
