@@ -53,6 +53,9 @@ __all__ = [
     "Method",
     "MissingExtraError",
     "Outcome",
+    "Pattern",
+    "PatternDefinitions",
+    "Piece",
     "Plane",
     "PolynomialCollocation",
     "RBFCollocation",
@@ -91,7 +94,9 @@ __all__ = [
     "homogeneous",
     "limb_girth",
     "load_definitions",
+    "load_pattern",
     "load_sample",
+    "make_pattern",
     "map_body",
     "measure_atlas",
     "measure_chart",
@@ -245,7 +250,15 @@ if TYPE_CHECKING:
         vertical_drop,
     )
     from bodymeasure.mesh import MeshPath, measure_mesh, path_to_trimesh, write_glb, write_paths
-    from bodymeasure.pattern import UnfoldedPatches, unfold_patches
+    from bodymeasure.pattern import (
+        Pattern,
+        PatternDefinitions,
+        Piece,
+        UnfoldedPatches,
+        load_pattern,
+        make_pattern,
+        unfold_patches,
+    )
     from bodymeasure.report import write_chart, write_report
     from bodymeasure.samples import load_sample, sample_names
     from bodymeasure.section import (

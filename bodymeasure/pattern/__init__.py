@@ -1,11 +1,36 @@
-"""Flat pieces from bodies: the paper's map of single patches."""
+"""Flat pieces from bodies: the paper's map of single patches, and patterns of garments."""
 
+from bodymeasure.pattern.definitions.panels import Dart, Edge, Panel, PatternDefinitions
+from bodymeasure.pattern.definitions.read import SETS, load_pattern, set_text
+from bodymeasure.pattern.files.report import pattern_json, pattern_record
+from bodymeasure.pattern.files.svg import path_id, pattern_svg, strain_svg
 from bodymeasure.pattern.patches.sheet import patches_sheet, patches_table
 from bodymeasure.pattern.patches.unfold import UnfoldedPatches, unfold_patches
+from bodymeasure.pattern.pieces.make import make_pattern
+from bodymeasure.pattern.pieces.pattern import Pattern, Seam
+from bodymeasure.pattern.pieces.piece import Piece, PieceDart, PieceEdge
 
 __all__ = [
+    "SETS",
+    "Dart",
+    "Edge",
+    "Panel",
+    "Pattern",
+    "PatternDefinitions",
+    "Piece",
+    "PieceDart",
+    "PieceEdge",
+    "Seam",
     "UnfoldedPatches",
+    "load_pattern",
+    "make_pattern",
     "patches_sheet",
     "patches_table",
+    "path_id",
+    "pattern_json",
+    "pattern_record",
+    "pattern_svg",
+    "set_text",
+    "strain_svg",
     "unfold_patches",
 ]

@@ -1,0 +1,1 @@
+"""Definitions of pieces as data."""

@@ -1,0 +1,85 @@
+"""What is wrong with a panel, apart from the types of its members."""
+
+from collections import Counter
+from collections.abc import Iterator
+
+from bodymeasure.pattern.definitions.panels import Dart, Edge, Panel
+from bodymeasure.wording import hint
+
+
+def panel_faults(panel: Panel) -> Iterator[str]:
+    """Yield sentences on what is wrong with a panel."""
+    names = [edge.name for edge in panel.edge]
+    if len(names) < 3:
+        yield f"has {len(names)} edges; expected three or more, in order round the panel"
+        return
+    for name, count in Counter([*names, *(dart.name for dart in panel.dart)]).items():
+        if count > 1:
+            yield f"has {count} edges or darts named {name!r}; rename them"
+    for edge in panel.edge:
+        yield from _edge_faults(edge)
+    for before, after in zip(panel.edge, (*panel.edge[1:], panel.edge[0]), strict=True):
+        ends = before.through[-1:], after.through[:1]
+        if ends[0] != ends[1]:
+            yield (
+                f"edge {before.name!r} ends at {', '.join(map(repr, ends[0]))}, but the next edge "
+                f"{after.name!r} begins at {', '.join(map(repr, ends[1]))}; let them meet at one "
+                "landmark, or list the edges in order round the panel"
+            )
+    for member in ("fold", "grain"):
+        named = getattr(panel, member)
+        if named and named not in names:
+            yield f"{member} names the edge {named!r}, which it lacks; {hint(named, names)}"
+    for dart in panel.dart:
+        yield from _dart_faults(dart, names, panel.fold)
+
+
+def _edge_faults(edge: Edge) -> Iterator[str]:
+    if len(edge.through) < 2:
+        yield f"edge {edge.name!r} has fewer than two landmarks in 'through'; give both ends"
+    if len(set(edge.through)) < len(edge.through):
+        yield f"edge {edge.name!r} leads through one landmark twice; leave it out"
+    if edge.kind == "section":
+        if edge.plane is None:
+            yield (
+                f"edge {edge.name!r} is a section without a plane; give three landmarks, or "
+                "'front', 'level' or 'median'"
+            )
+        elif not isinstance(edge.plane, str) and len(set(edge.plane)) < 3:
+            yield f"edge {edge.name!r} has a plane through fewer than three different landmarks"
+        if len(edge.through) > 2:
+            yield f"edge {edge.name!r} is a section, which has two ends and no landmark between"
+    elif edge.plane is not None or edge.via:
+        yield (
+            f"edge {edge.name!r} is a geodesic, which has neither plane nor via; make it a "
+            'section (kind = "section"), or leave them out'
+        )
+
+
+def _dart_faults(dart: Dart, edges: list[str], fold: str) -> Iterator[str]:
+    if dart.edge not in edges:
+        yield f"dart {dart.name!r} begins on the edge {dart.edge!r}, which it lacks; " + hint(
+            dart.edge, edges
+        )
+    elif dart.edge == fold:
+        yield f"dart {dart.name!r} begins on the fold, which stays straight; choose another edge"
+    if bool(dart.foot) == (dart.at is not None):
+        yield f"dart {dart.name!r} has to have one of 'foot' and 'at', where it begins"
+    if dart.at is not None and not 0.0 < dart.at < 1.0:
+        yield f"dart {dart.name!r}: at is {dart.at}; expected a part of the edge between 0 and 1"
+    if bool(dart.tip) == bool(dart.towards):
+        yield f"dart {dart.name!r} has to have one of 'tip' and 'towards', to where it leads"
+    if dart.towards and dart.towards not in edges:
+        yield (
+            f"dart {dart.name!r} leads towards the edge {dart.towards!r}, which it lacks; "
+            + hint(dart.towards, edges)
+        )
+    if dart.length is not None and (dart.short or not 0.0 < dart.length < 10.0):
+        yield (
+            f"dart {dart.name!r}: length is {dart.length}, short {dart.short}; expected one of "
+            "them, in meters"
+        )
+    if not 0.0 <= dart.short < 10.0:
+        yield f"dart {dart.name!r}: short is {dart.short}; expected a length in meters"
+    if dart.towards and not dart.short and dart.length is None:
+        yield f"dart {dart.name!r} would reach the edge {dart.towards!r}; give it a length or short"

@@ -1,0 +1,142 @@
+"""Sets of panels, as they stand in files that users read, copy and change."""
+
+from typing import Final, Literal
+
+import msgspec
+
+from bodymeasure.wording import counted
+
+FORMAT: Final = "bodymeasure pattern"
+VERSION: Final = 1
+
+Laid = Literal["front", "level", "median"]
+
+
+class Edge(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """An edge of a panel: a curve on the skin through landmarks.
+
+    Parameters
+    ----------
+    name : str
+    kind : {"geodesic", "section"}
+        The shortest path along the skin, or a part of a plane section.
+    through : tuple of str
+        Landmarks: the start, those on the way (of a geodesic), and the end.
+    plane : tuple of three str or {"front", "level", "median"}, optional
+        Of a section: three landmarks of the plane; or one that holds both ends and runs to the
+        front, or as level as it can, or upright.
+    via : str
+        Of a section: the landmark near which it passes, of both ways round; the shorter way if
+        not given.
+    seam : str
+        The seam to which the edge is sewn: all edges of one seam are one curve.
+    """
+
+    name: str
+    kind: Literal["geodesic", "section"]
+    through: tuple[str, ...]
+    plane: tuple[str, str, str] | Laid | None = None
+    via: str = ""
+    seam: str = ""
+
+
+class Dart(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A dart: a cut from an edge into the panel, which opens when the panel lies flat.
+
+    Parameters
+    ----------
+    name : str
+    edge : str
+        The edge on which it begins.
+    foot : str
+        The landmark next to which it begins; or
+    at : float
+        the part of the edge's length at which it does, from 0 to 1.
+    tip : str
+        The landmark to which it leads; or
+    towards : str
+        the edge to whose middle it does.
+    short : float
+        How far before that it ends, in meters; or
+    length : float
+        how long it is, in meters.
+    legs : {"straight", "shaped"}
+    """
+
+    name: str
+    edge: str
+    foot: str = ""
+    at: float | None = None
+    tip: str = ""
+    towards: str = ""
+    short: float = 0.0
+    length: float | None = None
+    legs: Literal["straight", "shaped"] = "straight"
+
+
+class Panel(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A panel: the part of the skin inside its edges.
+
+    Parameters
+    ----------
+    name : str
+    inside : str or tuple of (str, str)
+        A landmark inside, or two between which a place halfway along the skin is inside.
+    edge : tuple of Edge
+        In order round the panel; each begins where the one before it ends.
+    dart : tuple of Dart
+    fold : str
+        The edge that becomes the straight fold of a piece that is cut double.
+    grain : str
+        The edge whose ends lie along the grain, up the page; the fold if not given.
+    cut : str
+        How often the piece is cut, for its label.
+    words : str
+    """
+
+    name: str
+    inside: str | tuple[str, str]
+    edge: tuple[Edge, ...]
+    dart: tuple[Dart, ...] = ()
+    fold: str = ""
+    grain: str = ""
+    cut: str = ""
+    words: str = ""
+
+
+class PatternDefinitions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A set of panels.
+
+    Parameters
+    ----------
+    name : str
+        The set's name, for titles.
+    format : str
+        ``bodymeasure pattern``; a file has to say so.
+    version : int
+        The version of the format, 1; a file has to say so.
+    words : str
+    extends : str
+        The name of a set that comes along: its panels are there, too, and a panel here takes the
+        place of the one with its name. Once read, this is empty.
+    drop : tuple of str
+        Names of panels that are left out of what is extended.
+    panel : tuple of Panel
+
+    Examples
+    --------
+    >>> import bodymeasure as bm
+    >>> bm.load_pattern("bodice")
+    <PatternDefinitions 'Fitted bodice': 2 panels>
+    """
+
+    format: str = FORMAT
+    version: int = VERSION
+    name: str
+    words: str = ""
+    extends: str = ""
+    drop: tuple[str, ...] = ()
+    panel: tuple[Panel, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"<PatternDefinitions {self.name!r}: {counted(len(self.panel), 'panel')}>"

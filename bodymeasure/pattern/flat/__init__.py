@@ -1,0 +1,1 @@
+"""Disks laid flat: roughly and conformally first, then with every edge of the border kept."""

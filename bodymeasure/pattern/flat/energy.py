@@ -1,0 +1,165 @@
+"""The energy of a flat piece: how much its triangles are stretched, and how its edges ripple."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import scipy
+
+from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure.pattern.flat.triangles import laid_out
+
+# The weight of third differences along edges, against ripples between neighboring vertices that
+# neither lengths nor triangles feel much.
+SMOOTH = 0.3
+
+
+@dataclass(frozen=True, eq=False)
+class Stretch:
+    """The deformation of triangles from their shape on the skin.
+
+    Parameters
+    ----------
+    triangles : ndarray of int, shape (k, 3)
+    sides : ndarray, shape (k, 3)
+        The lengths on the skin from each corner to the next.
+    """
+
+    triangles: Ints
+    sides: Array
+
+    @cached_property
+    def _gradients(self) -> Array:
+        """The maps from corners to deformations, shape (k, 3, 2)."""
+        rest = laid_out(self.sides).transpose(0, 2, 1)
+        inverse = np.linalg.inv(rest)
+        return np.concatenate([-inverse.sum(axis=1, keepdims=True), inverse], axis=1)
+
+    @cached_property
+    def area(self) -> Array:
+        """The areas on the skin, shape (k,)."""
+        return np.asarray(0.5 * np.linalg.det(laid_out(self.sides)))
+
+    def deformations(self, flat: Array) -> Array:
+        """Return the deformation of each triangle, shape (k, 2, 2)."""
+        return np.asarray(flat[self.triangles].transpose(0, 2, 1) @ self._gradients)
+
+    def flipped(self, flat: Array) -> Bools:
+        """Return which triangles lie on their faces, shape (k,)."""
+        return np.asarray(np.linalg.det(self.deformations(flat)) <= 0.0)
+
+    def strains(self, flat: Array) -> Array:
+        """Return the principal strains of each triangle, the larger one first, shape (k, 2)."""
+        return np.asarray(np.linalg.svd(self.deformations(flat), compute_uv=False) - 1.0)
+
+    def residuals(self, flat: Array) -> Array:
+        """Return three residuals a triangle, shape (k, 3).
+
+        The sum of their squares is the area times ``|C - C^-1|^2 / 32`` with ``C = F^T F`` for a
+        deformation F: half the sum of squares of the principal strains where these are small, the
+        same for a stretch and its inverse, and infinite where a triangle flips.
+        """
+        f = self.deformations(flat)
+        c = f.transpose(0, 2, 1) @ f
+        return self._packed(c - np.linalg.inv(c))
+
+    def _packed(self, symmetric: Array) -> Array:
+        root = np.sqrt(2.0)
+        packed = np.stack(
+            [symmetric[..., 0, 0], symmetric[..., 1, 1], root * symmetric[..., 0, 1]], axis=-1
+        )
+        scale = np.sqrt(self.area / 32.0)
+        return np.asarray(packed * scale.reshape(-1, *(1,) * (packed.ndim - 1)))
+
+    def linearized(self, flat: Array) -> tuple[Array, Array]:
+        """Return the residuals (k, 3), and their derivatives by the corners (k, 6, 3)."""
+        f, g = self.deformations(flat), self._gradients
+        c = f.transpose(0, 2, 1) @ f
+        inverse = np.linalg.inv(c)
+        # The change of F when a corner's coordinate grows has one row, that corner's gradient.
+        change = np.einsum("kda,kcb->kcdab", f, g)
+        change = (change + change.swapaxes(-1, -2)).reshape(-1, 6, 2, 2)
+        total = change + inverse[:, None] @ change @ inverse[:, None]
+        return self._packed(c - inverse), self._packed(total)
+
+    def bending(self, flat: Array) -> Array:
+        """Return the second derivatives of half the sum of squares that residuals add, (k, 6, 6).
+
+        They are what the product of the first derivatives leaves out.
+        """
+        f, g = self.deformations(flat), self._gradients
+        c = f.transpose(0, 2, 1) @ f
+        inverse = np.linalg.inv(c)
+        m = (self.area / 32.0)[:, None, None] * (c - inverse)
+        p, q = m + inverse @ m @ inverse, inverse @ m @ inverse
+        change = np.einsum("kda,kcb->kcdab", f, g)
+        change = (change + change.swapaxes(-1, -2)).reshape(-1, 6, 2, 2)
+        left = (q[:, None] @ change @ inverse[:, None]).reshape(-1, 6, 4)
+        right = change.swapaxes(-1, -2).reshape(-1, 6, 4)
+        product = left @ right.transpose(0, 2, 1)
+        result = -(product + product.transpose(0, 2, 1))
+        same = 2.0 * g @ p @ g.transpose(0, 2, 1)
+        result[:, 0::2, 0::2] += same
+        result[:, 1::2, 1::2] += same
+        return np.asarray(result)
+
+
+class Energy:
+    """The sum of squares that is least on the finished piece.
+
+    Parameters
+    ----------
+    stretch : Stretch
+    chains : sequence of ndarray of int
+        The vertices along each edge.
+    count : int
+        The number of vertices.
+    """
+
+    def __init__(self, stretch: Stretch, chains: list[Ints], count: int) -> None:
+        self.stretch, self.count = stretch, count
+        rows = [
+            np.stack([chain[i : len(chain) - 3 + i] for i in range(4)], axis=1)
+            for chain in chains
+            if len(chain) > 3
+        ]
+        columns = np.concatenate(rows) if rows else np.zeros((0, 4), dtype=np.int64)
+        row = np.repeat(np.arange(len(columns)), 4)
+        weights = np.tile(SMOOTH * np.array([-1.0, 3.0, -3.0, 1.0]), len(columns))
+        third = scipy.sparse.coo_array(
+            (weights, (row, columns.ravel())), shape=(len(columns), count)
+        ).tocsr()
+        self._ripple = scipy.sparse.kron(third.T @ third, scipy.sparse.eye_array(2)).tocsr()
+        corners = stretch.triangles
+        self._index = np.stack([2 * corners, 2 * corners + 1], axis=2).reshape(-1, 6)
+
+    def value(self, flat: Array) -> float:
+        """Return half the sum of squares; infinite where a triangle is flipped."""
+        if self.stretch.flipped(flat).any():
+            return np.inf
+        residuals = self.stretch.residuals(flat)
+        x = flat.ravel()
+        return 0.5 * float((residuals**2).sum() + x @ (self._ripple @ x))
+
+    def model(self, flat: Array) -> tuple[Array, scipy.sparse.csr_array]:
+        """Return the gradient (2 n,) and the Hessian of Gauss and Newton."""
+        residuals, change = self.stretch.linearized(flat)
+        x = flat.ravel()
+        gradient = self._ripple @ x
+        gradient += np.bincount(
+            self._index.ravel(),
+            weights=np.einsum("kic,kc->ki", change, residuals).ravel(),
+            minlength=2 * self.count,
+        )
+        blocks = change @ change.transpose(0, 2, 1)
+        return gradient, (self._assembled(blocks) + self._ripple).tocsr()
+
+    def bending(self, flat: Array) -> scipy.sparse.csr_array:
+        """Return what the Hessian of Gauss and Newton leaves out."""
+        return self._assembled(self.stretch.bending(flat))
+
+    def _assembled(self, blocks: Array) -> scipy.sparse.csr_array:
+        rows = np.repeat(self._index, 6, axis=1).ravel()
+        columns = np.tile(self._index, (1, 6)).ravel()
+        shape = (2 * self.count, 2 * self.count)
+        return scipy.sparse.coo_array((blocks.ravel(), (rows, columns)), shape=shape).tocsr()

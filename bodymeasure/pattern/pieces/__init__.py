@@ -1,0 +1,1 @@
+"""Flat pieces of panels, and sets of them."""

@@ -1,0 +1,218 @@
+"""A panel on a body, cut out of the skin and laid flat."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from bodymeasure._typing import Array
+from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.atlas.queries.outside import outward_sign
+from bodymeasure.errors import ConvergenceError, InputError
+from bodymeasure.geodesic import geodesic_between
+from bodymeasure.pattern.curves.skin_curve import SkinCurve
+from bodymeasure.pattern.cutting.mesh import cut_mesh
+from bodymeasure.pattern.cutting.region import Region, region_inside
+from bodymeasure.pattern.definitions.panels import Dart, Panel
+from bodymeasure.pattern.flat.conformal import flat_conformally
+from bodymeasure.pattern.flat.flatten import Flat, flattened
+from bodymeasure.pattern.flat.remesh import Outline, remeshed
+from bodymeasure.pattern.flat.slit import slit
+from bodymeasure.pattern.flat.triangles import side_lengths
+from bodymeasure.pattern.pieces.edges import EdgeCurves, dart_curve
+from bodymeasure.pattern.pieces.piece import (
+    Piece,
+    PieceDart,
+    PieceEdge,
+    dart_angle,
+    outline_of,
+)
+from bodymeasure.wording import counted
+
+# A piece whose cloth has to give more than this, in the root mean square, is worth a seam more.
+MUCH_STRAIN = 0.10
+
+
+class _Placed(NamedTuple):
+    """A dart with its place on the panel."""
+
+    dart: Dart
+    edge: int
+    arc: float
+    curve: SkinCurve
+
+
+def piece_of(curves: EdgeCurves, panel: Panel, step: float) -> Piece:
+    """Return the flat piece of a panel.
+
+    Parameters
+    ----------
+    curves : EdgeCurves
+    panel : Panel
+    step : float
+        The length of the mesh's sides, in the atlas's unit.
+
+    Raises
+    ------
+    InputError
+        If the panel cannot be cut out or laid flat; the message names it, and the edge or dart.
+    """
+    try:
+        return _piece_of(curves, panel, step)
+    except (ConvergenceError, InputError) as error:
+        raise InputError(f"panel {panel.name!r}: {error}") from error
+
+
+def _piece_of(curves: EdgeCurves, panel: Panel, step: float) -> Piece:
+    atlas = curves.atlas
+    sides = [curves.of(edge) for edge in panel.edge]
+    names = [edge.name for edge in panel.edge]
+    region = region_inside(atlas, cut_mesh(atlas, sides), _inside(curves, panel), names)
+    # Either way round, as the panel's edges stand in its file.
+    backwards = region.order[1] != 1
+    border = np.concatenate([chain[:-1] for chain in region.border])
+    sizes = side_lengths(region.positions, region.triangles)
+    layout = flat_conformally(region.triangles, sizes, border)
+    darts = [_placed(curves, panel, sides, dart) for dart in panel.dart]
+    warnings: list[str] = []
+    while True:
+        flat = _laid_flat(atlas, panel, (region, layout), sides, darts, step)
+        shut = [
+            (placed, angle, gap)
+            for placed, (angle, gap) in zip(
+                _in_order(darts, region, backwards), _openings(flat), strict=True
+            )
+            if angle <= 0.0
+        ]
+        if not shut:
+            break
+        for placed, _, gap in shut:
+            overlap = 1000.0 * atlas.unit.meters * gap
+            warnings.append(
+                f"dart {placed.dart.name!r} is left out: its legs would overlap by {overlap:.0f} "
+                "mm, since the skin there is hollow and wants more cloth, not less"
+            )
+            darts.remove(placed)
+    positions = _upright(flat, panel, region, atlas.axes.up_vector)
+    if outward_sign(atlas) < 0.0:
+        positions = positions * [-1.0, 1.0]
+    edges = tuple(
+        PieceEdge(
+            names[number],
+            panel.edge[number].seam,
+            tuple(positions[chain.vertices] for chain in chains),
+            sides[number].length,
+        )
+        for number, chains in zip(region.order, flat.mesh.edges, strict=True)
+    )
+    cuts = tuple(
+        PieceDart(
+            placed.dart.name,
+            placed.dart.edge,
+            (positions[leg.before.vertices], positions[leg.after.vertices]),
+            placed.curve.length,
+        )
+        for placed, leg in zip(_in_order(darts, region, backwards), flat.mesh.darts, strict=True)
+    )
+    piece = Piece(panel, flat, positions, edges, cuts, outline_of(positions, flat), ())
+    warnings += _remarks(piece, atlas)
+    return Piece(panel, flat, positions, edges, cuts, piece.outline, tuple(warnings))
+
+
+def _inside(curves: EdgeCurves, panel: Panel) -> AtlasPoint:
+    if isinstance(panel.inside, str):
+        return curves.landmarks[panel.inside]
+    start, end = (curves.landmarks[name] for name in panel.inside)
+    patch, (u, v) = geodesic_between(curves.atlas, start, end).path(0.5)
+    return AtlasPoint(int(patch), float(u), float(v))
+
+
+def _placed(curves: EdgeCurves, panel: Panel, sides: list[SkinCurve], dart: Dart) -> _Placed:
+    names = [edge.name for edge in panel.edge]
+    number = names.index(dart.edge)
+    target = sides[names.index(dart.towards)] if dart.towards else None
+    try:
+        arc, curve = dart_curve(curves, dart, sides[number], target)
+    except (ConvergenceError, InputError) as error:
+        raise InputError(f"dart {dart.name!r}: {error}") from error
+    return _Placed(dart, number, arc, curve)
+
+
+def _in_order(darts: list[_Placed], region: Region, backwards: bool) -> list[_Placed]:
+    """Return darts in the order in which they come counterclockwise."""
+    sign = -1.0 if backwards else 1.0
+    return sorted(darts, key=lambda placed: (region.order.index(placed.edge), sign * placed.arc))
+
+
+def _laid_flat(
+    atlas: Atlas,
+    panel: Panel,
+    cut: tuple[Region, Array],
+    sides: list[SkinCurve],
+    darts: list[_Placed],
+    step: float,
+) -> Flat:
+    region, layout = cut
+    backwards = region.order[1] != 1
+    edges = tuple(sides[i].reversed if backwards else sides[i] for i in region.order)
+    ordered = _in_order(darts, region, backwards)
+    cuts = tuple(
+        tuple(
+            sides[number].length - placed.arc if backwards else placed.arc
+            for placed in ordered
+            if placed.edge == number
+        )
+        for number in region.order
+    )
+    outline = Outline(edges, cuts, tuple(placed.curve for placed in ordered))
+    mesh = slit(atlas, remeshed(region, layout, outline, step))
+    names = [edge.name for edge in panel.edge]
+    fold = region.order.index(names.index(panel.fold)) if panel.fold else None
+    straight = tuple(placed.dart.legs == "straight" for placed in ordered)
+    return flattened(mesh, fold=fold, downwards=backwards, straight=straight)
+
+
+def _openings(flat: Flat) -> list[tuple[float, float]]:
+    """Return the angle of each dart in degrees, and the distance of its feet."""
+    result = []
+    for leg in flat.mesh.darts:
+        before, after = (flat.positions[chain.vertices] for chain in (leg.before, leg.after))
+        result.append((dart_angle(before, after), float(np.linalg.norm(before[0] - after[0]))))
+    return result
+
+
+def _upright(flat: Flat, panel: Panel, region: Region, upwards: Array) -> Array:
+    """Return the piece with its grain up; a fold is upright already."""
+    grain = panel.grain or panel.fold
+    if not grain or grain == panel.fold:
+        return flat.positions
+    names = [edge.name for edge in panel.edge]
+    number = region.order.index(names.index(grain))
+    chains = flat.mesh.edges[number]
+    ends = flat.positions[[chains[0].vertices[0], chains[-1].vertices[-1]]]
+    up = ends[1] - ends[0]
+    # Edges may be listed upwards or downwards; pieces are drawn as they are worn, top up.
+    border = region.border[number]
+    if (region.positions[border[-1]] - region.positions[border[0]]) @ upwards < 0.0:
+        up = -up
+    up = up / np.linalg.norm(up)
+    return np.asarray((flat.positions - ends[0]) @ np.array([[up[1], up[0]], [-up[0], up[1]]]))
+
+
+def _remarks(piece: Piece, atlas: Atlas) -> list[str]:
+    result = []
+    if not piece.flat.converged:
+        missed = 1000.0 * atlas.unit.meters * piece.flat.missed
+        result.append(
+            f"the piece has not settled: a side of its border is off by {missed:.1e} mm; cut the "
+            "panel into two, or add a dart"
+        )
+    if piece.flips:
+        result.append(f"{counted(piece.flips, 'triangle')} of the piece lie on their faces")
+    if not piece.is_simple:
+        result.append("the outline crosses itself; cut the panel into two, or add a dart")
+    if piece.rms_strain > MUCH_STRAIN:
+        result.append(
+            f"the cloth has to give by {100.0 * piece.rms_strain:.1f} % in the root mean square; "
+            "cut the panel into two, as a princess seam does, or add a dart"
+        )
+    return result

@@ -1,0 +1,140 @@
+"""Curves of a panel's edges and darts on a body."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from bodymeasure._typing import Array
+from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.bezier import evaluate
+from bodymeasure.errors import ConvergenceError, InputError
+from bodymeasure.pattern.curves.geodesics import geodesic_curve
+from bodymeasure.pattern.curves.sections import section_curve
+from bodymeasure.pattern.curves.skin_curve import SkinCurve
+from bodymeasure.pattern.definitions.panels import Dart, Edge
+from bodymeasure.section import Plane
+
+# Samples of an edge among which the place nearest to a dart's foot is sought, and the rounds in
+# which each time the steps beside it are cut again.
+SAMPLES, ROUNDS = 64, 6
+# In meters: a foot farther from its edge is another place.
+FARTHEST_FOOT = 0.03
+# The shortest dart, in meters.
+SHORTEST = 0.01
+
+
+class EdgeCurves:
+    """The curves of edges on a body, each of which is found once.
+
+    Edges that name a seam, and edges through the same landmarks, are one curve.
+    """
+
+    def __init__(self, atlas: Atlas, landmarks: Mapping[str, AtlasPoint]) -> None:
+        self.atlas, self.landmarks = atlas, landmarks
+        self._known: dict[tuple[object, ...], SkinCurve] = {}
+
+    def of(self, edge: Edge) -> SkinCurve:
+        """Return the curve of an edge.
+
+        Raises
+        ------
+        InputError
+            If there is no such curve; the message names the edge.
+        """
+        key = (edge.kind, edge.plane, edge.via)
+        if (key, edge.through) not in self._known:
+            try:
+                curve = self._found(edge)
+            except (ConvergenceError, InputError) as error:
+                raise InputError(f"edge {edge.name!r}: {error}") from error
+            self._known[key, edge.through] = curve
+            self._known[key, edge.through[::-1]] = curve.reversed
+        return self._known[key, edge.through]
+
+    def _found(self, edge: Edge) -> SkinCurve:
+        points = [self.landmarks[name] for name in edge.through]
+        if edge.kind == "geodesic":
+            return geodesic_curve(self.atlas, points)
+        via = self.landmarks[edge.via] if edge.via else None
+        return section_curve(self.atlas, self._plane(edge), (points[0], points[-1]), via)
+
+    def _plane(self, edge: Edge) -> Plane:
+        atlas = self.atlas
+        if isinstance(edge.plane, tuple):
+            a, b, c = (atlas.position(self.landmarks[name]) for name in edge.plane)
+            return Plane(a, np.cross(b - a, c - a))
+        start, end = (atlas.position(self.landmarks[edge.through[i]]) for i in (0, -1))
+        along = end - start
+        if edge.plane == "front":
+            return Plane(start, np.cross(along, atlas.axes.front_vector))
+        wanted = atlas.axes.up_vector if edge.plane == "level" else atlas.axes.left_vector
+        along = along / np.linalg.norm(along)
+        return Plane(start, wanted - (wanted @ along) * along)
+
+
+def place_of_foot(atlas: Atlas, curve: SkinCurve, foot: AtlasPoint) -> float:
+    """Return the length along a curve at which it is nearest to a point.
+
+    Raises
+    ------
+    InputError
+        If the curve does not pass near it.
+    """
+    target = atlas.position(foot)
+    center, width = 0.5 * curve.length, 0.5 * curve.length
+    for _ in range(ROUNDS):
+        arcs = np.clip(np.linspace(center - width, center + width, SAMPLES), 0.0, curve.length)
+        away = np.linalg.norm(_positions(atlas, curve, arcs) - target, axis=1)
+        center, width = float(arcs[away.argmin()]), 4.0 * width / SAMPLES
+    gap = float(away.min()) * atlas.unit.meters
+    if gap > FARTHEST_FOOT:
+        raise InputError(
+            f"its foot is {100.0 * gap:.1f} cm from the edge; choose a landmark on the edge, or "
+            "give 'at'"
+        )
+    return center
+
+
+def dart_curve(
+    curves: EdgeCurves, dart: Dart, edge: SkinCurve, target: SkinCurve | None
+) -> tuple[float, SkinCurve]:
+    """Return the length along the edge at which a dart begins, and its curve to the tip.
+
+    Parameters
+    ----------
+    curves : EdgeCurves
+    dart : Dart
+    edge : SkinCurve
+        The edge on which it begins.
+    target : SkinCurve, optional
+        The edge towards whose middle it leads, if it does not lead to a landmark.
+    """
+    atlas, meters = curves.atlas, curves.atlas.unit.meters
+    if dart.at is not None:
+        arc = dart.at * edge.length
+    else:
+        arc = place_of_foot(atlas, edge, curves.landmarks[dart.foot])
+    foot = point_at(edge, arc)
+    end = curves.landmarks[dart.tip] if target is None else point_at(target, 0.5 * target.length)
+    whole = geodesic_curve(atlas, [foot, end])
+    length = whole.length - dart.short / meters
+    if dart.length is not None:
+        length = dart.length / meters
+    if not SHORTEST / meters <= length <= whole.length:
+        raise InputError(
+            f"its length would be {100.0 * length * meters:.1f} cm, of "
+            f"{100.0 * whole.length * meters:.1f} cm from its foot to where it leads; change "
+            "'short' or 'length'"
+        )
+    return arc, SkinCurve(length, (), whole.places)
+
+
+def point_at(curve: SkinCurve, arc: float) -> AtlasPoint:
+    """Return the point of a curve at a length from its start."""
+    patch, parameters = curve.places(np.array([arc]))
+    return AtlasPoint(int(patch[0]), *parameters[0].clip(0.0, 1.0).tolist())
+
+
+def _positions(atlas: Atlas, curve: SkinCurve, arcs: Array) -> Array:
+    patch, parameters = curve.places(arcs)
+    return evaluate(atlas.control_points[patch], parameters)

@@ -1,0 +1,108 @@
+"""A pattern: the flat pieces of a set of panels on a body, and the seams that join them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from itertools import combinations
+
+from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.pattern.definitions.panels import PatternDefinitions
+from bodymeasure.pattern.pieces.piece import Piece
+from bodymeasure.wording import counted
+
+
+@dataclass(frozen=True)
+class Seam:
+    """Two edges that are sewn together.
+
+    Parameters
+    ----------
+    name : str
+    pieces, edges : tuple of (str, str)
+        Names of both pieces, and of the edges on them.
+    lengths : tuple of (float, float)
+        Of both edges in the pieces, in the atlas's unit.
+    """
+
+    name: str
+    pieces: tuple[str, str]
+    edges: tuple[str, str]
+    lengths: tuple[float, float]
+
+    @property
+    def difference(self) -> float:
+        """By how much the second edge is longer."""
+        return self.lengths[1] - self.lengths[0]
+
+
+@dataclass(frozen=True, eq=False)
+class Pattern:
+    """The flat pieces of a set of panels on a body.
+
+    Parameters
+    ----------
+    atlas : Atlas
+    definitions : PatternDefinitions
+    landmarks : mapping of str to AtlasPoint
+        The landmarks that were known.
+    pieces : tuple of Piece
+    seconds : mapping of str to float
+        The processor time for each piece.
+    """
+
+    atlas: Atlas
+    definitions: PatternDefinitions
+    landmarks: Mapping[str, AtlasPoint]
+    pieces: tuple[Piece, ...]
+    seconds: Mapping[str, float] = field(default_factory=dict)
+
+    def __getitem__(self, name: str) -> Piece:
+        """The piece of that name.
+
+        Raises
+        ------
+        KeyError
+            If there is none.
+        """
+        for piece in self.pieces:
+            if piece.name == name:
+                return piece
+        raise KeyError(name)
+
+    @property
+    def seams(self) -> tuple[Seam, ...]:
+        """The seams between pieces, in the order of the pieces."""
+        ends: dict[str, list[tuple[str, str, float]]] = {}
+        for piece in self.pieces:
+            for edge in piece.edges:
+                if edge.seam:
+                    ends.setdefault(edge.seam, []).append((piece.name, edge.name, edge.length))
+        return tuple(
+            Seam(name, (a[0], b[0]), (a[1], b[1]), (a[2], b[2]))
+            for name, sides in ends.items()
+            for a, b in combinations(sides, 2)
+        )
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What there is to look at, with the names of the pieces and seams."""
+        result = [f"{piece.name}: {words}" for piece in self.pieces for words in piece.warnings]
+        meters = self.atlas.unit.meters
+        for seam in self.seams:
+            millimeters = 1000.0 * meters * seam.difference
+            if abs(millimeters) > UNEQUAL:
+                result.append(
+                    f"seam {seam.name!r}: {seam.edges[1]!r} of {seam.pieces[1]!r} is "
+                    f"{millimeters:+.3f} mm longer than {seam.edges[0]!r} of {seam.pieces[0]!r}; "
+                    "let both edges lead through the same landmarks"
+                )
+        return tuple(result)
+
+    def __repr__(self) -> str:
+        return (
+            f"<Pattern {self.definitions.name!r} of {self.atlas.name!r}: "
+            f"{counted(len(self.pieces), 'piece')}, {counted(len(self.seams), 'seam')}>"
+        )
+
+
+# In millimeters: seams that differ by less are equal, but for rounding.
+UNEQUAL = 1e-6

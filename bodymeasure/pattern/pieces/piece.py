@@ -1,0 +1,148 @@
+"""A flat piece: what it measures, and how much its cloth has to give."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bodymeasure._typing import Array
+from bodymeasure.pattern.definitions.panels import Panel
+from bodymeasure.pattern.flat.flatten import Flat
+from bodymeasure.pattern.flat.mesh import Leg
+from bodymeasure.pattern.planar import shapely
+
+
+@dataclass(frozen=True, eq=False)
+class PieceEdge:
+    """An edge of a flat piece.
+
+    Parameters
+    ----------
+    name : str
+    seam : str
+        The seam to which it is sewn; empty if none was named.
+    parts : tuple of ndarray, shape (m, 2)
+        Its vertices in the piece, one chain more than there are darts on it.
+    skin_length : float
+        Its length on the skin.
+    """
+
+    name: str
+    seam: str
+    parts: tuple[Array, ...]
+    skin_length: float
+
+    @property
+    def length(self) -> float:
+        """Its length in the piece, without the mouths of darts."""
+        return float(sum(np.linalg.norm(np.diff(p, axis=0), axis=1).sum() for p in self.parts))
+
+
+@dataclass(frozen=True, eq=False)
+class PieceDart:
+    """A dart of a flat piece.
+
+    Parameters
+    ----------
+    name : str
+    edge : str
+    legs : tuple of ndarray, shape (m, 2)
+        Both legs from their feet to the tip.
+    length : float
+        The length of each leg.
+    """
+
+    name: str
+    edge: str
+    legs: tuple[Array, Array]
+    length: float
+
+    @property
+    def intake(self) -> float:
+        """The distance of both feet."""
+        return float(np.linalg.norm(self.legs[0][0] - self.legs[1][0]))
+
+    @property
+    def angle(self) -> float:
+        """The angle at the tip between the chords of both legs, in degrees."""
+        return dart_angle(self.legs[0], self.legs[1])
+
+
+def dart_angle(before: Array, after: Array) -> float:
+    """Return the angle in degrees by which a dart opens; negative where its legs overlap."""
+    one, other = before[0] - before[-1], after[0] - after[-1]
+    turn = one[0] * other[1] - one[1] * other[0]
+    return float(np.degrees(np.arctan2(turn, one @ other)))
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A flat piece, in the atlas's unit.
+
+    Parameters
+    ----------
+    panel : Panel
+    flat : Flat
+        The mesh that was laid flat.
+    positions : ndarray, shape (n, 2)
+        Its vertices in the piece, grain up, as seen from outside the body.
+    edges : tuple of PieceEdge
+        In order round the piece.
+    darts : tuple of PieceDart
+    outline : ndarray, shape (m, 2)
+        The border, legs of darts included.
+    warnings : tuple of str
+    """
+
+    panel: Panel
+    flat: Flat
+    positions: Array
+    edges: tuple[PieceEdge, ...]
+    darts: tuple[PieceDart, ...]
+    outline: Array
+    warnings: tuple[str, ...]
+
+    @property
+    def name(self) -> str:
+        """The panel's name."""
+        return self.panel.name
+
+    @property
+    def strains(self) -> Array:
+        """The principal strains of each triangle, the larger one first, shape (k, 2)."""
+        return self.flat.stretch.strains(self.flat.positions)
+
+    @property
+    def rms_strain(self) -> float:
+        """The root mean square of the principal strains over the piece."""
+        area = self.flat.stretch.area
+        return float(np.sqrt(area @ (self.strains**2).mean(axis=1) / area.sum()))
+
+    @property
+    def flips(self) -> int:
+        """The number of triangles that lie on their faces."""
+        return int(self.flat.stretch.flipped(self.flat.positions).sum())
+
+    @property
+    def is_simple(self) -> bool:
+        """Whether the outline does not cross itself."""
+        return bool(shapely.is_valid(shapely.polygons(self.outline)))
+
+    def edge(self, name: str) -> PieceEdge:
+        """Return the edge of a name."""
+        return next(edge for edge in self.edges if edge.name == name)
+
+    def __repr__(self) -> str:
+        return f"<Piece {self.name!r}: strain {100.0 * self.rms_strain:.2f} %>"
+
+
+def outline_of(positions: Array, flat: Flat) -> Array:
+    """Return the border of a piece, legs of darts included."""
+    legs: dict[int, Leg] = {int(leg.before.vertices[0]): leg for leg in flat.mesh.darts}
+    rows = []
+    for edge in flat.mesh.edges:
+        for number, chain in enumerate(edge):
+            rows.append(chain.vertices[:-1])
+            if number < len(edge) - 1:
+                leg = legs[int(chain.vertices[-1])]
+                rows += [leg.before.vertices[:-1], leg.after.vertices[:0:-1]]
+    return np.asarray(positions[np.concatenate(rows)])
