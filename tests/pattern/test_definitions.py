@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from helpers.command_line import hide_here
-from helpers.surfaces.panels import cylinder, four_geodesics, interpolated
+from helpers.panels import cylinder, four_geodesics, interpolated
 
 import bodymeasure as bm
 from bodymeasure.pattern import SETS, Dart, Edge, Panel, load_pattern, set_text

@@ -6,7 +6,7 @@ from dataclasses import replace
 import msgspec
 import numpy as np
 import pytest
-from helpers.surfaces.panels import (
+from helpers.panels import (
     CORNERS,
     cone,
     cylinder,
