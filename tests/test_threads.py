@@ -19,7 +19,8 @@ from bodymeasure.threads import one_blas_thread
 
 # They read and write files, or compute next to nothing.
 WITHOUT = {
-    *("homogeneous", "load_definitions", "load_sample", "path_to_trimesh", "sample_names"),
+    *("homogeneous", "load_definitions", "load_pattern", "load_sample"),
+    *("path_to_trimesh", "sample_names"),
     *("read_atlas", "read_population", "read_topology"),
     *("write_atlas", "write_chart", "write_glb"),
     *("write_paths", "write_population", "write_report", "show"),

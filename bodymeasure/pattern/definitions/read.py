@@ -47,7 +47,7 @@ def load_pattern(source: str | Path) -> PatternDefinitions:
     >>> [panel.name for panel in bm.load_pattern("skirt").panel]
     ['skirt front', 'skirt back']
     """
-    if source in SETS:
+    if isinstance(source, str) and source in SETS:
         return pattern_from(set_text(str(source)).encode(), str(source))
     path = file_path(source)
     if not path.suffix and not path.exists():
