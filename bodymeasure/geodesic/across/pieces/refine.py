@@ -99,16 +99,22 @@ def refine(
     minimum = minimize_in_box(problem.expand, guess, problem.idle)
     refined = measured(problem, minimum)
     corners = _corners(refined)
-    refined = sharpened(refined, problem.idle)
     if not corners.any():
-        return refined
+        return sharpened(refined, problem.idle)
     place = np.where(corners, np.round(minimum.unknowns), minimum.unknowns)
     pinned = minimize_in_box(problem.expand, place, problem.idle | corners)
     through = measured(problem, replace(pinned, held=pinned.held | corners))
-    through = sharpened(through, problem.idle | corners)
-    # Only without what smooths it is the shorter one known where both ends are near the corner.
-    shorter = through if through.length < refined.length else refined
-    return replace(shorter, steps=refined.steps + through.steps)
+    steps = refined.steps + through.steps
+    pinned_is_shorter = through.length < refined.length
+    if pinned_is_shorter and refined.smoothed[[0, -1]].any():
+        # Where an end is right beside the corner, what smooths pieces hides which path is shorter.
+        through = sharpened(through, problem.idle | corners)
+        refined = sharpened(refined, problem.idle)
+        shorter = through if through.length < refined.length else refined
+        return replace(shorter, steps=refined.steps + through.steps)
+    if pinned_is_shorter:
+        return sharpened(replace(through, steps=steps), problem.idle | corners)
+    return sharpened(replace(refined, steps=steps), problem.idle)
 
 
 def sharpened(refined: RefinedPath, idle: Bools) -> RefinedPath:
