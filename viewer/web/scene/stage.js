@@ -5,6 +5,7 @@ import { Rig } from "./rig.js";
 
 // The view rests when nothing moved it for this long, in milliseconds.
 const REST = 150;
+const LONGEST_REST = 600;
 // A frame that takes longer is felt while turning, so it is drawn coarser.
 const SLOW_FRAME = 33;
 const MOST_RATIO = 2;
@@ -14,6 +15,7 @@ const COVERED = 120;
 export class Stage {
   #wanted = 0;
   #rest = 0;
+  #moved = 0;
   #background = null;
 
   constructor(host, { software }) {
@@ -89,7 +91,11 @@ export class Stage {
   /** The view moved: draw, coarser if need be, and at full quality when it rests. */
   move() {
     clearTimeout(this.#rest);
-    this.#rest = setTimeout(() => this.#setMoving(false), REST);
+    const now = performance.now();
+    // A busy machine moves in jerks; a frame of full quality in between would hold it up further.
+    const pause = this.moving ? Math.min(LONGEST_REST, Math.max(REST, 3 * (now - this.#moved))) : REST;
+    this.#moved = now;
+    this.#rest = setTimeout(() => this.#setMoving(false), pause);
     this.#setMoving(true);
     this.invalidate();
   }

@@ -39,7 +39,7 @@ def test_what_is_no_body_is_said_in_a_sentence(complaints: Screen) -> None:
     screen.drop("letter.docx", b"Dear Sir or Madam")
     assert ".docx" in screen.message() or "docx" in screen.message()
     screen.drop("broken.atlas", b"{")
-    screen.page.get_by_text("broken.atlas").first.wait_for()
+    screen.get("messages").get_by_text("broken.atlas").first.wait_for()
     # The body that was open is still there, and is measured.
     assert screen.measure((15, 0.5, 0.5), (173, 0.5, 0.5))["result"]["length"] > 0.1
 

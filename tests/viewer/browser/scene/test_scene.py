@@ -155,6 +155,11 @@ def test_colors_by_a_quantity(screen: Screen, key: str) -> None:
     screen.get("color").select_option(key)
     screen.get("legend").wait_for()
     assert np.abs(picture(screen) - before).mean() > 0.05
+    if key != "seam_angle":
+        # Blue where it is hollow or a saddle, red where it bulges, as the legend has it.
+        red, _, blue = np.moveaxis(picture(screen), -1, 0)
+        assert (red - blue > 60).sum() > 100
+        assert (blue - red > 60).sum() > 100
     words = screen.get("legend").inner_text()
     assert "2 %" in words or "98" in words
     screen.get("color").select_option("none")
