@@ -83,7 +83,7 @@ def cut_mesh(atlas: Atlas, curves: list[SkinCurve]) -> CutMesh:
     for patch in cut:
         here = chains.get(patch, [])
         sides = [points.of(patch, side)[0] for side in range(4)]
-        triangles = cut_patch([chain for _, chain in here], sides).corners
+        triangles = cut_patch([chain for _, chain in here], sides)
         patches.append(np.full(len(triangles), patch, dtype=np.int64))
         corners.append(triangles)
         vertices.append(naming.numbers(patch, triangles.reshape(-1, 2)).reshape(-1, 3))

@@ -1,7 +1,5 @@
 """One patch cut along curves: triangles in its (u, v) that no curve crosses."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from bodymeasure._typing import Array
@@ -12,20 +10,8 @@ from bodymeasure.pattern.planar import shapely
 EMPTY = 1e-15
 
 
-class CutPatch(NamedTuple):
-    """The triangles of a patch.
-
-    Parameters
-    ----------
-    corners : ndarray, shape (k, 3, 2)
-        In (u, v), counterclockwise.
-    """
-
-    corners: Array
-
-
-def cut_patch(chains: list[Array], sides: list[Array]) -> CutPatch:
-    """Return the triangles of a patch between the lines of its grid and curves.
+def cut_patch(chains: list[Array], sides: list[Array]) -> Array:
+    """Return triangles of a patch between the lines of its grid and curves.
 
     Parameters
     ----------
@@ -33,6 +19,11 @@ def cut_patch(chains: list[Array], sides: list[Array]) -> CutPatch:
         Curves, which may run along sides and cross one another.
     sides : list of ndarray, shape (n,)
         The points that each side has to have, in the order of `EDGES`.
+
+    Returns
+    -------
+    ndarray, shape (k, 3, 2)
+        Their corners in (u, v), counterclockwise.
     """
     u0, u1, v0, v1 = (np.sort(side) for side in sides)
     border = [
@@ -53,4 +44,4 @@ def cut_patch(chains: list[Array], sides: list[Array]) -> CutPatch:
     one, other = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     doubled = one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]
     corners = np.where((doubled < 0.0)[:, None, None], corners[:, ::-1], corners)
-    return CutPatch(corners[doubled != 0.0])
+    return np.asarray(corners[doubled != 0.0])

@@ -84,12 +84,10 @@ def stationary(
     constraints whose multipliers are positive keep their curvature: sides under tension, which
     resist, but not sides under pressure, which buckle.
     """
-    size = flat.size
-    given = multipliers
+    known = multipliers is not None
     if multipliers is None:
         multipliers = np.zeros(len(constraints.lengths) + len(constraints.right))
     weight, missed, length, steps = 0.0, np.inf, np.inf, 0
-    known = given is not None
     for steps in range(1, goal.steps + 1):
         gradient, hessian = energy.model(flat)
         values, jacobian = constraints.values(flat), constraints.jacobian(flat)
@@ -122,7 +120,6 @@ def stationary(
         missed = float(np.abs(constraints.values(flat)).max(initial=0.0))
         if missed <= goal.missed and length <= goal.step:
             break
-    assert flat.size == size
     return Stationary(flat, multipliers, missed, length, steps)
 
 
