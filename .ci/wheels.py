@@ -15,7 +15,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 VERSIONS = ("3.11", "3.12", "3.13", "3.14")
-PLATFORMS = [f"manylinux_2_{minor}_x86_64" for minor in range(5, 36)]
+# Old wheels have the names that these platforms had before.
+PLATFORMS = ["manylinux1_x86_64", "manylinux2010_x86_64", "manylinux2014_x86_64"]
+PLATFORMS += [f"manylinux_2_{minor}_x86_64" for minor in range(5, 36)]
 FILE = Path(__file__).parents[1] / "pyproject.toml"
 PROJECT = tomllib.loads(FILE.read_text("utf-8"))["project"]
 OWN = re.compile(rf"{PROJECT['name']}\[([^\]]*)\]")
