@@ -61,7 +61,7 @@ class BodyView(anywidget.AnyWidget):
             self.send({"id": number, "error": str(error)})
         except Exception:
             _log.exception("a request of a notebook's cell failed")
-            self.send({"id": number, "error": FAILED})
+            self.send({"id": number, "error": FAILED, "status": 500})
         else:
             if isinstance(found, dict):
                 # The members may be anything that JSON can hold, which the channel cannot.

@@ -5,6 +5,7 @@ import { chartItems, tapeItem } from "./model/items.js";
 import { Measuring } from "./model/measuring.js";
 import { memory, Settings } from "./model/settings.js";
 import { Sheet } from "./model/sheet.js";
+import { soundSheet } from "./model/tape_files.js";
 import { interpolate } from "./scene/grid.js";
 import { Failure } from "./transport/failure.js";
 
@@ -15,7 +16,8 @@ export class App {
     this.options = options;
     this.emitter = new Emitter();
     this.settings = new Settings(this.emitter, options.settings);
-    this.sheet = new Sheet(this.emitter, (location) => this.resolve(location));
+    const about = () => [this.bodyId, this.header?.version];
+    this.sheet = new Sheet(this.emitter, (location) => this.resolve(location), about);
     this.measuring = new Measuring(this);
     this.bodyId = "0";
     this.header = null;
@@ -26,7 +28,7 @@ export class App {
     this.selected = null;
     this.lit = null;
     this.reopened = false;
-    this.taking = false;
+    this.taking = null;
     this.on("sheet", () => this.#keep());
     this.on("sheet", () => this.measuring.askAll());
   }
@@ -54,6 +56,7 @@ export class App {
     this.other = null;
     this.hiddenKeys.clear();
     this.selected = null;
+    this.taking = null;
     this.sheet.forgetResults();
     this.emit("body");
     this.sheet.load(this.#kept());
@@ -89,7 +92,7 @@ export class App {
 
   #kept() {
     try {
-      return JSON.parse(memory()?.getItem(this.#place) ?? "{}");
+      return soundSheet(JSON.parse(memory()?.getItem(this.#place) ?? "{}"), this.header.patches);
     } catch {
       return {};
     }
@@ -166,19 +169,30 @@ export class App {
 
   /** Take the measurements of a set on the body with its landmarks as they are now. */
   async takeChart(set) {
-    this.taking = true;
+    const { bodyId, other, header: { version } } = this;
+    // A chart takes a while, in which another body may be opened, or this one be read again.
+    const stays = () => this.bodyId === bodyId && this.header.version === version;
+    const changes = this.landmarkChanges;
+    const taking = {};
+    this.taking = taking;
     this.emit("progress", { words: "Taking the measurements…" });
     this.emit("chart");
     try {
       const chosen = set ?? this.header.sets?.[0]?.key ?? "default";
-      this.chart = await this.transport.chart(this.bodyId, chosen, this.landmarkChanges);
+      const chart = await this.transport.chart(bodyId, chosen, changes);
+      if (!stays()) return;
+      this.chart = chart;
       this.chartSet = chosen;
+      this.chartLandmarks = changes;
       this.#hideStraight();
-      this.chartLandmarks = JSON.stringify(this.landmarkChanges);
-      if (this.other) this.otherChart = await this.transport.chart(this.other.header.id, chosen, null);
+      if (!other) return;
+      const otherChart = await this.transport.chart(other.header.id, chosen, null);
+      if (stays() && this.other === other) this.otherChart = otherChart;
     } finally {
-      this.taking = false;
-      this.emit("progress", null);
+      if (this.taking === taking) {
+        this.taking = null;
+        this.emit("progress", null);
+      }
       this.emit("chart");
     }
   }
@@ -195,7 +209,7 @@ export class App {
 
   /** Whether landmarks were changed since the chart was taken. */
   get chartIsOld() {
-    return Boolean(this.chart) && this.chartLandmarks !== JSON.stringify(this.landmarkChanges);
+    return Boolean(this.chart) && JSON.stringify(this.chartLandmarks) !== JSON.stringify(this.landmarkChanges);
   }
 
   /** Tell the user of something that went wrong, in the sentence that came with it. */

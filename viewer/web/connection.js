@@ -16,10 +16,13 @@ export function connection(app) {
       app.emit("lasting", ["gone", null]);
       app.say("Connected again.");
       // What was asked while nobody answered is asked now.
-      app.measuring.askAll();
+      app.measuring.askAgain();
     }
     if (news.progress) app.emit("progress", news.progress.done >= news.progress.total ? null : news.progress);
-    if (news.worker) app.emit("message", { text: "The measuring process had to be started anew. What was under way is asked again.", tone: "note" });
+    if (news.worker) {
+      app.emit("message", { text: "The measuring process had to be started anew. What was under way is asked again.", tone: "note" });
+      app.measuring.askAgain();
+    }
     if (news.error) app.emit("message", { text: news.error, tone: "bad" });
     if (news.changed) {
       app.try(async () => {

@@ -1,4 +1,5 @@
 // Opening a file: a body, or tapes that were saved from this page.
+import { soundTape } from "./model/tape_files.js";
 import { h } from "./ui/dom.js";
 import { showDialog } from "./ui/dialog.js";
 import { readTapes } from "./ui/export_menu.js";
@@ -7,14 +8,18 @@ import { readTapes } from "./ui/export_menu.js";
 const MOST_TAPES = 2_000_000;
 
 export function opening(app) {
-  const openTapes = ({ tapes, layout, body }) => {
+  const openTapes = (file, { tapes, layout, body }) => {
     if (layout && layout !== app.header.layout) {
       app.emit("message", { text: `These tapes belong to ${body || "another body"}, whose patches are laid out in another way. Open that body first.`, tone: "bad" });
       return;
     }
-    for (const { name, title, mode, kind, locations, visible } of tapes) {
-      app.sheet.add({ name: String(name), title: String(title ?? "Tape"), mode, kind, locations, visible: visible !== false });
+    const sound = tapes.map((tape) => soundTape(tape, app.header.patches));
+    const wrong = sound.indexOf(null);
+    if (wrong >= 0) {
+      app.emit("message", { text: `${file.name}: tape number ${wrong + 1} is none of this body: a name, a mode (path, girth or closed), a kind (contact or taut) and its locations are expected. Nothing was opened; save the tapes once more from the page.`, tone: "bad" });
+      return;
     }
+    for (const tape of sound) app.sheet.add(tape);
     app.say(`Opened ${tapes.length} tapes.`);
   };
 
@@ -40,7 +45,7 @@ export function opening(app) {
       if (file.name.endsWith(".json") && file.size < MOST_TAPES) {
         const tapes = readTapes(await file.text());
         if (tapes) {
-          openTapes(tapes);
+          openTapes(file, tapes);
           return;
         }
       }

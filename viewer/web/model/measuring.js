@@ -1,13 +1,25 @@
 // Asking for lengths. One question is under way at a time, and of each tape only the newest waits:
 // while an end is dragged, the tape follows as fast as the program measures, and never lags behind.
 
+// What answers a failure that is the program's, not the library's, is asked again once: a question
+// that the process does not survive would otherwise end it for ever.
+const MOST_TRIES = 2;
+// The library itself has answered, with a sentence that stays true.
+const LIBRARY = 422;
+
 export class Measuring {
   #waiting = new Map();
+  #tries = new Map();
+  #restarts = 0;
   #running = false;
   #serial = 0;
 
   constructor(app) {
     this.app = app;
+    app.on("body", () => {
+      this.#waiting.clear();
+      this.#tries.clear();
+    });
   }
 
   get busy() {
@@ -28,6 +40,13 @@ export class Measuring {
   /** Ask for the tapes that have no result yet, as after going back or after a reconnection. */
   askAll() {
     for (const tape of this.app.sheet.tapes) this.ask(tape);
+  }
+
+  /** Ask again what has failed, as after the program that measures was started again. */
+  askAgain() {
+    this.#restarts++;
+    this.app.sheet.forgetFailed((question) => (this.#tries.get(question) ?? 0) < MOST_TRIES);
+    this.askAll();
   }
 
   /** Without the program, what the page knows itself: the straight distance. */
@@ -59,14 +78,22 @@ export class Measuring {
 
   async #measure(tape) {
     const { app } = this;
+    const question = app.sheet.question(tape);
+    const restarts = this.#restarts;
     try {
       const result = await this.request(tape);
-      if (!result.superseded) app.sheet.keep(tape, result);
+      if (!result.superseded) app.sheet.keep(tape, result, question);
       else if (app.sheet.tape(tape.id)) this.#waiting.set(tape.id, app.sheet.tape(tape.id));
     } catch (error) {
       // Nobody answered: the question stays open and is asked again after the reconnection.
       if (error.gone) app.emitter.emit("gone", error.message);
-      else app.sheet.keep(tape, { error: error.message, length: null });
+      else {
+        this.#tries.set(question, (this.#tries.get(question) ?? 0) + 1);
+        const passing = error.status !== LIBRARY;
+        app.sheet.keep(tape, { error: error.message, length: null, passing }, question);
+        // The news of the new start may be faster than the answer that tells of the end.
+        if (restarts !== this.#restarts) this.askAgain();
+      }
     }
   }
 

@@ -13,10 +13,14 @@ export class Sheet {
   #future = [];
   #results = new Map();
 
-  /** `resolve` says where a landmark is by name, since the same name may be moved. */
-  constructor(emitter, resolve) {
+  /**
+   * `resolve` says where a landmark is by name, since the same name may be moved; `about` says which
+   * body is measured, and which version of it.
+   */
+  constructor(emitter, resolve, about) {
     this.emitter = emitter;
     this.resolve = resolve;
+    this.about = about;
     this.state = EMPTY;
   }
 
@@ -107,15 +111,15 @@ export class Sheet {
 
   /** What is asked for a tape; two tapes that ask the same have the same answer. */
   question({ mode, kind, locations }) {
-    return JSON.stringify([mode, kind, locations.map(this.resolve)]);
+    return JSON.stringify([this.about(), mode, kind, locations.map(this.resolve)]);
   }
 
   result(tape) {
     return this.#results.get(this.question(tape));
   }
 
-  keep(tape, result) {
-    const question = this.question(tape);
+  /** Keep an answer; the question is the one that was asked, since what it is about may change. */
+  keep(tape, result, question = this.question(tape)) {
     this.#results.delete(question);
     this.#results.set(question, result);
     if (this.#results.size > MOST_RESULTS) this.#forget();
@@ -133,5 +137,12 @@ export class Sheet {
 
   forgetResults() {
     this.#results.clear();
+  }
+
+  /** Forget failures that may pass, of the questions that are to be asked again. */
+  forgetFailed(again) {
+    for (const [question, { passing }] of this.#results) {
+      if (passing && again(question)) this.#results.delete(question);
+    }
   }
 }

@@ -105,10 +105,11 @@ export class Workbench {
     // Lengths that were asked for come first.
     if (!preview || this.app.measuring.busy) return;
     const { hit } = this;
+    const question = this.app.sheet.question(preview);
     try {
       const result = this.app.sheet.result(preview) ?? (await this.app.measuring.request(preview));
       if (result.superseded) return;
-      this.app.sheet.keep(preview, result);
+      this.app.sheet.keep(preview, result, question);
       if (hit === this.hit && this.tool.points?.length) this.#preview = result;
       this.update();
     } catch {

@@ -11,7 +11,7 @@ export function notebookTransport(model) {
     const { resolve, reject } = waiting.get(message?.id) ?? {};
     if (!resolve) return;
     waiting.delete(message.id);
-    if (message.error) reject(new Failure(message.error));
+    if (message.error) reject(new Failure(message.error, { status: message.status ?? 422 }));
     else resolve({ message, buffers: buffers ?? [] });
   };
   model.on("msg:custom", receive);

@@ -34,7 +34,8 @@ async function exported(app, format) {
   const { name, content } = await app.transport.exportFile(app.bodyId, {
     format,
     set: app.chartSet,
-    landmarks: app.landmarkChanges,
+    // Of the chart that is shown, whatever was moved since.
+    landmarks: app.chartLandmarks,
     unit: { in: "inch", mm: "mm" }[app.unit] ?? "cm",
   });
   download(name, content);

@@ -6,7 +6,7 @@ export function invitation(app) {
   const parts = [];
   if (app.chartIsOld) {
     parts.push(
-      h("div", { class: "card note" }, h("p", {}, "Landmarks were changed since these measurements were taken."), h("button", { type: "button", class: "button primary", "data-testid": "chart-again", disabled: app.taking, onClick: () => app.try(() => app.takeChart(app.chartSet)) }, "Take them again")),
+      h("div", { class: "card note" }, h("p", {}, "Landmarks were changed since these measurements were taken."), h("button", { type: "button", class: "button primary", "data-testid": "chart-again", disabled: Boolean(app.taking), onClick: () => app.try(() => app.takeChart(app.chartSet)) }, "Take them again")),
     );
   }
   if (app.chart || !app.transport.can.chart) {
@@ -26,7 +26,7 @@ export function invitation(app) {
       app.sheet.tapes.length ? "" : h("p", {}, h("strong", {}, "Click two points"), " on the body: the tape between them lands here."),
       h("p", { class: "soft" }, why, lacking && app.header.can?.chart !== false ? ` ${lacking} landmarks are lacking; what needs them says so.` : ""),
       sets.length > 1 ? h("label", { class: "field" }, h("span", {}, "Set"), set) : "",
-      h("button", { type: "button", class: "button primary", "data-testid": "take-chart", disabled: app.taking, onClick: () => app.try(() => app.takeChart(set.value || undefined)) }, "Take the measurements"),
+      h("button", { type: "button", class: "button primary", "data-testid": "take-chart", disabled: Boolean(app.taking), onClick: () => app.try(() => app.takeChart(set.value || undefined)) }, "Take the measurements"),
     ),
   );
   return parts;

@@ -1,6 +1,8 @@
 """Files that are dropped on the page or chosen: bodies, what is none, and what has no unit."""
 
+import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 from helpers.viewer_page import Screen
@@ -57,6 +59,57 @@ def test_tapes_of_another_layout_are_refused(screen: Screen) -> None:
     )
     screen.drop("someone.tapes.json", content)
     assert "Someone" in screen.message()
+
+
+GOOD = {
+    "name": "Mine",
+    "mode": "path",
+    "kind": "contact",
+    "locations": [[15, 0.5, 0.5], [173, 0, 1]],
+}
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"locations": None},
+        {"locations": [[15, 0.5, 0.5]]},
+        {"locations": [[15, 0.5, 0.5], [100000, 0.5, 0.5]]},
+        {"locations": [[15, 0.5, 0.5], [1.5, 0.5, "0.5"]]},
+        {"locations": [[15, 0.5, 0.5], {}]},
+        {"mode": "fly"},
+        {"kind": 7},
+        {"name": {"toString": None}},
+    ],
+)
+def test_tapes_that_are_none_are_refused(screen: Screen, change: dict[str, Any]) -> None:
+    content = {"format": "bodymeasure tapes", "version": 1, "tapes": [GOOD, {**GOOD, **change}]}
+    screen.drop("mine.tapes.json", json.dumps(content).encode())
+    assert screen.message().startswith("mine.tapes.json: tape number 2 is none of this body")
+    # Nothing of the file was opened, and the page goes on, also after it is loaded again.
+    assert not screen.state()["tapes"]
+    screen.drop("mine.tapes.json", json.dumps({**content, "tapes": [GOOD]}).encode())
+    assert screen.settle()["tapes"][0]["result"]["length"] > 0.1
+
+
+def test_what_was_kept_and_is_none_is_left_out(screen: Screen) -> None:
+    screen.measure((15, 0.5, 0.5), (173, 0.5, 0.5))
+    screen.page.evaluate(
+        """() => {
+          const keys = Object.keys(sessionStorage);
+          const key = keys.find((one) => one.startsWith("bodymeasure-sheet"));
+          const { tapes } = JSON.parse(sessionStorage.getItem(key));
+          const bad = { ...tapes[0], id: "tape-2", locations: [[1e9, 0, 0], "x"] };
+          const landmarks = { "crotch point": { location: 5, position: "here" } };
+          const kept = { tapes: [null, ...tapes, bad], landmarks, last: "two" };
+          sessionStorage.setItem(key, JSON.stringify(kept));
+        }"""
+    )
+    screen.page.reload()
+    screen.page.wait_for_selector("#bodymeasure[data-ready]")
+    (tape,) = screen.settle()["tapes"]
+    assert tape["result"]["length"] > 0.1
+    assert not any(one.get("edited") for one in screen.state()["landmarks"])
 
 
 def test_names_in_files_are_text(screen: Screen, tmp_path: Path) -> None:

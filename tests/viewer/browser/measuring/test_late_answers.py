@@ -1,0 +1,156 @@
+"""An answer that comes late is an answer to what was asked, not to what is shown meanwhile."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import psutil
+import pytest
+from helpers.viewer_page import Screen, Served, serve
+from playwright.sync_api import Route
+
+import bodymeasure as bm
+
+START, END = (15, 0.5, 0.5), (173, 0.5, 0.5)
+Open = Callable[..., Screen]
+FRAMES = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+
+
+@pytest.fixture(scope="module")
+def taller() -> bm.Atlas:
+    body = bm.load_sample("female_average")
+    return replace(body, name="Taller body", points=1.02 * body.points)
+
+
+@pytest.fixture(scope="module")
+def pair(taller: bm.Atlas, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
+    """The page of a file with two bodies."""
+    path: Path = tmp_path_factory.mktemp("pair") / "two.npz"
+    bm.write_population([bm.load_sample("female_average"), taller], path)
+    served = serve(str(path))
+    yield served
+    served.stop()
+
+
+def hold_first(screen: Screen, address: str) -> list[Route]:
+    """Hold back the first request to an address; the others pass."""
+    held: list[Route] = []
+
+    def hold(route: Route) -> None:
+        if held:
+            route.continue_()
+        else:
+            held.append(route)
+
+    screen.page.route(address, hold)
+    return held
+
+
+def release(screen: Screen, held: list[Route], address: str) -> None:
+    """Let a request pass that was held back, and the page do what it does with the answer."""
+    with screen.page.expect_response(address) as answered:
+        held[0].continue_()
+    answered.value.finished()
+    screen.page.evaluate(FRAMES)
+
+
+def held_back(screen: Screen, held: list[Route]) -> None:
+    while not held:
+        screen.page.wait_for_timeout(20)
+
+
+def go_to_second(screen: Screen) -> None:
+    screen.get("more").click()
+    screen.get("menu-body-1").click()
+    screen.until("state => state.id === '1'")
+
+
+def between_landmarks(screen: Screen) -> None:
+    screen.get("more").click()
+    screen.get("menu-between").click()
+    screen.get("between-measure").click()
+    screen.until("state => state.tapes.length === 1")
+
+
+def move_a_landmark(screen: Screen) -> None:
+    screen.get("tab-landmarks").click()
+    screen.get("landmarks").get_by_text("crotch point").click()
+    screen.get("handle-landmark").focus()
+    screen.page.keyboard.press("ArrowUp")
+    screen.until("state => state.landmarks.some((one) => one.edited)")
+
+
+def test_the_chart_of_a_body_that_was_left_is_dropped(pair: Served, open_page: Open) -> None:
+    screen = open_page(pair.link)
+    held = hold_first(screen, "**/api/chart*")
+    screen.get("set").select_option("core")
+    screen.get("take-chart").click()
+    held_back(screen, held)
+    go_to_second(screen)
+    release(screen, held, "**/api/chart*")
+    assert screen.state()["chart"] == 0
+    assert screen.get("take-chart").is_enabled()
+
+
+def test_a_chart_is_of_the_landmarks_that_were_asked_with(screen: Screen) -> None:
+    held = hold_first(screen, "**/api/chart*")
+    screen.get("set").select_option("core")
+    screen.get("take-chart").click()
+    held_back(screen, held)
+    move_a_landmark(screen)
+    release(screen, held, "**/api/chart*")
+    screen.until("state => state.chart > 0")
+    screen.get("tab-list").click()
+    # The page knows that the chart is of older landmarks, and saves the one that it shows.
+    screen.get("chart-again").wait_for()
+    screen.get("more").click()
+    with screen.page.expect_request("**/api/export*") as asked:
+        screen.get("menu-json").click()
+    content = asked.value.post_data_json
+    assert content is not None
+    assert content["landmarks"] is None
+
+
+def test_a_length_is_of_the_body_that_it_was_asked_of(
+    pair: Served, taller: bm.Atlas, open_page: Open
+) -> None:
+    screen = open_page(pair.link)
+    held = hold_first(screen, "**/api/path*")
+    between_landmarks(screen)
+    held_back(screen, held)
+    go_to_second(screen)
+    release(screen, held, "**/api/path*")
+    # The same tape over the other body.
+    between_landmarks(screen)
+    (tape,) = screen.settle()["tapes"]
+    expected = bm.geodesic_between(taller, *tape["locations"])
+    assert tape["result"]["length"] == pytest.approx(expected.length, rel=1e-12)
+
+
+@pytest.fixture
+def own() -> Iterator[Served]:
+    """A server whose processes a test may kill."""
+    served = serve("female_average")
+    yield served
+    served.stop()
+
+
+def test_what_failed_is_asked_again_after_a_new_start(own: Served, open_page: Open) -> None:
+    screen = open_page(own.link)
+    screen.expected = ("500", "ERR_")
+    asked: list[Route] = []
+
+    def fail_once(route: Route) -> None:
+        asked.append(route)
+        if len(asked) == 1:
+            route.fulfill(status=500, json={"error": "The process ended."})
+        else:
+            route.continue_()
+
+    screen.page.route("**/api/path*", fail_once)
+    screen.measure(START, END)
+    assert screen.get("words").inner_text() == "The process ended."
+    for child in psutil.Process(own.process.pid).children(recursive=True):
+        if "spawn_main" in " ".join(child.cmdline()):
+            child.kill()
+    screen.until("state => state.tapes[0].result && state.tapes[0].result.length > 0.1")
