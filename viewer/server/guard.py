@@ -19,6 +19,8 @@ MOST_BYTES = 1_000_000
 MOST_FILE_BYTES = 64 * 2**20
 FILES = ("/api/open",)
 API = "/api/"
+# The port of http, which addresses need not name.
+USUAL = 80
 LOOPBACK = ("127.0.0.1", "localhost", "[::1]")
 # What a page of ours may load: its own files and nothing else; nobody may frame it.
 POLICY = (
@@ -65,7 +67,9 @@ class Guard:
         anywhere: bool = False,
     ) -> None:
         self.app, self.token, self.port, self.anywhere = app, token, port, anywhere
-        self.hosts = {f"{host}:{port}".lower() for host in (*LOOPBACK, *hosts)}
+        names = [host.lower() for host in (*LOOPBACK, *hosts)]
+        # Browsers leave out the port that is usual.
+        self.hosts = {f"{name}:{port}" for name in names} | {*(names if port == USUAL else ())}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer a request, or refuse it."""
@@ -137,8 +141,8 @@ class Guard:
     def _is_ours(self, host: str) -> bool:
         if host in self.hosts:
             return True
-        name, _, port = host.rpartition(":")
-        return self.anywhere and port == str(self.port) and _is_number(name)
+        name = host.removesuffix(f":{self.port}")
+        return self.anywhere and (name != host or self.port == USUAL) and _is_number(name)
 
 
 def own_names() -> tuple[str, ...]:

@@ -91,7 +91,7 @@ def serve(
         service,
         token=token,
         port=taken,
-        hosts=() if local else (host, *own_names()),
+        hosts=(_in_link(host), *(() if local else own_names())),
         anywhere=not local,
     )
     link = f"http://{_in_link(host)}:{taken}/#token={token}"

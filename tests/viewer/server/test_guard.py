@@ -2,12 +2,13 @@
 
 import asyncio
 import socket
+import sys
 from typing import Any
 
 import httpx
 import pytest
 from bodymeasure.viewer.server.guard import MOST_BYTES, MOST_FILE_BYTES, Guard
-from helpers.viewer_server import Viewer
+from helpers.viewer_server import Viewer, viewer
 
 TOKEN, PORT = "the secret", 4321
 PATIENCE = 60.0
@@ -34,7 +35,7 @@ def answered(path: str, headers: dict[str, str], **options: Any) -> tuple[int, b
     async def send(message: Any) -> None:
         sent.append(message)
 
-    guard = Guard(echo, token=TOKEN, port=PORT, **options)
+    guard = Guard(echo, **{"token": TOKEN, "port": PORT, **options})
     asyncio.run(guard(scope, receive, send))
     return sent[0]["status"], sent[1]["body"], sent[0]["headers"]
 
@@ -110,6 +111,17 @@ def test_other_machines_are_answered_by_number_if_they_are_let_in() -> None:
         assert answered("/api/body", {**OURS, "host": f"{host}:{PORT}"}, **given)[0] == 200
     for host in ("evil.example", "192.168.0.5.evil.example", "otto.local"):
         assert answered("/api/body", {**OURS, "host": f"{host}:{PORT}"}, **given)[0] == 403
+
+
+def test_at_the_usual_port_browsers_leave_it_out() -> None:
+    given = {"port": 80, "hosts": ("anna.local",), "anywhere": True}
+    for host in ("127.0.0.1", "[::1]", "anna.local", "192.168.0.5", "[fe80::1]"):
+        for named in (host, f"{host}:80"):
+            assert answered("/api/body", {**OURS, "host": named}, **given)[0] == 200
+    local = {"port": 80}
+    assert answered("/api/body", {**OURS, "host": "127.0.0.1"}, **local)[0] == 200
+    for host in ("evil.example", "192.168.0.5", "127.0.0.1:4321", "127.0.0.1:", ""):
+        assert answered("/api/body", {**OURS, "host": host}, **local)[0] == 403
 
 
 def test_every_answer_says_what_a_page_may_load() -> None:
@@ -229,3 +241,12 @@ def test_a_size_that_is_none_is_refused(server: Viewer) -> None:
         "Content-Length: -1\n\n"
     )
     assert raw(server, asked).split()[1] in ("400", "413")
+
+
+@pytest.mark.skipif(sys.platform == "darwin", reason="there 127.0.0.1 is the only one")
+def test_the_address_that_was_asked_for_is_answered() -> None:
+    with viewer("paraboloid", "--host", "127.0.0.2") as server:
+        assert server.address.startswith("http://127.0.0.2:")
+        assert server.get("/api/body").status_code == 200
+        asked = {"location": [0, 0.5, 0.5]}
+        assert server.post("/api/point", json=asked).status_code == 200
