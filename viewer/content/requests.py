@@ -127,7 +127,7 @@ class MeasureChart(Request, frozen=True, kw_only=True, tag="chart"):
 class Export(MeasureChart, frozen=True, kw_only=True, tag="export"):
     """Ask for the measurements of a set as a file."""
 
-    format: Literal["csv", "json", "smis", "vit", "freesewing", "garmentcode"]
+    format: Literal["csv", "json", "smis", "freesewing", "garmentcode"]
     unit: Unit = "cm"
 
 
