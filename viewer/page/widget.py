@@ -11,6 +11,7 @@ from bodymeasure.viewer.content import requests
 from bodymeasure.viewer.content.answers import File, answer
 from bodymeasure.viewer.content.bodies import Bodies
 from bodymeasure.viewer.content.chart import keep_chart
+from bodymeasure.viewer.content.opening import read_again
 from bodymeasure.viewer.page.given import Given
 
 from bodymeasure.errors import BodymeasureError, InputError
@@ -56,7 +57,11 @@ class BodyView(anywidget.AnyWidget):
         """Answer a request of the cell: with members, or with a buffer where it is large."""
         number = message.get("id") if isinstance(message, dict) else None
         try:
-            found = answer(self.bodies, _request(message))
+            request = _request(message)
+            found = answer(self.bodies, request)
+            if isinstance(request, requests.SaveLandmarks) and request.to == "file":
+                # What is asked next is asked of the body as it was saved.
+                self.bodies.put(read_again(self.bodies[request.body]))
         except BodymeasureError as error:
             self.send({"id": number, "error": str(error)})
         except Exception:

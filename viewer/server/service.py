@@ -58,6 +58,8 @@ class Service:
         self._loop: asyncio.AbstractEventLoop | None = None
         self._opened = len(self.bodies) - 1
         self._shown: tuple[int, Done] | None = None
+        # The main body's file as it was last read.
+        self._read: tuple[int, int] | None = None
 
     def begin(self) -> None:
         """Begin, within the event loop."""
@@ -102,8 +104,28 @@ class Service:
             slot=slot,
             progress=self._progress(request) if long else None,
         )
-        if isinstance(request, requests.OpenFile) and found is not None and found.kind == "body":
+        if found is None:
+            return None
+        if isinstance(request, requests.OpenFile) and found.kind == "body":
             return self._open(found)
+        if isinstance(request, requests.SaveLandmarks) and found.kind == "json":
+            return await self._saved(request.body, found)
+        return found
+
+    async def _saved(self, name: str, found: Done) -> Done:
+        """Return what is told of a file that was saved, once its body is the one of the file."""
+        body = self.bodies.get(name)
+        if body is None:
+            return found
+        stamp = await asyncio.to_thread(_stamp, Path(body.file))
+        again = await self._queues[False].ask(requests.ReadAgain(body=name), limit=LIMIT)
+        if again is None or again.kind != "body":
+            return found if again is None else again
+        self.bodies[name] = pickle.loads(again.content)
+        if name == MAIN:
+            # What is read already need not be found changed; other tabs are told of it here.
+            self._read = stamp
+            self.events.tell({"changed": True})
         return found
 
     async def _body(self, request: requests.ShowBody) -> Done | None:
@@ -155,19 +177,19 @@ class Service:
         if body.settings is None:
             return
         path = Path(body.file)
-        seen = read = await asyncio.to_thread(_stamp, path)
+        seen = self._read = await asyncio.to_thread(_stamp, path)
         while True:
             await asyncio.sleep(LOOK)
             now = await asyncio.to_thread(_stamp, path)
             # A file that still grows, or is missing while another takes its place, waits.
-            if now is not None and now != read and now == seen:
+            if now is not None and now == seen and now != self._read:
                 try:
                     again = requests.ReadAgain(body=MAIN)
                     found = await self._queues[False].ask(again, limit=LIMIT)
                 except (GoneError, BusyError) as error:
                     LOG.error("%s cannot be read again: %s", path, error)
                     found = None
-                read = now
+                self._read = now
                 if found is not None and found.kind == "body":
                     self.bodies[MAIN] = pickle.loads(found.content)
                     self.events.tell({"changed": True})

@@ -76,6 +76,11 @@ def test_landmarks_are_saved_into_the_file_that_was_shown(tmp_path: Path, body: 
     answer = cell.ask("landmarks", landmarks={"mole": [30, 0.5, 0.5]}, to="file")
     assert answer["answer"] == {"saved": str(path)}
     assert bm.read_atlas(path).landmarks["mole"] == bm.AtlasPoint(30, 0.5, 0.5)
+    # What is asked next is asked of the body as it was saved.
+    assert "length" in cell.ask("path", locations=["mole", FROM])["answer"]
+    header, _ = unpacked(cell.ask("body")["buffers"][0])
+    assert header["version"] == 2
+    assert "mole" in [mark["name"] for mark in header["landmarks"]]
     # A body that comes from no file has none to be saved into.
     answer = Cell(bm.show(body)).ask("landmarks", landmarks={}, to="file")
     assert "save it as an atlas instead" in answer["error"]

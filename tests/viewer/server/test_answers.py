@@ -129,6 +129,9 @@ def test_a_file_that_changes_is_read_again(tmp_path: Path) -> None:
             lines = stream.iter_lines()
             assert json.decode(next(lines)) == {"tick": 0}
             assert server.post("/api/landmarks", json=asked).json() == {"saved": str(path)}
+            # At once, not only when the file is looked at the next time.
+            header, _ = unpacked(server.get("/api/body").content)
+            assert [mark["name"] for mark in header["landmarks"]] == ["mole"]
             assert next(line for line in lines if "tick" not in line) == '{"changed":true}'
             header, _ = unpacked(server.get("/api/body").content)
             assert [mark["name"] for mark in header["landmarks"]] == ["mole"]
