@@ -62,18 +62,27 @@ export class App {
     this.sheet.load(this.#kept());
   }
 
-  /** Read the body again, as when its file changed; tapes stay and are measured anew. */
-  async reopen({ saved = false } = {}) {
-    const { state } = this.sheet;
-    this.reopened = true;
-    const { header, arrays } = await this.transport.body(this.bodyId);
+  /**
+   * Read the body again, as when its file changed; tapes stay and are measured anew. `saved` are the
+   * changes of landmarks that are the body's own now.
+   */
+  async reopen({ saved = {} } = {}) {
+    const { bodyId } = this;
+    const { header, arrays } = await this.transport.body(bodyId);
+    if (this.bodyId !== bodyId) return;
+    const sameLayout = header.layout === this.header.layout;
     Object.assign(this, { header, arrays, chart: null, otherChart: null });
     this.sheet.forgetResults();
-    this.emit("body");
-    this.reopened = false;
+    this.reopened = true;
+    try {
+      this.emit("body");
+    } finally {
+      this.reopened = false;
+    }
     this.emit("chart");
-    // What was saved is the body's own now, and no change of it.
-    this.sheet.load(saved ? { ...state, landmarks: {} } : state);
+    // On another layout, old places may be none.
+    if (sameLayout) this.sheet.refresh(saved);
+    else this.sheet.load(soundSheet(this.sheet.state, header.patches));
   }
 
   get #place() {

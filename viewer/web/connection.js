@@ -24,7 +24,8 @@ export function connection(app) {
       app.measuring.askAgain();
     }
     if (news.error) app.emit("message", { text: news.error, tone: "bad" });
-    if (news.changed) {
+    // The file that is looked after is that of the first body.
+    if (news.changed && app.bodyId === "0") {
       app.try(async () => {
         await app.reopen();
         app.say("The file changed and was read again.");

@@ -42,7 +42,11 @@ export class Settings {
   set(name, value) {
     if (this.values[name] === value) return;
     this.values = { ...this.values, [name]: value };
-    memory()?.setItem(KEPT, JSON.stringify(this.values));
+    try {
+      memory()?.setItem(KEPT, JSON.stringify(this.values));
+    } catch {
+      // A full memory costs the settings after a reload, nothing now.
+    }
     this.emitter.emit("settings", name);
   }
 

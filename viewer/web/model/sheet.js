@@ -109,6 +109,14 @@ export class Sheet {
     this.emitter.emit("sheet");
   }
 
+  /** Go on over a body that was read again, with the landmarks that were saved as its own. */
+  refresh(saved) {
+    const kept = Object.entries(this.state.landmarks).filter(
+      ([name, edit]) => !(name in saved) || JSON.stringify(edit?.location ?? null) !== JSON.stringify(saved[name]),
+    );
+    this.#replace({ ...this.state, landmarks: Object.fromEntries(kept) }, false);
+  }
+
   /** What is asked for a tape; two tapes that ask the same have the same answer. */
   question({ mode, kind, locations }) {
     return JSON.stringify([this.about(), mode, kind, locations.map(this.resolve)]);

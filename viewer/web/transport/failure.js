@@ -11,6 +11,6 @@ export class Failure extends Error {
 }
 
 export const GONE =
-  "The program that measures does not answer. Your tapes are kept; this page connects again by itself.";
+  "The program that measures does not answer. Your tapes are kept. Start it again at the same --port and open its new link in this tab; if it only paused, or BODYMEASURE_VIEW_TOKEN is set for it, this page connects again by itself.";
 export const NOT_ALLOWED =
   "This page may not talk to the program that measures. Open it with the link that bodymeasure view printed.";

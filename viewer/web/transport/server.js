@@ -19,6 +19,10 @@ function takeToken() {
 
 export function serverTransport() {
   const token = takeToken();
+  // The link of a program that was started again, opened in this tab, changes the fragment only.
+  window.addEventListener("hashchange", () => {
+    if (takeToken() !== token) location.reload();
+  });
   // A tab is who asks: the newest request of a tab overtakes its older ones.
   const tab = crypto.getRandomValues(new Uint32Array(2)).join("-");
 

@@ -58,9 +58,11 @@ export function table(app, separator) {
   return [head, ...rows].map((row) => row.map((cell) => escaped(String(cell), separator)).join(separator)).join("\r\n");
 }
 
+const NUMBER = /^-?\d+(\.\d+)?$/;
+
 /** Quoted where needed; what a spreadsheet would take for a formula is kept from being one. */
 function escaped(cell, separator) {
-  const safe = /^[=+@\t\r]/.test(cell) || /^-[^\d.]/.test(cell) ? `'${cell}` : cell;
+  const safe = /^[-+=@\t\r]/.test(cell) && !NUMBER.test(cell) ? `'${cell}` : cell;
   if (separator === "\t") return safe.replace(/[\t\r\n]+/g, " ");
   return /[",\r\n]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
 }

@@ -104,9 +104,11 @@ export function landmarksPanel(app, workbench, actions) {
 function saving(app) {
   const save = (to) => () =>
     app.try(async () => {
-      const answer = await app.transport.save(app.bodyId, { landmarks: app.landmarkChanges ?? {}, to });
+      const { bodyId } = app;
+      const saved = app.landmarkChanges ?? {};
+      const answer = await app.transport.save(bodyId, { landmarks: saved, to });
       if (answer.saved) {
-        await app.reopen({ saved: true });
+        if (app.bodyId === bodyId) await app.reopen({ saved });
         app.say(`Saved the landmarks in ${answer.saved}.`);
       } else {
         download(answer.name, answer.content);

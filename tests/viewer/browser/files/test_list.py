@@ -201,3 +201,32 @@ def test_a_picture_is_saved(chart: Screen) -> None:
     colors = image.getcolors(maxcolors=16_777_216)
     assert colors is not None
     assert len(colors) > 300
+
+
+@pytest.mark.parametrize("name", ["-1+1", "+1", "=1+1", "@sum", "-name"])
+def test_no_name_is_a_formula(screen: Screen, name: str) -> None:
+    tape = {
+        "name": name,
+        "mode": "path",
+        "kind": "contact",
+        "locations": [[15, 0.5, 0.5], [173, 0.5, 0.5]],
+    }
+    content = {"format": "bodymeasure tapes", "version": 1, "tapes": [tape]}
+    screen.drop("mine.tapes.json", json.dumps(content).encode())
+    screen.settle()
+    screen.get("more").click()
+    _, saved_list = saved(screen, lambda: screen.get("menu-csv").last.click())
+    _, row = csv.reader(io.StringIO(saved_list.decode("utf-8-sig")))
+    assert row[0] == f"'{name}"
+    assert float(row[3]) > 10.0
+
+
+def test_a_full_memory_costs_no_setting(screen: Screen) -> None:
+    tape = screen.measure((15, 0.5, 0.5), (173, 0.5, 0.5))
+    screen.page.evaluate(
+        "() => { Storage.prototype.setItem = () => { throw new DOMException('full'); }; }"
+    )
+    screen.get("unit").select_option("mm")
+    length = 1000 * tape["result"]["length"]
+    shown = screen.get(f"row-{tape['id']}").locator(".value").inner_text()
+    assert shown == f"{length:.1f} mm"

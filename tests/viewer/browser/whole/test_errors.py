@@ -71,6 +71,32 @@ def test_connected_again(open_page: Callable[..., Screen]) -> None:
         again.stop()
 
 
+def test_the_new_link_in_the_old_tab(own: Served, open_page: Callable[..., Screen]) -> None:
+    """Without a token that both know, the page needs the new link, and has its tapes by it."""
+    screen = open_page(own.link)
+    screen.expected = ("ERR_", "403")
+    tape = screen.measure(START, END)
+    own.process.kill()
+    own.process.wait()
+    banner = screen.get("banner")
+    banner.wait_for()
+    assert "BODYMEASURE_VIEW_TOKEN" in banner.inner_text()
+    port = own.address.rstrip("/").rpartition(":")[2]
+    again = serve("female_average", "--port", port)
+    try:
+        banner.get_by_text("earlier viewer").wait_for()
+        # Only the fragment of the address changes, so that no browser loads the page by itself.
+        with screen.page.expect_event("load"):
+            screen.page.goto(again.link)
+        screen.page.wait_for_selector("#bodymeasure[data-ready]")
+        (kept,) = screen.settle()["tapes"]
+        assert kept["id"] == tape["id"]
+        assert kept["result"]["length"] == tape["result"]["length"]
+        assert again.token not in screen.page.url
+    finally:
+        again.stop()
+
+
 def test_the_worker_dies(own: Served, open_page: Callable[..., Screen]) -> None:
     screen = open_page(own.link)
     screen.measure(START, END)
