@@ -1,13 +1,13 @@
 """The page's chart is the library's, with the names of the reports."""
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, get_args, get_type_hints
 
 import numpy as np
 import pytest
 from bodymeasure.viewer.content.answers import File, answer
 from bodymeasure.viewer.content.bodies import Bodies
-from bodymeasure.viewer.content.chart import sets_of
+from bodymeasure.viewer.content.chart import FILES, sets_of
 from bodymeasure.viewer.content.requests import Export, MeasureChart
 from bodymeasure.viewer.content.shown import ShownBody
 from bodymeasure.viewer.content.wire import unpacked
@@ -130,6 +130,10 @@ def test_a_chart_is_measured_once_for_all_of_its_files(
     bodies.put(replace(female, version=2))
     values(bodies)
     assert len(calls) == 2
+
+
+def test_each_format_that_may_be_asked_for_is_written() -> None:
+    assert set(get_args(get_type_hints(Export)["format"])) == set(FILES)
 
 
 @pytest.mark.parametrize("unit", ["cm", "inch"])
