@@ -53,6 +53,7 @@ def test_what_goes_wrong_is_a_sentence(
     with caplog.at_level(logging.ERROR):
         answer = cell.ask("path", locations=[FROM, TO])
     assert answer["error"].startswith("The program that measures failed")
+    assert answer["status"] == 500
     assert "RuntimeError: bug" in caplog.text
 
 
