@@ -118,7 +118,7 @@ def test_lengths_that_disagree_are_told(
 
 @pytest.mark.slow
 def test_a_whole_body(run: Run, tmp_path: Path) -> None:
-    ran = run("report", "-o", tmp_path)
+    ran = run("report", "--all-pictures", "-o", tmp_path)
     assert ran.code == 0
     content = checked_content(tmp_path)
     records = content["measurements"]
@@ -128,7 +128,9 @@ def test_a_whole_body(run: Run, tmp_path: Path) -> None:
     assert all(r["status"] != "converged" for r in unmeasured)
     assert len(unmeasured) < 20
     assert set(content["summary"]["by_verdict"]) <= {"agrees", "not_compared"}
-    assert (tmp_path / "report.html").read_text("utf-8").count("data:image/png") > 4
+    page = (tmp_path / "report.html").read_text("utf-8")
+    assert page.count("data:image/png") > 4
+    assert 'id="scene-page"' in page
 
 
 @pytest.mark.slow
