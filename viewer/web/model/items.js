@@ -47,7 +47,9 @@ export function chartItems(chart, hidden, other) {
       codes: one.codes ?? {},
       kind: one.kind ?? "length",
       value,
-      error: one.error_estimate ?? null,
+      // What the scan and its landmarks leave open counts, where it is more than the computation's.
+      error: Math.max(one.error_estimate ?? 0, one.input_uncertainty ?? 0) || (one.error_estimate ?? null),
+      computed: one.error_estimate ?? null,
       uncertainty: one.input_uncertainty ?? null,
       words: one.reason ?? "",
       definition: one.definition ?? one.words ?? "",

@@ -109,7 +109,10 @@ function ofMeasurement(app, item, actions) {
   if (Number.isFinite(contact) && Number.isFinite(taut)) {
     facts.push(fact("On the skin", formatLength(contact, app.unit)), fact("Taut", formatLength(taut, app.unit)));
   }
-  if (item.uncertainty) facts.push(fact("Uncertain by the landmarks", formatError(item.uncertainty, app.unit)));
+  if (item.uncertainty) {
+    facts.push(fact("From scan and landmarks", formatError(item.uncertainty, app.unit)));
+    facts.push(fact("Of the computation", formatError(item.computed ?? NaN, app.unit)));
+  }
   for (const [system, codes] of Object.entries(item.codes)) {
     const text = [codes].flat().filter(Boolean).join(", ");
     if (text) facts.push(fact(SYSTEMS[system] ?? system, text));
