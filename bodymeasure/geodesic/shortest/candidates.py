@@ -4,6 +4,7 @@ Candidates slide down to polygons at rest, and the shortest of these are made ex
 """
 
 from dataclasses import dataclass, field
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -87,16 +88,12 @@ class _Standing:
         The least length of a polygon that could not be made exact.
     winner : ndarray of int, shape (problems,)
         The number of the batch that holds the shortest path; -1 if that is the one known before.
-    curves : ndarray, shape (problems, CURVE_PARTS + 1, 2)
-        (u, v) at equal distances along the shortest path; NaN if that is no minimum, or was known
-        before.
     batches : list of PathBatch
     """
 
     best: Array
     unsolved: Array
     winner: Ints
-    curves: Array
     batches: list[PathBatch] = field(default_factory=list)
 
     def enter(self, batch: PathBatch) -> None:
@@ -107,10 +104,20 @@ class _Standing:
         # A path that is no minimum gives way to one of the same length.
         bar = np.where(batch.length.minimal, length, length * (1.0 + SHORTER))
         self.best[owners[shorter]] = bar[shorter]
-        curves = batch.points(np.linspace(0.0, 1.0, CURVE_PARTS + 1))
-        curves[~batch.length.minimal] = np.nan
-        self.curves[owners[shorter]] = curves[shorter]
         self.batches.append(batch)
+
+    def curve(self, problem: int) -> Array:
+        """Return (u, v) at equal distances along the shortest path, shape (CURVE_PARTS + 1, 2).
+
+        NaN if that is no minimum, or was known before.
+        """
+        number = int(self.winner[problem])
+        if number >= 0:
+            batch = self.batches[number]
+            path = batch.take(np.flatnonzero(batch.problems == problem))
+            if path.length.minimal.all():
+                return np.asarray(path.points(np.linspace(0.0, 1.0, CURVE_PARTS + 1))[0])
+        return np.full((CURVE_PARTS + 1, 2), np.nan)
 
     def winners(self) -> tuple[PathBatch, ...]:
         """Return the shortest paths, by batch."""
@@ -147,7 +154,6 @@ def shortest_paths(
         best=known.length * (1.0 - SHORTER),
         unsolved=np.full(count, np.inf),
         winner=np.full(count, -1),
-        curves=np.full((count, CURVE_PARTS + 1, 2), np.nan),
     )
     latest = np.where(np.isfinite(known.length)[:, None, None], known.points, np.nan)
     contenders = _at_rest(surface, *_seeds(surface, ends, known))
@@ -217,7 +223,7 @@ def _compete(
             surface.take(problems),
             latest[problems],
             standing.best[problems],
-            standing.curves[problems],
+            [partial(standing.curve, problem) for problem in problems.tolist()],
             tolerance,
         )
         standing.unsolved[problems] = np.minimum(standing.unsolved[problems], exact.unsolved)

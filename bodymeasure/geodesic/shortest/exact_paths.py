@@ -1,5 +1,6 @@
 """The exact paths that polygons at rest stand for: geodesics, or paths along edges."""
 
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple
@@ -64,7 +65,11 @@ class ExactPaths(NamedTuple):
 
 
 def exact_paths(
-    surface: Surface, polygons: Array, known: Array, curves: Array, tolerance: float
+    surface: Surface,
+    polygons: Array,
+    known: Array,
+    curves: Sequence[Callable[[], Array]],
+    tolerance: float,
 ) -> ExactPaths:
     """Find the exact paths near polygons at rest.
 
@@ -79,8 +84,9 @@ def exact_paths(
         As `descend` returns them.
     known : ndarray, shape (polygons,)
         The lengths of other paths; longer ones are not wanted.
-    curves : ndarray, shape (polygons, k + 1, 2)
-        These paths, (u, v) at equal distances; NaN where one is no minimum, or there is none.
+    curves : sequence of callables
+        For each polygon, what returns the other path, (u, v) at equal distances, shape (k + 1, 2);
+        NaN if that is no minimum, or there is none. Few are asked.
     tolerance : float
         Relative error asked for.
     """
@@ -101,7 +107,7 @@ def exact_paths(
         own, ends = surface.take(np.array([row])), (poles[0][row], poles[1][row])
         path = solve_contact_path(own, polygon, ends, tolerance)
         if path is None or not _is_good(path, shortest, tolerance):
-            rival = Rival(float(known[row]), own.jet(curves[row][None], 0)[0, :, 0].T)
+            rival = Rival(float(known[row]), own.jet(curves[row]()[None], 0)[0, :, 0].T)
             path, reached = solve_elements(
                 own, polygons[row], ends, tolerance=tolerance, rival=rival
             )
