@@ -15,7 +15,7 @@ DEGREE = 10
 # The part of each element's share that is its length; the rest is its way in u and v. Where a path
 # hardly moves on the surface, it may move far in u and v.
 BY_LENGTH = 0.5
-# How far a path may leave the patch between its nodes, in u or v.
+# How far an element leaves the patch between its nodes, in u or v, because of rounding.
 OVERSHOOT = 1e-9
 
 
@@ -52,10 +52,15 @@ class ElementPath:
         return np.asarray((on_bound & (self.values == self.values[:, :, :1])).all(axis=2))
 
     @property
-    def overshoots(self) -> Bools:
-        """The elements that leave the patch between their nodes, shape (elements,)."""
+    def outside(self) -> Array:
+        """How far elements leave the patch between their nodes, in u or v, shape (elements,)."""
         between = polynomial_space(DEGREE).between_nodes @ self.values.transpose(0, 2, 1)
-        return np.asarray(np.abs(between - 0.5).max(axis=(1, 2)) > 0.5 + OVERSHOOT)
+        return np.asarray(np.maximum(np.abs(between - 0.5).max(axis=(1, 2)) - 0.5, 0.0))
+
+    @property
+    def overshoots(self) -> Bools:
+        """The elements that leave the patch by more than rounding, shape (elements,)."""
+        return np.asarray(self.outside > OVERSHOOT)
 
     def by_element(self, nodes: NDArray[Any]) -> NDArray[Any]:
         """Return unknowns, or what belongs to them, as shape (elements, 2, DEGREE + 1)."""

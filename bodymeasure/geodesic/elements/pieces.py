@@ -7,7 +7,8 @@ of the rest. That does not serve all elements:
 - *Rough* elements are those on which the formulas are not to be trusted, as beside a point where
   the surface is singular, and those on which the path begins to run along an edge, where its
   curvature jumps. No path between the ends of an element is shorter than its chord. So its length
-  less its chord is its error, and the chord stands for its tangents.
+  less its chord is its error, and the chord stands for its tangents. If it leaves the patch between
+  its nodes, the way back adds as much as it is outside, which is more than it makes longer.
 """
 
 from dataclasses import dataclass
@@ -45,6 +46,8 @@ class Pieces:
     tangents, normals : ndarray, shape (3, elements, 2)
         Unit vectors at both ends: of the path, or the chord of a rough element, and of the surface.
     chords : ndarray, shape (elements,)
+    outside : ndarray, shape (elements,)
+        How far each leaves the patch.
     """
 
     values: Array
@@ -58,6 +61,7 @@ class Pieces:
     tangents: Array
     normals: Array
     chords: Array
+    outside: Array
 
     @property
     def smooth(self) -> Bools:
@@ -78,7 +82,7 @@ class Pieces:
             quadrature = np.nan_to_num(space.quadrature.error_estimate(self.speed), nan=np.inf)
         error = np.where(self.smooth, self.single.error, SAFETY * QUADRATURE_SAFETY * quadrature)
         excess = np.maximum(self.lengths - self.chords, 0.0)
-        return np.asarray(np.where(self.rough, excess, error) + rounding)
+        return np.asarray(np.where(self.rough, excess + self.outside, error) + rounding)
 
 
 def pieces_of(surface: Surface, path: ElementPath, held: Bools) -> Pieces:
@@ -120,6 +124,7 @@ def pieces_of(surface: Surface, path: ElementPath, held: Bools) -> Pieces:
         tangents=tangents,
         normals=unit(np.cross(s_u, s_v, axis=0)),
         chords=np.sqrt(dot(chord, chord)),
+        outside=path.outside * np.sqrt(np.maximum(dot(s_u, s_u), dot(s_v, s_v))).max(axis=1),
     )
 
 

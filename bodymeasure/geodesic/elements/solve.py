@@ -16,7 +16,12 @@ from bodymeasure.geodesic.contact.legs import Contact, End
 from bodymeasure.geodesic.elements.cuts import cuts
 from bodymeasure.geodesic.elements.descent import least_energy
 from bodymeasure.geodesic.elements.measure import ElementLength, measure_elements
-from bodymeasure.geodesic.elements.path import DEGREE, ElementPath, from_polygon
+from bodymeasure.geodesic.elements.path import (
+    DEGREE,
+    OVERSHOOT,
+    ElementPath,
+    from_polygon,
+)
 from bodymeasure.geodesic.elements.rival import NO_RIVAL, Rival
 from bodymeasure.geodesic.solving.protocol import EdgeContact
 from bodymeasure.geodesic.spaces.elements import element_space
@@ -33,6 +38,9 @@ GOOD_ENOUGH = 1e-6
 FALLS = 10.0
 # Cuts that leave more of the error than this have come to what rounding leaves.
 STAYS = 0.7
+# How far a path that an edge holds may leave the patch between its nodes, in u or v. That becomes
+# part of its error, and the path that is returned is cut off there.
+OUTSIDE = 1e-7
 # No element has a smaller part of the length.
 LEAST_PART = 1e-15
 
@@ -101,7 +109,7 @@ def solve_elements(
         path = path.weighted(np.maximum(measured.lengths, LEAST_PART * length))
         # What an edge holds is right only where the path is at rest.
         settled = minimum.converged or not held.any()
-        if settled and not path.overshoots.any():
+        if settled and path.outside.max() <= (OUTSIDE if held.any() else OVERSHOOT):
             stays = best is not None and bool(
                 measured.length.error[0] > STAYS * best.measured.length.error[0]
             )

@@ -86,6 +86,9 @@ class PathBatch:
         else:
             times = times_at(self.space.quadrature, self.speed, parts)
             points = self.space.functions.combined(self.values, times)
+        if self.contacts:
+            # A path along an edge stays in the patch; polynomials may leave it by a little.
+            points = np.clip(points, 0.0, 1.0)
         points[:, parts == 0.0] = self.values[:, None, :, 0]
         points[:, parts == 1.0] = self.values[:, None, :, -1]
         return points
