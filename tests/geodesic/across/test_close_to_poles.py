@@ -40,10 +40,12 @@ PAIRS = [
     # The way from the first to the seam beside it is shorter than 1e-9, but counts.
     (AtlasPoint(6, 0.5511719558, 1.0 - 1e-9), AtlasPoint(1, 0.3736243928, 0.7913229003)),
 ]
-# Points beside both poles of a triaxial ellipsoid, which two geodesics of one length join.
+# Points beside both poles of a triaxial ellipsoid, or at one. Two geodesics of one length join them.
 BESIDE_BOTH = [
     (AtlasPoint(3, 0.36, 1.0 - 2e-11), AtlasPoint(7, 0.26, 3.9e-06)),
     (AtlasPoint(3, 0.543, 1.0 - 7.7e-09), AtlasPoint(5, 0.966, 2.2e-11)),
+    (AtlasPoint(4, 0.9999996618288315, 1.7e-07), AtlasPoint(0, 0.0, 1.0)),
+    (AtlasPoint(0, 0.0, 1.0), AtlasPoint(4, 0.9999996618288315, 1.7e-07)),
 ]
 # The quick tests take some of them, the slow ones the others.
 QUICK = (1, 2, 4, 9)

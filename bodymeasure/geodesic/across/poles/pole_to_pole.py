@@ -1,4 +1,4 @@
-"""Paths between two points of which each is close to a pole.
+"""Paths between two points of which each is close to a pole, or at it.
 
 Several geodesics of nearly equal lengths may join two poles, as on an ellipsoid with three axes.
 Which of them the shortest path between points beside the poles follows, their directions tell.
@@ -41,24 +41,37 @@ def between_poles(
     if near is None or far is None:
         return None
     outer = (near, (ends[0], poles[0])), (far, (poles[1], ends[1]))
-    legs = [radial(fan, leg) or shortest_leg(atlas, neighbors, leg, budget) for fan, leg in outer]
-    if not all(leg.converged and leg.length > 0.0 for leg in legs):
+    legs: list[AtlasPath | None] = []
+    for fan, leg in outer:
+        if neighbors.are_same(*leg):
+            legs.append(None)
+            continue
+        legs.append(radial(fan, leg) or shortest_leg(atlas, neighbors, leg, budget))
+    if not all(leg is None or (leg.converged and leg.length > 0.0) for leg in legs):
         return None
-    found = []
-    for middle in _geodesics(atlas, poles[0], poles[1]):
-        first = composed_path((ends[0], poles[1]), near, (legs[0], middle))
-        whole = None if first is None else composed_path(ends, far, (first[0], legs[1]))
-        if first is not None and whole is not None and not first[1].conjugate:
-            found.append(whole[0])
+    found: list[AtlasPath] = []
+    for path in _geodesics(atlas, poles[0], poles[1]):
+        whole, between = path, (ends[0], poles[1])
+        if legs[0] is not None:
+            first = composed_path(between, near, (legs[0], whole))
+            if first is None or first[1].conjugate:
+                continue
+            whole = first[0]
+        if legs[1] is not None:
+            second = composed_path(ends, far, (whole, legs[1]))
+            if second is None:
+                continue
+            whole = second[0]
+        found.append(whole)
     return min(found, key=lambda path: path.length, default=None)
 
 
 def _pole_beside(atlas: Atlas, place: AtlasPoint) -> AtlasPoint | None:
-    """Return the place of the pole close to a point on the same patch; None if there is none."""
+    """Return the place of the pole close to a point, or at it, on its patch; None if none is."""
     poles = poles_of(atlas)
     for number in np.flatnonzero(poles.patch == place.patch).tolist():
         away = np.linalg.norm(atlas.position(place) - poles.positions[number])
-        if 0.0 < away < CLOSE * poles.widths[number]:
+        if away < CLOSE * poles.widths[number]:
             return poles.place(number)
     return None
 
