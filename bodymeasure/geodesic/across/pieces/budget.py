@@ -10,9 +10,9 @@ STEP, HELD, ROUTES = 3000.0, 40_000.0, 200_000.0
 # until no route is left to try. And what one for a loop may: from the hip to the waist it takes a
 # quarter of that.
 PATH, LOOP = 8e6, 8e7
-# What a search may take on an atlas with poles, about 1.5 s. All parts of a path share it, and
+# What a search may take on an atlas with poles, about 2 s. All parts of a path share it, and
 # mostly the path past the pole is known once it is used up.
-WITH_POLES = 3e6
+WITH_POLES = 5e6
 # What may be taken beyond that to make the path at hand exact: without that there is no length.
 OVERDRAFT = 1e6
 

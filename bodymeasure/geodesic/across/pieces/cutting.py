@@ -60,7 +60,7 @@ def cut_until_known(
         errors = piece_errors(path)
         if length.error <= tolerance * length.raw or len(errors) >= MOST_PARTS:
             break
-        if budget.left <= 0.0:
+        if budget.is_overdrawn():
             # The length may be good enough.
             break
         least = max(tolerance / (2.0 * len(errors)), WORST * _largest(errors))

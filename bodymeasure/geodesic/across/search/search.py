@@ -37,6 +37,8 @@ ORDINARY = 32
 # The relative error that is wanted for a length, and the one that is good enough if the last degree
 # has not met it, as where patches bend sharply near a corner.
 TOLERANCE, GOOD_ENOUGH = 1e-9, 1e-6
+# An error that a higher degree leaves above this part of itself stays.
+STALLS = 0.5
 # Which edges hold a path is read off at degrees up to this: where it cannot be, it hardly can at
 # higher ones.
 HIGHEST_READ = 12
@@ -203,6 +205,7 @@ def _along(search: Search, begun: _Begun) -> SearchResult:
     # Between points on both sides of a seam and beside it, rounding is much of what is measured.
     negligible = NEGLIGIBLE * float(np.ptp(search.atlas.points, axis=0).max())
     history: list[float] = []
+    errors, is_cut = [np.inf], False
     good = False
     for degree in degrees:
         if degree > degrees[0]:
@@ -244,7 +247,12 @@ def _along(search: Search, begun: _Begun) -> SearchResult:
         exact = not contact and length.error <= enough
         if good and degree > SLIDING and (exact or degree >= ORDINARY):
             break
-        if degree == ORDINARY and not (contact or closed):
+        # At a fold a higher degree hardly helps; and where no budget is left, it is cuts that may.
+        stalls = not length.error <= STALLS * errors[-1] or search.budget.left <= 0.0
+        errors.append(float(length.error))
+        hopeless = degree == ORDINARY or (degree >= LAST_OVERDRAWN and stalls)
+        if hopeless and not (is_cut or contact or closed):
+            is_cut = True
             cut, known = cut_until_known(search.atlas, best, TOLERANCE, search.budget)
             if cut.minimum.converged and known.is_known_to(GOOD_ENOUGH):
                 best, length, good = cut, replace(known, error=known.error + missed), True
