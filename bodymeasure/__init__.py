@@ -39,7 +39,6 @@ __all__ = [
     "GeodesicSolution",
     "Girth",
     "GivenLength",
-    "GradedPattern",
     "HasDerivatives",
     "InputError",
     "Kernel",
@@ -92,7 +91,6 @@ __all__ = [
     "geodesic_between",
     "geodesic_from",
     "geodesics_between",
-    "grade_pattern",
     "homogeneous",
     "limb_girth",
     "load_definitions",
@@ -253,12 +251,10 @@ if TYPE_CHECKING:
     )
     from bodymeasure.mesh import MeshPath, measure_mesh, path_to_trimesh, write_glb, write_paths
     from bodymeasure.pattern import (
-        GradedPattern,
         Pattern,
         PatternDefinitions,
         Piece,
         UnfoldedPatches,
-        grade_pattern,
         load_pattern,
         make_pattern,
         unfold_patches,

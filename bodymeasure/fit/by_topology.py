@@ -99,9 +99,9 @@ def map_body(
     (376, ())
     """
     source, label = _called(mesh)
+    polygons = _polygons(mesh)
     unit = required_unit(file_unit, source, False)
     check_axes(up, None)
-    polygons = _polygons(mesh)
     chosen = _chosen(topology, polygons, source)
     found = mapped_body(polygons, chosen, unit, up=up, source=source)
     posture = posture_of(found.vertices)

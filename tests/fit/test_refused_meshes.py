@@ -10,6 +10,7 @@ import trimesh
 from helpers.scans.meshes import ellipsoid, joined
 
 from bodymeasure.errors import InputError
+from bodymeasure.fit import map_body
 from bodymeasure.fit.scan import load as loading
 from bodymeasure.fit.scan import read_scan, scan_of
 
@@ -32,6 +33,12 @@ def test_a_missing_unit_names_the_option(tmp_path: Path) -> None:
         "a mesh says no unit, and none was given; say in which unit its coordinates are (one of m, "
         "cm, mm, inch): file_unit=... in Python, --file-unit on the command line"
     )
+
+
+def test_that_a_file_is_missing_comes_before_its_unit(tmp_path: Path) -> None:
+    for reads in (read_scan, map_body):
+        with pytest.raises(InputError, match=r"nothing\.ply: no such file; check the path"):
+            reads(tmp_path / "nothing.ply")
 
 
 @pytest.mark.parametrize(

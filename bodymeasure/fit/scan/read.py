@@ -68,10 +68,12 @@ def read_scan(
     'Welded 36,096 vertices by position'
     """
     path = file_path(path)
+    require_bytes(path)
+    # That the file can be read comes first: nobody knows the unit of one that is missing.
+    content = read_bytes(path)
     unit = required_unit(file_unit, str(path), path.suffix.lower() in IN_METERS)
     check_axes(up, front)
-    require_bytes(path)
-    found = load(read_bytes(path), path)
+    found = load(content, path)
     return made(found, str(path), unit, up, front, path.stem)
 
 

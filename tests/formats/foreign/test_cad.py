@@ -2,7 +2,6 @@
 
 import subprocess
 import warnings
-from importlib.util import find_spec
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -16,8 +15,7 @@ from bodymeasure.bezier import evaluate
 from bodymeasure.errors import ReadWarning
 from bodymeasure.formats.foreign import cad_worker, process
 
-# It takes a second to load, which is spent where these tests run and not where they are listed.
-pytestmark = pytest.mark.skipif(find_spec("OCP") is None, reason="needs Open CASCADE")
+pytest.importorskip("OCP")
 
 KINDS = ("step", "iges")
 
