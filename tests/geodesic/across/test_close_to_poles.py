@@ -40,7 +40,7 @@ PAIRS = [
     # The way from the first to the seam beside it is shorter than 1e-9, but counts.
     (AtlasPoint(6, 0.5511719558, 1.0 - 1e-9), AtlasPoint(1, 0.3736243928, 0.7913229003)),
 ]
-# Points beside both poles of a triaxial ellipsoid, or at one. Two geodesics of one length join them.
+# Points beside both poles of a triaxial ellipsoid, or at one. Two geodesics join the poles.
 BESIDE_BOTH = [
     (AtlasPoint(3, 0.36, 1.0 - 2e-11), AtlasPoint(7, 0.26, 3.9e-06)),
     (AtlasPoint(3, 0.543, 1.0 - 7.7e-09), AtlasPoint(5, 0.966, 2.2e-11)),
