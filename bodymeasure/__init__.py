@@ -39,6 +39,7 @@ __all__ = [
     "GeodesicSolution",
     "Girth",
     "GivenLength",
+    "GradedPattern",
     "HasDerivatives",
     "InputError",
     "Kernel",
@@ -91,6 +92,7 @@ __all__ = [
     "geodesic_between",
     "geodesic_from",
     "geodesics_between",
+    "grade_pattern",
     "homogeneous",
     "limb_girth",
     "load_definitions",
@@ -251,10 +253,12 @@ if TYPE_CHECKING:
     )
     from bodymeasure.mesh import MeshPath, measure_mesh, path_to_trimesh, write_glb, write_paths
     from bodymeasure.pattern import (
+        GradedPattern,
         Pattern,
         PatternDefinitions,
         Piece,
         UnfoldedPatches,
+        grade_pattern,
         load_pattern,
         make_pattern,
         unfold_patches,

@@ -1,5 +1,6 @@
 import os
 import sys
+from pathlib import Path
 
 # This has to be set before numpy loads its linear algebra. The tests run in as many processes as
 # there are cores, and more threads slow down small systems by a factor of five.
@@ -19,6 +20,8 @@ settings.register_profile(
     "local", deadline=None, max_examples=50, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.register_profile("ci", settings.get_profile("local"), derandomize=True, print_blob=True)
+# Its tests are all marked `browser`.
+BROWSER = Path(__file__).parent / "viewer" / "browser"
 PROFILE = "ci" if os.environ.get("CI") else "local"
 # Each example of a slow test takes a second or more, and shrinking one that fails takes hundreds.
 settings.register_profile(
@@ -28,10 +31,19 @@ settings.register_profile(
 )
 
 
+def _quick(config: pytest.Config) -> bool:
+    """Whether only the fast tests run."""
+    return bool(config.getoption("markexpr") == "not slow and not browser")
+
+
 def pytest_configure(config: pytest.Config) -> None:
     """Choose how examples are made, before the tests are read."""
-    quick = config.getoption("markexpr") == "not slow and not browser"
-    settings.load_profile(PROFILE if quick else "slow")
+    settings.load_profile(PROFILE if _quick(config) else "slow")
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Spare the fast tests what drives a browser, which takes half a second to load."""
+    return True if _quick(config) and collection_path == BROWSER else None
 
 
 @pytest.fixture

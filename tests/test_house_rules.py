@@ -2,7 +2,7 @@
 
 import ast
 
-from helpers.modules import FOLDERS, MODULES, ROOT, loaded_by
+from helpers.modules import FOLDERS, ROOT, all_modules, loaded_by
 
 # Packages that are heavy, optional or talk to the user, with the layers that may import them.
 RESERVED = {
@@ -34,7 +34,7 @@ OF_THE_COMMAND_LINE = {
 
 def test_packages_are_imported_only_where_they_belong() -> None:
     faults = []
-    for module in MODULES:
+    for module in all_modules():
         for name, line in module.imports():
             allowed = RESERVED.get(name.split(".")[0], {module.layer})
             if module.layer not in allowed:
@@ -54,7 +54,7 @@ def _named(node: ast.AST) -> str:
 def test_only_the_command_line_prints_or_exits() -> None:
     faults = [
         f"{module.name}:{node.lineno}: {_named(node)}"
-        for module in MODULES
+        for module in all_modules()
         if module.layer not in {"cli", "__main__"}
         for node in ast.walk(module.tree)
         if isinstance(node, ast.Name | ast.Attribute) and _named(node) in OF_THE_COMMAND_LINE
@@ -65,7 +65,7 @@ def test_only_the_command_line_prints_or_exits() -> None:
 def test_no_global_random_numbers() -> None:
     faults = [
         f"{module.name}:{node.lineno}: {ast.unparse(node)}"
-        for module in MODULES
+        for module in all_modules()
         for node in ast.walk(module.tree)
         if isinstance(node, ast.Attribute)
         and node.attr not in {"default_rng", "Generator"}
@@ -105,7 +105,7 @@ def test_arrays_of_the_usual_kinds_have_their_names_in_one_place() -> None:
     kinds = {"np.float64", "np.int64", "np.bool_", "np.complex128"}
     faults = [
         f"{module.name}:{node.lineno}: {ast.unparse(node)} belongs into bodymeasure._typing"
-        for module in MODULES
+        for module in all_modules()
         for node in ast.walk(module.tree)
         if module.layer != "_typing"
         and isinstance(node, (ast.Assign, ast.AnnAssign))

@@ -11,7 +11,7 @@ from threading import Barrier
 import numpy as np
 import pytest
 import scipy.linalg  # noqa: F401  # so that its library is found
-from helpers.modules import MODULES
+from helpers.modules import all_modules
 from threadpoolctl import threadpool_info, threadpool_limits
 
 import bodymeasure as bm
@@ -166,7 +166,7 @@ def test_every_public_function_that_computes_is_held_to_one_thread() -> None:
     assert public >= WITHOUT
     held = {
         node.name
-        for module in MODULES
+        for module in all_modules()
         for node in module.tree.body
         if isinstance(node, ast.FunctionDef)
         and "one_blas_thread()" in map(ast.unparse, node.decorator_list)

@@ -7,6 +7,7 @@ from bodymeasure.pattern.files.svg import path_id, pattern_svg, strain_svg
 from bodymeasure.pattern.flat.flatten import Flat
 from bodymeasure.pattern.patches.sheet import patches_sheet, patches_table
 from bodymeasure.pattern.patches.unfold import UnfoldedPatches, unfold_patches
+from bodymeasure.pattern.pieces.graded import GradedPattern, grade_pattern
 from bodymeasure.pattern.pieces.make import make_pattern
 from bodymeasure.pattern.pieces.pattern import Pattern, Seam
 from bodymeasure.pattern.pieces.piece import Piece, PieceDart, PieceEdge
@@ -16,6 +17,7 @@ __all__ = [
     "Dart",
     "Edge",
     "Flat",
+    "GradedPattern",
     "Panel",
     "Pattern",
     "PatternDefinitions",
@@ -24,6 +26,7 @@ __all__ = [
     "PieceEdge",
     "Seam",
     "UnfoldedPatches",
+    "grade_pattern",
     "load_pattern",
     "make_pattern",
     "patches_sheet",

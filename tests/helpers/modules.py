@@ -4,6 +4,7 @@ import ast
 import subprocess
 import sys
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -46,7 +47,9 @@ class Module(NamedTuple):
                     yield str(node.module), node.lineno
 
 
-def _modules() -> list[Module]:
+@cache
+def all_modules() -> tuple[Module, ...]:
+    """Every module of the package, parsed when it is first asked for: it takes over a second."""
     modules = []
     for package, folder in FOLDERS.items():
         for path in sorted(folder.rglob("*.py")):
@@ -54,10 +57,7 @@ def _modules() -> list[Module]:
             parts = parts[:-1] if parts[-1] == "__init__" else parts
             layer = parts[1] if len(parts) > 1 else ""
             modules.append(Module(".".join(parts), layer, ast.parse(path.read_text("utf-8"))))
-    return modules
-
-
-MODULES = _modules()
+    return tuple(modules)
 
 
 def loaded_by(script: str) -> set[str]:

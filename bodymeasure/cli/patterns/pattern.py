@@ -1,5 +1,8 @@
 """`bodymeasure pattern`."""
 
+from collections.abc import Callable
+from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -9,13 +12,16 @@ from rich.text import Text
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.cli.console import RESULTS, print_files, print_note, print_table, progress_bar
+from bodymeasure.cli.measuring.subjects import Subject, subjects_of
 from bodymeasure.cli.options import (
+    DEFAULT_SAMPLE,
     EXIT_CODES,
     despite_errors_option,
     folder_option,
     load_sound_atlas,
-    optional_atlas_argument,
+    names_in_list,
     require,
+    several_atlases_argument,
 )
 from bodymeasure.cli.tables import new_table
 from bodymeasure.errors import InputError
@@ -45,7 +51,7 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, name: str | None
 
 
 @click.command(short_help="Make the flat pieces of a garment from a body.", epilog=EXIT_CODES)
-@optional_atlas_argument
+@several_atlases_argument
 @click.option(
     "--set",
     "definitions",
@@ -55,6 +61,13 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, name: str | None
     help=f"The panels: {NAMES}, or a file of yours.",
 )
 @folder_option(default=Path("pattern"), help="Folder for the files; made if it is not there.")
+@click.option(
+    "--sizes",
+    callback=lambda _ctx, _parameter, value: names_in_list(value),
+    metavar="NAMES",
+    help="Names of the sizes of several bodies, with commas between them, in the order of the "
+    "bodies.  [default: the names of the files]",
+)
 @click.option(
     "--allowance",
     type=click.FloatRange(min=0.0, max=10.0),
@@ -79,9 +92,10 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, name: str | None
 )
 @despite_errors_option
 def pattern(
-    atlas: str,
+    atlases: tuple[str, ...],
     definitions: str,
     output: Path,
+    sizes: tuple[str, ...],
     allowance: float,
     patches: bool,
     despite_errors: bool,
@@ -90,38 +104,82 @@ def pattern(
 
     ATLAS is the average female sample if not given. FOLDER gets pattern.svg, in true size,
     strain.svg, which shows where the cloth has to give, and pattern.json with all lengths.
+
+    Several bodies are the sizes of one garment: each is cut on its own body, and its files go into
+    a folder in FOLDER by the name of the size.
+
+    A dart that would not open is left out, and said; the exit code is 1 only if a piece or a seam
+    is not right.
     """
-    if not patches:
-        require(CUTTING)
-        # Slow imports, which `--help` does not need.
-        from bodymeasure.pattern import load_pattern, make_pattern
+    names = atlases or (DEFAULT_SAMPLE,)
+    if patches:
+        if len(names) > 1:
+            raise click.UsageError("--patches unfolds one body; unfold them one by one.")
+        return _patches(load_sound_atlas(names[0], despite_errors=despite_errors), output)
+    require(CUTTING)
+    # Slow imports, which `--help` does not need.
+    from bodymeasure.pattern import grade_pattern, load_pattern, make_pattern
 
-        panels = load_pattern(definitions)
-        loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
-        with output_folder(output):
-            with progress_bar("laying flat", len(panels.panel)) as progress:
-                made = make_pattern(loaded, panels, progress=lambda done, _all: progress(done))
-            files = _written(made, output, 10.0 * allowance)
-        print_table(_table(made))
-        _print_seams(made)
-        print_files(files)
-        for words in made.warnings:
-            print_note(words)
-        return EXIT_LOOK if made.warnings else 0
-    loaded = load_sound_atlas(atlas, despite_errors=despite_errors)
-    return _patches(loaded, output)
+    panels = load_pattern(definitions)
+    load = partial(load_sound_atlas, despite_errors=despite_errors, if_none=len(names) > 1)
+    bodies = _by_size(subjects_of(names, load, despite_errors=despite_errors), sizes)
+    graded = len(bodies) > 1
+    # A folder for each size, which is removed again if the work fails.
+    folders = {size: output / size if graded else output for size in bodies}
+    with ExitStack() as stack:
+        for folder in folders.values():
+            stack.enter_context(output_folder(folder))
+        with progress_bar("laying flat", len(panels.panel) * len(bodies)) as progress:
+            advance: Callable[[int, int], None] = lambda done, _all: progress(done)  # noqa: E731
+            if graded:
+                made = grade_pattern(bodies, panels, progress=advance).patterns
+            else:
+                made = {
+                    size: make_pattern(body, panels, progress=advance)
+                    for size, body in bodies.items()
+                }
+        files: dict[Path, bytes] = {}
+        for size, one in made.items():
+            files |= _files(one, folders[size], 10.0 * allowance)
+        write_all(files)
+    for size, one in made.items():
+        if graded:
+            RESULTS.print(Text(size, style="bold"))
+        print_table(_table(one))
+        _print_seams(one)
+    print_files(files)
+    for size, one in made.items():
+        for words in one.warnings:
+            print_note(f"{size}, {words}" if graded else words)
+    return 0 if all(one.is_sound for one in made.values()) else EXIT_LOOK
 
 
-def _written(made: "Pattern", output: Path, allowance: float) -> list[Path]:
+def _by_size(bodies: list[Subject], sizes: tuple[str, ...]) -> dict[str, Atlas]:
+    """Return bodies by the names of their sizes, which name folders, too."""
+    if sizes and len(sizes) != len(bodies):
+        given = counted(len(bodies), "body", "bodies")
+        raise click.UsageError(
+            f"--sizes names {counted(len(sizes), 'size')} for {given}; name one for each body."
+        )
+    names = sizes or tuple(subject.name for subject in bodies)
+    for name in names:
+        if names.count(name) > 1:
+            raise click.UsageError(f"--sizes names {name!r} twice; name each size once.")
+        if len(names) > 1 and (set(name) & set('/\\:*?"<>|\0') or name.strip(". ") != name):
+            raise click.UsageError(
+                f"{name!r} cannot name a folder; name the sizes by --sizes, in letters and digits."
+            )
+    return {name: subject.atlas for name, subject in zip(names, bodies, strict=True)}
+
+
+def _files(made: "Pattern", output: Path, allowance: float) -> dict[Path, bytes]:
     from bodymeasure.pattern import pattern_json, pattern_svg, strain_svg
 
-    files = {
+    return {
         output / "pattern.svg": pattern_svg(made, allowance=allowance).encode(),
         output / "strain.svg": strain_svg(made).encode(),
         output / "pattern.json": pattern_json(made, allowance=allowance),
     }
-    write_all(files)
-    return list(files)
 
 
 def _table(made: "Pattern") -> "Table":

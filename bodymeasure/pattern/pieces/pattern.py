@@ -83,6 +83,17 @@ class Pattern:
         )
 
     @property
+    def is_sound(self) -> bool:
+        """Whether all pieces are sound and all seams match.
+
+        A dart that was left out, or cloth that has to give much, is a warning, but no fault.
+        """
+        millimeters = 1000.0 * self.atlas.unit.meters
+        return all(piece.is_sound for piece in self.pieces) and all(
+            abs(millimeters * seam.difference) <= UNEQUAL for seam in self.seams
+        )
+
+    @property
     def warnings(self) -> tuple[str, ...]:
         """What there is to look at, with the names of the pieces and seams."""
         result = [f"{piece.name}: {words}" for piece in self.pieces for words in piece.warnings]

@@ -127,6 +127,11 @@ class Piece:
         """Whether the outline does not cross itself."""
         return bool(shapely.is_valid(shapely.polygons(self.outline)))
 
+    @property
+    def is_sound(self) -> bool:
+        """Whether it settled, does not flip, and has an outline that does not cross itself."""
+        return self.flat.converged and not self.flips and self.is_simple
+
     def edge(self, name: str) -> PieceEdge:
         """Return the edge of a name."""
         return next(edge for edge in self.edges if edge.name == name)

@@ -24,9 +24,9 @@ def test_pieces_are_written_into_a_folder(run: Run, tmp_path: Path) -> None:
     assert content["set"] == "Small"
 
 
-def test_a_dart_that_is_left_out_is_something_to_look_at(run: Run, tmp_path: Path) -> None:
+def test_a_dart_that_is_left_out_is_said_and_no_fault(run: Run, tmp_path: Path) -> None:
     ran = run("pattern", "female_average", "--set", "skirt", "-o", tmp_path / "out")
-    assert ran.code == 1
+    assert ran.code == 0
     assert "skirt front: dart 'waist dart' is left out" in ran.err
     assert "both sides differ by at most" in ran.out
 
@@ -66,3 +66,28 @@ def test_a_body_without_landmarks_is_refused(run: Run, part: Path, tmp_path: Pat
     assert ran.code == 2
     assert "panel 'bodice front' needs the landmark" in ran.err
     assert not (tmp_path / "out").exists()
+
+
+def test_several_bodies_are_sizes_of_one_garment(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "small.toml").write_text(SMALL)
+    out = tmp_path / "out"
+    bodies = ("female_average", "male_average")
+    ran = run("pattern", *bodies, "--sizes", "F,M", "--set", tmp_path / "small.toml", "-o", out)
+    assert ran.code == 0
+    assert "M, skirt back: dart" in ran.err
+    assert {path.name for path in out.iterdir()} == {"F", "M"}
+    assert json.loads((out / "M" / "pattern.json").read_bytes())["body"].startswith("Average male")
+
+
+def test_sizes_that_name_no_folders_are_refused(run: Run, tmp_path: Path) -> None:
+    bodies = ("female_average", "male_average")
+    for sizes, words in (
+        ("S", "names 1 size for 2 bodies"),
+        ("S,S", "names 'S' twice"),
+        ("../S,M", "cannot name a folder"),
+    ):
+        ran = run("pattern", *bodies, "--sizes", sizes, "-o", tmp_path / "out")
+        assert ran.code == 2
+        assert words in ran.err
+        assert not (tmp_path / "out").exists()
+    assert run("pattern", *bodies, "--patches", "-o", tmp_path / "out").code == 2

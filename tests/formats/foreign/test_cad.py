@@ -2,6 +2,7 @@
 
 import subprocess
 import warnings
+from importlib.util import find_spec
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -15,7 +16,8 @@ from bodymeasure.bezier import evaluate
 from bodymeasure.errors import ReadWarning
 from bodymeasure.formats.foreign import cad_worker, process
 
-pytest.importorskip("OCP")
+# It takes a second to load, which is spent where these tests run and not where they are listed.
+pytestmark = pytest.mark.skipif(find_spec("OCP") is None, reason="needs Open CASCADE")
 
 KINDS = ("step", "iges")
 

@@ -14,6 +14,10 @@ from bodymeasure.samples import sample_path
 # Bytes by which memory may grow while it should not: the hardest of many paths needs more than the
 # others, of which allocators keep some.
 SLACK = 24 * 2**20
+# Python starts a thread when none is idle at that very moment, and lets it go when it likes, so
+# that counts of threads and of what they hold open differ by a few from run to run. Tabs that each
+# left one behind would be told from that by their number.
+TABS, CHANCE = 50, 12
 
 
 @pytest.mark.slow
@@ -74,12 +78,14 @@ def test_tabs_that_are_closed_leave_nothing() -> None:
                     asked = {"tab": str(id(client)), "locations": ends}
                     assert client.post("/api/path", json=asked).status_code == 200
 
+        def more(before: tuple[int, int]) -> list[int]:
+            return [now - then for now, then in zip(held(), before, strict=True)]
+
         tabs(5)
-        patience = time.monotonic() + PATIENCE
         before = held()
-        while before != (before := held()) and time.monotonic() < patience:
+        tabs(TABS)
+        # Connections that were closed are let go a moment later.
+        patience = time.monotonic() + PATIENCE
+        while max(more(before)) > CHANCE and time.monotonic() < patience:
             time.sleep(0.1)
-        tabs(50)
-        while held() > before and time.monotonic() < patience:
-            time.sleep(0.1)
-        assert held() <= before
+        assert max(more(before)) <= CHANCE, (before, held())
