@@ -3,7 +3,8 @@
 from bodymeasure.pattern.definitions.panels import Dart, Edge, Panel, PatternDefinitions
 from bodymeasure.pattern.definitions.read import SETS, load_pattern, set_text
 from bodymeasure.pattern.files.report import pattern_json, pattern_record
-from bodymeasure.pattern.files.svg import path_id, pattern_svg, strain_svg
+from bodymeasure.pattern.files.strain import strain_svg
+from bodymeasure.pattern.files.svg import path_id, pattern_svg
 from bodymeasure.pattern.flat.flatten import Flat
 from bodymeasure.pattern.patches.sheet import patches_sheet, patches_table
 from bodymeasure.pattern.patches.unfold import UnfoldedPatches, unfold_patches

@@ -6,6 +6,9 @@ from collections.abc import Iterator
 from bodymeasure.pattern.definitions.panels import Dart, Edge, Panel
 from bodymeasure.wording import hint
 
+# In meters: a hem has some centimeters.
+MOST_ALLOWANCE = 0.2
+
 
 def panel_faults(panel: Panel) -> Iterator[str]:
     """Yield sentences on what is wrong with a panel."""
@@ -16,6 +19,7 @@ def panel_faults(panel: Panel) -> Iterator[str]:
     for name, count in Counter([*names, *(dart.name for dart in panel.dart)]).items():
         if count > 1:
             yield f"has {count} edges or darts named {name!r}; rename them"
+    yield from _allowance_faults(panel)
     for edge in panel.edge:
         yield from _edge_faults(edge)
     for before, after in zip(panel.edge, (*panel.edge[1:], panel.edge[0]), strict=True):
@@ -32,6 +36,25 @@ def panel_faults(panel: Panel) -> Iterator[str]:
             yield f"{member} names the edge {named!r}, which it lacks; {hint(named, names)}"
     for dart in panel.dart:
         yield from _dart_faults(dart, names, panel.fold)
+
+
+def _allowance_faults(panel: Panel) -> Iterator[str]:
+    given = [("", panel.allowance), *((f"edge {e.name!r}: ", e.allowance) for e in panel.edge)]
+    for where, allowance in given:
+        if allowance is not None and not 0.0 <= allowance <= MOST_ALLOWANCE:
+            yield (
+                f"{where}allowance is {allowance}; expected a length in meters, 0 to "
+                f"{MOST_ALLOWANCE}"
+            )
+    for edge in panel.edge:
+        if edge.name == panel.fold and edge.allowance:
+            yield f"edge {edge.name!r} is the fold, which has no allowance; leave it out"
+        for place in edge.notches or ():
+            if not 0.0 < place < 1.0:
+                yield (
+                    f"edge {edge.name!r} has a notch at {place}; expected a part of its length "
+                    "between 0 and 1"
+                )
 
 
 def _edge_faults(edge: Edge) -> Iterator[str]:
@@ -81,5 +104,7 @@ def _dart_faults(dart: Dart, edges: list[str], fold: str) -> Iterator[str]:
         )
     if not 0.0 <= dart.short < 10.0:
         yield f"dart {dart.name!r}: short is {dart.short}; expected a length in meters"
+    if not 0.0 <= dart.drill < 1.0:
+        yield f"dart {dart.name!r}: drill is {dart.drill}; expected a length in meters"
     if dart.towards and not dart.short and dart.length is None:
         yield f"dart {dart.name!r} would reach the edge {dart.towards!r}; give it a length or short"

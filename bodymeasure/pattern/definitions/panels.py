@@ -30,6 +30,11 @@ class Edge(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         not given.
     seam : str
         The seam to which the edge is sewn: all edges of one seam are one curve.
+    allowance : float, optional
+        What is added to it outside, in meters; that of the panel if not given, and none at a fold.
+    notches : tuple of float, optional
+        Where it is notched, as parts of its length from its start; at the middle if not given and
+        the edge is sewn.
     """
 
     name: str
@@ -38,6 +43,8 @@ class Edge(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     plane: tuple[str, str, str] | Laid | None = None
     via: str = ""
     seam: str = ""
+    allowance: float | None = None
+    notches: tuple[float, ...] | None = None
 
 
 class Dart(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -61,6 +68,8 @@ class Dart(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     length : float
         how long it is, in meters.
     legs : {"straight", "shaped"}
+    drill : float
+        How far before the tip a hole marks it, in meters, so that the stitching covers the hole.
     """
 
     name: str
@@ -72,6 +81,7 @@ class Dart(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     short: float = 0.0
     length: float | None = None
     legs: Literal["straight", "shaped"] = "straight"
+    drill: float = 0.01
 
 
 class Panel(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -92,6 +102,11 @@ class Panel(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     cut : str
         How often the piece is cut, for its label.
     words : str
+    allowance : float, optional
+        What is added outside its edges, in meters, unless they say otherwise; if not given, what
+        the user asks for.
+    notch : {"single", "double"}
+        How its edges are notched: by custom once in front, twice behind.
     """
 
     name: str
@@ -102,6 +117,8 @@ class Panel(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     grain: str = ""
     cut: str = ""
     words: str = ""
+    allowance: float | None = None
+    notch: Literal["single", "double"] = "single"
 
 
 class PatternDefinitions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

@@ -1,46 +1,50 @@
-"""Pieces on a sheet in millimeters: their cut lines, and where each lies."""
+"""Pieces on a sheet in millimeters: where each lies, those of all sizes over each other."""
 
+import textwrap
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from bodymeasure._typing import Array
+from bodymeasure.pattern.files.drawn import DrawnPiece, drawn_piece
+from bodymeasure.pattern.files.labels import Marks, marks_of
+from bodymeasure.pattern.pieces.graded import GradedPattern
 from bodymeasure.pattern.pieces.pattern import Pattern
-from bodymeasure.pattern.pieces.piece import Piece
-from bodymeasure.pattern.planar import shapely
 
 # The distance between pieces and to the edge of the sheet, in millimeters.
-GAP = 25.0
-# Room below the pieces for the square by which a print is checked.
-BELOW = 40.0
-# How far, in allowances, a corner of the cut line may stand out; sharper ones are cut off.
-MITRE = 2.5
+GAP = 15.0
+# The side of the square by which a print is checked, and its distance to the edge of the sheet.
+SQUARE, CORNER = 50.0, 5.0
+# Letters in a line of words on a piece, and of those beside the square, which stand on the first
+# sheet of a print in tiles.
+LONGEST_LINE, LONGEST_TITLE = 30, 36
+# Room above the pieces for that square and the words beside it.
+ABOVE = SQUARE + CORNER + 10.0
 
 
 @dataclass(frozen=True, eq=False)
-class Placed:
-    """A piece on the sheet.
+class Nest:
+    """A piece in all sizes, over each other, on the sheet.
 
     Parameters
     ----------
-    piece : Piece
-    cut : ndarray, shape (m, 2)
-        The line along which it is cut out, on the sheet.
-    scale : float
-        Millimeters for one of the atlas's units.
+    name : str
+    pieces : tuple of DrawnPiece
+        One for each size.
+    marks : Marks
+        What is written on it, once for all sizes.
     offset : ndarray, shape (2,)
-        Where the piece's origin lies on the sheet, in millimeters.
+        Where the origin of its pieces lies on the sheet, in millimeters from its upper left corner.
     """
 
-    piece: Piece
-    cut: Array
-    scale: float
+    name: str
+    pieces: tuple[DrawnPiece, ...]
+    marks: Marks
     offset: Array
 
     def on_sheet(self, points: Array) -> Array:
-        """Return points of the piece on the sheet, whose second axis points down."""
-        return np.asarray(points * [self.scale, -self.scale] + self.offset)
+        """Return points of its pieces on the sheet, whose second axis points down."""
+        return np.asarray(points * [1.0, -1.0] + self.offset)
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,59 +53,76 @@ class Sheet:
 
     Parameters
     ----------
-    placed : tuple of Placed
+    title : tuple of str
+        What the sheet is, for the room beside the square.
+    nests : tuple of Nest
     width, height : float
         In millimeters.
     """
 
-    placed: tuple[Placed, ...]
+    title: tuple[str, ...]
+    nests: tuple[Nest, ...]
     width: float
     height: float
 
-
-def sheet_of(pattern: Pattern, allowance: float) -> Sheet:
-    """Lay out the pieces of a pattern; the allowance is in millimeters."""
-    scale = 1000.0 * pattern.atlas.unit.meters
-    x, tallest = GAP, 0.0
-    placed = []
-    for piece in pattern.pieces:
-        cut = cut_line(piece, allowance / scale) * [scale, -scale]
-        low, high = cut.min(axis=0), cut.max(axis=0)
-        offset = np.array([x, GAP]) - low
-        placed.append(Placed(piece, cut + offset, scale, offset))
-        x += float(high[0] - low[0]) + GAP
-        tallest = max(tallest, float(high[1] - low[1]))
-    return Sheet(tuple(placed), x, tallest + 2.0 * GAP + BELOW)
+    @property
+    def square(self) -> Array:
+        """The corners of the square by which a print is checked."""
+        side = SQUARE * np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
+        return np.asarray(CORNER + side)
 
 
-def sew_area(piece: Piece) -> Any:
-    """Return the area inside the sew line, with the darts closed by straight lines."""
-    rows = [part for edge in piece.edges for part in edge.parts]
-    # A piece whose atlas faces inwards is drawn the other way round.
-    return shapely.make_valid(shapely.polygons(np.concatenate(rows)))
+def sizes_of(pattern: Pattern | GradedPattern) -> dict[str, Pattern]:
+    """Return the pattern of each size; one that has no size has an empty name."""
+    return pattern.patterns if isinstance(pattern, GradedPattern) else {"": pattern}
 
 
-def cut_line(piece: Piece, allowance: float) -> Array:
-    """Return the line along which a piece is cut out, in the atlas's unit, closed.
+def sheet_of(pattern: Pattern | GradedPattern, allowance: float, width: float = np.inf) -> Sheet:
+    """Lay out the pieces of a pattern.
 
-    The allowance is added all round but at the fold, which lies on the fold of the cloth.
+    Parameters
+    ----------
+    pattern : Pattern or GradedPattern
+    allowance : float
+        In millimeters, of edges that have none of their own.
+    width : float
+        That of the paper, in millimeters: pieces that do not fit beside others come below.
     """
-    area = sew_area(piece)
-    if allowance > 0.0:
-        area = shapely.buffer(area, allowance, join_style="mitre", mitre_limit=MITRE)
-    if piece.panel.fold:
-        side = np.sign(np.median(piece.outline[:, 0]))
-        low, _, high, _ = shapely.bounds(sew_area(piece)).tolist()
-        far = 2.0 * (abs(low) + abs(high) + allowance + 1.0)
-        y = shapely.bounds(area)[[1, 3]]
-        half = shapely.box(
-            *(
-                (0.0, y[0] - 1.0, far, y[1] + 1.0)
-                if side > 0.0
-                else (-far, y[0] - 1.0, 0.0, y[1] + 1.0)
-            )
+    sizes = sizes_of(pattern)
+    first = next(iter(sizes.values()))
+    nests = []
+    x, y, deepest, widest = GAP, ABOVE + GAP, 0.0, 0.0
+    for number, panel in enumerate(first.definitions.panel):
+        drawn = tuple(
+            drawn_piece(each, each.pieces[number], allowance, size) for size, each in sizes.items()
         )
-        area = shapely.intersection(area, half)
-    if area.geom_type != "Polygon":
-        area = max(shapely.get_parts(area), key=shapely.area)
-    return np.asarray(shapely.get_coordinates(shapely.get_exterior_ring(area)))
+        cuts = np.concatenate([piece.cut * [1.0, -1.0] for piece in drawn])
+        low, high = cuts.min(axis=0), cuts.max(axis=0)
+        if x > GAP and x + high[0] - low[0] + GAP > width:
+            x, y, deepest = GAP, y + deepest + GAP, 0.0
+        marks = marks_of(drawn, _words(panel.name, panel.cut, sizes))
+        nests.append(Nest(panel.name, drawn, marks, np.array([x, y]) - low))
+        x += float(high[0] - low[0]) + GAP
+        deepest = max(deepest, float(high[1] - low[1]))
+        widest = max(widest, x)
+    title = _title(first, sizes, allowance)
+    return Sheet(title, tuple(nests), max(widest, 2 * SQUARE + 100.0), y + deepest + GAP)
+
+
+def _words(name: str, cut: str, sizes: dict[str, Pattern]) -> tuple[str, ...]:
+    """Return the words on a piece."""
+    named = [size for size in sizes if size]
+    what = f"{'sizes' if len(named) > 1 else 'size'} {', '.join(named)}" if named else ""
+    bodies = [each.atlas.name for each in sizes.values() if each.atlas.name]
+    whose = bodies[0] if len(bodies) == 1 else ""
+    words = (name, f"cut {cut}" if cut else "", what, whose)
+    return tuple(line for each in words for line in textwrap.wrap(each, LONGEST_LINE))
+
+
+def _title(first: Pattern, sizes: dict[str, Pattern], allowance: float) -> tuple[str, ...]:
+    """Return the words beside the square, short enough for the first sheet of paper."""
+    named = [size for size in sizes if size]
+    words = [first.definitions.name]
+    words += [f"sizes {', '.join(named)}"] if named else [first.atlas.name]
+    words += [f"true size; allowance {allowance:g} mm, but where the set says otherwise"]
+    return tuple(line for each in words for line in textwrap.wrap(each, LONGEST_TITLE))

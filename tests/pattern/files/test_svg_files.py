@@ -1,7 +1,6 @@
 """The files of a pattern, read back."""
 
 import json
-from functools import cache
 from pathlib import Path
 
 import msgspec
@@ -17,11 +16,6 @@ from bodymeasure.pattern import path_id, pattern_json, pattern_svg, strain_svg
 
 # svgelements takes 96 pixels for an inch.
 PIXELS = 96.0 / 25.4
-
-
-@cache
-def bodice() -> bm.Pattern:
-    return bm.make_pattern(bm.load_sample("female_average"), "bodice")
 
 
 def read(text: str, folder: Path) -> SVG:
@@ -40,8 +34,8 @@ def points_of(path: DrawnPath) -> list[Complex]:
     return [np.array(chain) for chain in result]
 
 
-def test_edges_have_their_lengths_on_the_skin(tmp_path: Path) -> None:
-    pattern = bodice()
+def test_edges_have_their_lengths_on_the_skin(bodice: bm.Pattern, tmp_path: Path) -> None:
+    pattern = bodice
     svg = read(pattern_svg(pattern), tmp_path)
     paths = {element.id: element for element in svg.elements() if isinstance(element, DrawnPath)}
     for piece in pattern.pieces:
@@ -59,8 +53,10 @@ def test_edges_have_their_lengths_on_the_skin(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("allowance", [0.0, 10.0])
-def test_cut_lines_hold_the_sew_lines_and_the_words(allowance: float, tmp_path: Path) -> None:
-    pattern = bodice()
+def test_cut_lines_hold_the_sew_lines_and_the_words(
+    bodice: bm.Pattern, allowance: float, tmp_path: Path
+) -> None:
+    pattern = bodice
     svg = read(pattern_svg(pattern, allowance=allowance), tmp_path)
     elements = [*svg.elements()]
     paths = {element.id: element for element in elements if isinstance(element, DrawnPath)}
@@ -84,8 +80,8 @@ def test_cut_lines_hold_the_sew_lines_and_the_words(allowance: float, tmp_path: 
         assert area.contains(shapely.Point(label.x, label.y))
 
 
-def test_the_report_says_what_the_pattern_holds() -> None:
-    pattern = bodice()
+def test_the_report_says_what_the_pattern_holds(bodice: bm.Pattern) -> None:
+    pattern = bodice
     content = json.loads(pattern_json(pattern))
     assert [piece["name"] for piece in content["pieces"]] == ["bodice front", "bodice back"]
     front = content["pieces"][0]
@@ -113,8 +109,8 @@ def test_seams_of_unequal_edges_are_said() -> None:
     assert any("mm longer than 'side' of 'bodice front'" in words for words in pattern.warnings)
 
 
-def test_the_map_of_strains_colors_every_triangle() -> None:
-    pattern = bodice()
+def test_the_map_of_strains_colors_every_triangle(bodice: bm.Pattern) -> None:
+    pattern = bodice
     text = strain_svg(pattern)
     triangles = sum(len(piece.flat.mesh.triangles) for piece in pattern.pieces)
     assert text.count("Z") == triangles
