@@ -56,7 +56,8 @@ ORDERS = {
     "mesh": "arrays, path, tubes · curved, exact, points · coarseness, curves, glb, lines ·"
     " measure",
     "paper": "method · data · surface · tables · reproduction · page",
-    "pattern": "planar · curves, definitions, patches · cutting · flat · pieces · files",
+    "pattern": "grid, planar · cloth, patches · curves, definitions · cutting · flat ·"
+    " pieces · files",
     "report": "files, serial, units · numbers · templating · landmarks · patches · body ·"
     " population",
     "scene": "model · camera, colors · lighting · figures · drawing · diagonals · tapes",

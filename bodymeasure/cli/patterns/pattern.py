@@ -23,6 +23,7 @@ from bodymeasure.cli.options import (
     require,
     several_atlases_argument,
 )
+from bodymeasure.cli.patterns.lengths import eases
 from bodymeasure.cli.tables import new_table
 from bodymeasure.errors import InputError
 from bodymeasure.files import output_folder, write_all
@@ -77,6 +78,13 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, name: str | None
     help="Allowance of seams in cm, round each piece but at a fold.",
 )
 @click.option(
+    "--ease",
+    callback=eases,
+    metavar="LEVELS",
+    help="By how much girths are wider than the body's, such as bust=4cm,waist=2cm: at neck, bust, "
+    "waist, hip, or the height of any landmark, and between them in turn.  [default: the set's]",
+)
+@click.option(
     "--print-set",
     metavar="SET",
     is_eager=True,
@@ -97,6 +105,7 @@ def pattern(
     output: Path,
     sizes: tuple[str, ...],
     allowance: float,
+    ease: dict[str, float] | None,
     patches: bool,
     despite_errors: bool,
 ) -> int:
@@ -132,10 +141,10 @@ def pattern(
         with progress_bar("laying flat", len(panels.panel) * len(bodies)) as progress:
             advance: Callable[[int, int], None] = lambda done, _all: progress(done)  # noqa: E731
             if graded:
-                made = grade_pattern(bodies, panels, progress=advance).patterns
+                made = grade_pattern(bodies, panels, ease=ease, progress=advance).patterns
             else:
                 made = {
-                    size: make_pattern(body, panels, progress=advance)
+                    size: make_pattern(body, panels, ease=ease, progress=advance)
                     for size, body in bodies.items()
                 }
         files: dict[Path, bytes] = {}

@@ -48,7 +48,7 @@ class SkinCurve:
     Parameters
     ----------
     length : float
-        Its length on the smooth surface, in the atlas's unit.
+        Its length on the smooth surface, or on the cloth above it, in the atlas's unit.
     runs : tuple of Run
         In order.
     places : callable

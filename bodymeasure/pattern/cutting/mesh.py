@@ -7,11 +7,11 @@ import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas import EDGES, Atlas, edge_table
-from bodymeasure.bezier import evaluate
+from bodymeasure.pattern.cloth.cloth import Cloth
 from bodymeasure.pattern.curves.skin_curve import Run, SkinCurve
-from bodymeasure.pattern.cutting.grid import cell_triangles, regular_grid
 from bodymeasure.pattern.cutting.patch import cut_patch
 from bodymeasure.pattern.cutting.sides import SAME, SidePoints
+from bodymeasure.pattern.grid import cell_triangles, regular_grid
 from bodymeasure.pattern.planar import shapely
 
 # A side of a triangle this near to a curve, in (u, v), is a part of it. Curves are straight between
@@ -43,9 +43,10 @@ class CutMesh:
     vertex: Ints
     curve: Ints
 
-    def positions(self, atlas: Atlas) -> Array:
-        """Return the positions of all corners, shape (k, 3, 3)."""
-        return evaluate(atlas.control_points[self.patch], self.parameters)
+    def positions(self, cloth: Cloth, kept: Bools) -> Array:
+        """Return the positions on the cloth of the corners of some triangles, shape (k, 3, 3)."""
+        patch = np.repeat(self.patch[kept], 3)
+        return cloth.positions(patch, self.parameters[kept].reshape(-1, 2)).reshape(-1, 3, 3)
 
 
 def cut_mesh(atlas: Atlas, curves: list[SkinCurve]) -> CutMesh:

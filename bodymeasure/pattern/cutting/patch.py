@@ -3,7 +3,7 @@
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.pattern.cutting.grid import CELLS
+from bodymeasure.pattern.grid import CELLS
 from bodymeasure.pattern.planar import shapely
 
 # Area in (u, v) below which a polygon is rounding.

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from bodymeasure._typing import Array, Ints
-from bodymeasure.atlas import Atlas, AtlasPoint
+from bodymeasure.atlas import AtlasPoint
 from bodymeasure.atlas.components import connected_components
 from bodymeasure.errors import InputError
+from bodymeasure.pattern.cloth.cloth import Cloth
 from bodymeasure.pattern.cutting.mesh import CutMesh
 
 
@@ -36,12 +37,13 @@ class Region:
     order: tuple[int, ...]
 
 
-def region_inside(atlas: Atlas, mesh: CutMesh, inside: AtlasPoint, names: list[str]) -> Region:
+def region_inside(cloth: Cloth, mesh: CutMesh, inside: AtlasPoint, names: list[str]) -> Region:
     """Return the part of a mesh round a point, up to the curves.
 
     Parameters
     ----------
-    atlas : Atlas
+    cloth : Cloth
+        On which the positions are.
     mesh : CutMesh
     inside : AtlasPoint
     names : list of str
@@ -92,7 +94,7 @@ def region_inside(atlas: Atlas, mesh: CutMesh, inside: AtlasPoint, names: list[s
     chains, order = chains[first:] + chains[:first], order[first:] + order[:first]
     local = np.full(int(numbers.max()) + 1, -1, dtype=np.int64)
     local[numbers] = np.arange(len(numbers))
-    corners = mesh.positions(atlas)[kept]
+    corners = mesh.positions(cloth, kept)
     positions = np.empty((len(numbers), 3))
     positions[local[vertex].ravel()] = corners.reshape(-1, 3)
     return Region(

@@ -7,7 +7,7 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.atlas import EDGES, EdgeTable
 from bodymeasure.pattern.curves.skin_curve import Run
-from bodymeasure.pattern.cutting.grid import CELLS
+from bodymeasure.pattern.grid import CELLS
 
 # Parameters of a side this near to one another are one point, found from both of its patches.
 SAME = 1e-6

@@ -22,8 +22,10 @@ def named_in(panel: Panel) -> list[str]:
     return [name for name in dict.fromkeys(names) if name]
 
 
-def panel_landmarks(atlas: Atlas, panels: Iterable[Panel]) -> Mapping[str, AtlasPoint]:
-    """Return the landmarks that panels name.
+def panel_landmarks(
+    atlas: Atlas, panels: Iterable[Panel], levels: Iterable[str] = ()
+) -> Mapping[str, AtlasPoint]:
+    """Return the landmarks that panels name, and those of levels that are there.
 
     Raises
     ------
@@ -32,7 +34,7 @@ def panel_landmarks(atlas: Atlas, panels: Iterable[Panel]) -> Mapping[str, Atlas
     """
     rules = {rule.name: rule for rule in both_sides(load_definitions().landmark)}
     panels = tuple(panels)
-    needed = _needed(rules, (name for panel in panels for name in named_in(panel)))
+    needed = _needed(rules, [*levels, *(name for panel in panels for name in named_in(panel))])
     derived = derive_landmarks(atlas, [rules[name] for name in needed], strict=False)
     for panel in panels:
         for name in named_in(panel):

@@ -139,6 +139,9 @@ class PatternDefinitions(msgspec.Struct, frozen=True, kw_only=True, forbid_unkno
     drop : tuple of str
         Names of panels that are left out of what is extended.
     panel : tuple of Panel
+    ease : dict of str to float
+        By how much girths of the garment are wider than those of the body, in meters, by the
+        landmarks at whose levels they are, or ``neck``, ``bust``, ``waist`` and ``hip``.
 
     Examples
     --------
@@ -154,6 +157,7 @@ class PatternDefinitions(msgspec.Struct, frozen=True, kw_only=True, forbid_unkno
     extends: str = ""
     drop: tuple[str, ...] = ()
     panel: tuple[Panel, ...] = ()
+    ease: dict[str, float] = {}
 
     def __repr__(self) -> str:
         return f"<PatternDefinitions {self.name!r}: {counted(len(self.panel), 'panel')}>"

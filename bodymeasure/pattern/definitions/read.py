@@ -12,6 +12,7 @@ from bodymeasure.arguments import file_path
 from bodymeasure.chart import both_sides
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes
+from bodymeasure.pattern.cloth.ease import checked_ease
 from bodymeasure.pattern.definitions.checks import panel_faults
 from bodymeasure.pattern.definitions.panels import FORMAT, VERSION, PatternDefinitions
 from bodymeasure.wording import hint
@@ -83,6 +84,7 @@ def pattern_from(content: bytes, source: str) -> PatternDefinitions:
     except msgspec.ValidationError as error:
         raise InputError(f"{source}: {_in_words(str(error), raw)}") from None
     whole = _extended(own, source)
+    checked_ease(whole.ease, f"{source}: ease")
     names = [panel.name for panel in whole.panel]
     for panel in whole.panel:
         for fault in panel_faults(panel):
@@ -116,7 +118,9 @@ def _parsed(content: bytes, source: str) -> dict[str, Any]:
 def _extended(own: PatternDefinitions, source: str) -> PatternDefinitions:
     if own.extends and own.extends not in SETS:
         raise InputError(f"{source}: extends is {own.extends!r}; {hint(own.extends, SETS)}")
-    base = load_pattern(own.extends).panel if own.extends else ()
+    extended = load_pattern(own.extends) if own.extends else None
+    base = extended.panel if extended else ()
+    ease = {**(extended.ease if extended else {}), **own.ease}
     known = [panel.name for panel in base]
     for name in own.drop:
         if name not in known:
@@ -132,7 +136,9 @@ def _extended(own: PatternDefinitions, source: str) -> PatternDefinitions:
             f"{source}: two panels are named {twice[0].name!r}; rename one, or put {{side}} in it"
         )
     panels |= {panel.name: panel for panel in mine}
-    return msgspec.structs.replace(own, extends="", drop=(), panel=tuple(panels.values()))
+    return msgspec.structs.replace(
+        own, extends="", drop=(), panel=tuple(panels.values()), ease=ease
+    )
 
 
 def _in_words(reason: str, raw: dict[str, Any]) -> str:

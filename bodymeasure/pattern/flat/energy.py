@@ -7,7 +7,7 @@ import numpy as np
 import scipy
 
 from bodymeasure._typing import Array, Bools, Ints
-from bodymeasure.pattern.flat.triangles import laid_out
+from bodymeasure.pattern.flat.triangles import determinants, inverses, laid_out
 
 # The weight of third differences along edges, against ripples between neighboring vertices that
 # neither lengths nor triangles feel much.
@@ -32,13 +32,13 @@ class Stretch:
     def _gradients(self) -> Array:
         """The maps from corners to deformations, shape (k, 3, 2)."""
         rest = laid_out(self.sides).transpose(0, 2, 1)
-        inverse = np.linalg.inv(rest)
+        inverse = inverses(rest)
         return np.concatenate([-inverse.sum(axis=1, keepdims=True), inverse], axis=1)
 
     @cached_property
     def area(self) -> Array:
         """The areas on the skin, shape (k,)."""
-        return np.asarray(0.5 * np.linalg.det(laid_out(self.sides)))
+        return np.asarray(0.5 * determinants(laid_out(self.sides)))
 
     def deformations(self, flat: Array) -> Array:
         """Return the deformation of each triangle, shape (k, 2, 2)."""
@@ -46,7 +46,7 @@ class Stretch:
 
     def flipped(self, flat: Array) -> Bools:
         """Return which triangles lie on their faces, shape (k,)."""
-        return np.asarray(np.linalg.det(self.deformations(flat)) <= 0.0)
+        return np.asarray(determinants(self.deformations(flat)) <= 0.0)
 
     def strains(self, flat: Array) -> Array:
         """Return the principal strains of each triangle, the larger one first, shape (k, 2)."""
@@ -61,7 +61,7 @@ class Stretch:
         """
         f = self.deformations(flat)
         c = f.transpose(0, 2, 1) @ f
-        return self._packed(c - np.linalg.inv(c))
+        return self._packed(c - inverses(c))
 
     def _packed(self, symmetric: Array) -> Array:
         root = np.sqrt(2.0)
@@ -75,7 +75,7 @@ class Stretch:
         """Return the residuals (k, 3), and their derivatives by the corners (k, 6, 3)."""
         f, g = self.deformations(flat), self._gradients
         c = f.transpose(0, 2, 1) @ f
-        inverse = np.linalg.inv(c)
+        inverse = inverses(c)
         # The change of F when a corner's coordinate grows has one row, that corner's gradient.
         change = np.einsum("kda,kcb->kcdab", f, g)
         change = (change + change.swapaxes(-1, -2)).reshape(-1, 6, 2, 2)
@@ -89,7 +89,7 @@ class Stretch:
         """
         f, g = self.deformations(flat), self._gradients
         c = f.transpose(0, 2, 1) @ f
-        inverse = np.linalg.inv(c)
+        inverse = inverses(c)
         m = (self.area / 32.0)[:, None, None] * (c - inverse)
         p, q = m + inverse @ m @ inverse, inverse @ m @ inverse
         change = np.einsum("kda,kcb->kcdab", f, g)
@@ -138,6 +138,8 @@ class Energy:
         if self.stretch.flipped(flat).any():
             return np.inf
         residuals = self.stretch.residuals(flat)
+        if not np.isfinite(residuals).all():
+            return np.inf
         x = flat.ravel()
         return 0.5 * float((residuals**2).sum() + x @ (self._ripple @ x))
 

@@ -3,15 +3,13 @@
 import numpy as np
 
 from bodymeasure._typing import Array, Ints
-from bodymeasure.atlas import Atlas
 from bodymeasure.atlas.components import connected_components
-from bodymeasure.atlas.normals import unit_normals
-from bodymeasure.bezier import evaluate
+from bodymeasure.pattern.cloth.cloth import Cloth
 from bodymeasure.pattern.flat.mesh import Chain, Leg, PieceMesh
 from bodymeasure.pattern.flat.remesh import Remeshed
 
 
-def slit(atlas: Atlas, mesh: Remeshed) -> PieceMesh:
+def slit(cloth: Cloth, mesh: Remeshed) -> PieceMesh:
     """Slit a mesh along its darts.
 
     Notes
@@ -37,9 +35,7 @@ def slit(atlas: Atlas, mesh: Remeshed) -> PieceMesh:
                     chains[number] = np.concatenate([copies[:1], chains[number][1:]])
         legs.append(Leg(Chain(vertices, step), Chain(copies, step)))
     places = mesh.places.take(origin)
-    nets = atlas.control_points[places.patch]
-    positions = evaluate(nets, places.parameters)
-    normals = unit_normals(nets, places.parameters[:, None])[:, 0]
+    positions, normals = cloth.positions(*places), cloth.normals(*places)
     way = np.roll(triangles, -1, axis=1)
     chord = positions[way] - positions[triangles]
     length = np.linalg.norm(chord, axis=2)

@@ -9,6 +9,7 @@ from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.queries.outside import outward_sign
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic import geodesic_between
+from bodymeasure.pattern.cloth.cloth import Cloth
 from bodymeasure.pattern.curves.skin_curve import SkinCurve
 from bodymeasure.pattern.cutting.mesh import cut_mesh
 from bodymeasure.pattern.cutting.region import Region, region_inside
@@ -64,9 +65,10 @@ def piece_of(curves: EdgeCurves, panel: Panel, step: float) -> Piece:
 
 def _piece_of(curves: EdgeCurves, panel: Panel, step: float) -> Piece:
     atlas = curves.atlas
-    sides = [curves.of(edge) for edge in panel.edge]
+    on_skin = [curves.of(edge) for edge in panel.edge]
+    sides = [curves.on_cloth(edge) for edge in panel.edge]
     names = [edge.name for edge in panel.edge]
-    region = region_inside(atlas, cut_mesh(atlas, sides), _inside(curves, panel), names)
+    region = region_inside(curves.cloth, cut_mesh(atlas, sides), _inside(curves, panel), names)
     # Either way round, as the panel's edges stand in its file.
     backwards = region.order[1] != 1
     border = np.concatenate([chain[:-1] for chain in region.border])
@@ -75,7 +77,7 @@ def _piece_of(curves: EdgeCurves, panel: Panel, step: float) -> Piece:
     darts = [_placed(curves, panel, sides, dart) for dart in panel.dart]
     warnings: list[str] = []
     while True:
-        flat = _laid_flat(atlas, panel, (region, layout), sides, darts, step)
+        flat = _laid_flat(curves.cloth, panel, (region, layout), sides, darts, step)
         shut = [
             (placed, angle, gap)
             for placed, (angle, gap) in zip(
@@ -100,6 +102,7 @@ def _piece_of(curves: EdgeCurves, panel: Panel, step: float) -> Piece:
             names[number],
             panel.edge[number].seam,
             tuple(positions[chain.vertices] for chain in chains),
+            on_skin[number].length,
             sides[number].length,
         )
         for number, chains in zip(region.order, flat.mesh.edges, strict=True)
@@ -144,7 +147,7 @@ def _in_order(darts: list[_Placed], region: Region, backwards: bool) -> list[_Pl
 
 
 def _laid_flat(
-    atlas: Atlas,
+    cloth: Cloth,
     panel: Panel,
     cut: tuple[Region, Array],
     sides: list[SkinCurve],
@@ -164,7 +167,7 @@ def _laid_flat(
         for number in region.order
     )
     outline = Outline(edges, cuts, tuple(placed.curve for placed in ordered))
-    mesh = slit(atlas, remeshed(region, layout, outline, step))
+    mesh = slit(cloth, remeshed(region, layout, outline, step))
     names = [edge.name for edge in panel.edge]
     fold = region.order.index(names.index(panel.fold)) if panel.fold else None
     straight = tuple(placed.dart.legs == "straight" for placed in ordered)

@@ -8,7 +8,9 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import ConvergenceError, InputError
+from bodymeasure.pattern.cloth.cloth import Cloth
 from bodymeasure.pattern.curves.geodesics import geodesic_curve
+from bodymeasure.pattern.curves.on_cloth import on_cloth
 from bodymeasure.pattern.curves.sections import section_curve
 from bodymeasure.pattern.curves.skin_curve import SkinCurve
 from bodymeasure.pattern.definitions.panels import Dart, Edge
@@ -29,12 +31,22 @@ class EdgeCurves:
     Edges that name a seam, and edges through the same landmarks, are one curve.
     """
 
-    def __init__(self, atlas: Atlas, landmarks: Mapping[str, AtlasPoint]) -> None:
-        self.atlas, self.landmarks = atlas, landmarks
+    def __init__(self, cloth: Cloth, landmarks: Mapping[str, AtlasPoint]) -> None:
+        self.cloth, self.atlas, self.landmarks = cloth, cloth.atlas, landmarks
         self._known: dict[tuple[object, ...], SkinCurve] = {}
+        self._on_cloth: dict[tuple[object, ...], SkinCurve] = {}
+
+    def on_cloth(self, edge: Edge) -> SkinCurve:
+        """Return the curve of an edge on the cloth above the skin, found once as well."""
+        key = (edge.kind, edge.plane, edge.via)
+        if (key, edge.through) not in self._on_cloth:
+            curve = on_cloth(self.of(edge), self.cloth)
+            self._on_cloth[key, edge.through] = curve
+            self._on_cloth[key, edge.through[::-1]] = curve.reversed
+        return self._on_cloth[key, edge.through]
 
     def of(self, edge: Edge) -> SkinCurve:
-        """Return the curve of an edge.
+        """Return the curve of an edge on the skin.
 
         Raises
         ------
@@ -105,7 +117,7 @@ def dart_curve(
     curves : EdgeCurves
     dart : Dart
     edge : SkinCurve
-        The edge on which it begins.
+        The edge on which it begins, on the cloth.
     target : SkinCurve, optional
         The edge towards whose middle it leads, if it does not lead to a landmark.
     """
@@ -116,7 +128,7 @@ def dart_curve(
         arc = place_of_foot(atlas, edge, curves.landmarks[dart.foot])
     foot = point_at(edge, arc)
     end = curves.landmarks[dart.tip] if target is None else point_at(target, 0.5 * target.length)
-    whole = geodesic_curve(atlas, [foot, end])
+    whole = on_cloth(geodesic_curve(atlas, [foot, end]), curves.cloth)
     length = whole.length - dart.short / meters
     if dart.length is not None:
         length = dart.length / meters

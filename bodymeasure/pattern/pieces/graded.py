@@ -68,6 +68,7 @@ def grade_pattern(
     bodies: Mapping[str, Atlas],
     definitions: PatternDefinitions | str | Path = "bodice",
     *,
+    ease: Mapping[str, float] | None = None,
     step: float = STEP,
     progress: Callable[[int, int], None] | None = None,
 ) -> GradedPattern:
@@ -83,6 +84,7 @@ def grade_pattern(
         The body of each size, by the size's name.
     definitions : PatternDefinitions, str or Path
         What `load_pattern` returns, or what it takes.
+    ease : mapping of str to float, optional
     step : float
         As in `make_pattern`.
     progress : callable, optional
@@ -130,7 +132,9 @@ def grade_pattern(
 
     for size, body in bodies.items():
         try:
-            patterns[size] = make_pattern(body, definitions, step=step, progress=advanced)
+            patterns[size] = make_pattern(
+                body, definitions, ease=ease, step=step, progress=advanced
+            )
         except InputError as error:
             raise InputError(f"size {size!r}: {error}") from error
     return GradedPattern(definitions, patterns)

@@ -1,13 +1,15 @@
 """Patterns from bodies."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from bodymeasure.arguments import require_kind, require_progress
+from bodymeasure.arguments import require_kind, require_progress, shown
 from bodymeasure.atlas import Atlas
 from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.errors import InputError
+from bodymeasure.pattern.cloth.cloth import Cloth
+from bodymeasure.pattern.cloth.ease import checked_ease, ease_of, landmarks_of
 from bodymeasure.pattern.definitions.landmarks import panel_landmarks
 from bodymeasure.pattern.definitions.panels import PatternDefinitions
 from bodymeasure.pattern.definitions.read import load_pattern
@@ -27,6 +29,7 @@ def make_pattern(
     body: Atlas,
     definitions: PatternDefinitions | str | Path = "bodice",
     *,
+    ease: Mapping[str, float] | None = None,
     step: float = STEP,
     progress: Callable[[int, int], None] | None = None,
 ) -> Pattern:
@@ -37,6 +40,10 @@ def make_pattern(
     body : Atlas
     definitions : PatternDefinitions, str or Path
         What `load_pattern` returns, or what it takes.
+    ease : mapping of str to float, optional
+        By how much girths of the garment are wider than those of the body, in meters, by the
+        landmarks at whose levels they are, or ``neck``, ``bust``, ``waist`` and ``hip``: these
+        levels take the place of those of the set.
     step : float
         The length of the sides of the mesh that is laid flat, in meters.
     progress : callable, optional
@@ -45,7 +52,8 @@ def make_pattern(
     Returns
     -------
     Pattern
-        Every edge of every piece is as long as on the skin, but for rounding.
+        Every edge of every piece is as long as on the skin, or as on the cloth above it where
+        there is ease, but for rounding.
 
     Raises
     ------
@@ -76,8 +84,10 @@ def make_pattern(
     require_kind(definitions, PatternDefinitions, "definitions", "what load_pattern returns")
     if not isinstance(step, (int, float)) or not FINEST <= step <= COARSEST:
         raise InputError(f"step is {step!r}; expected a length in meters, {FINEST} to {COARSEST}")
-    landmarks = panel_landmarks(body, definitions.panel)
-    curves = EdgeCurves(body, landmarks)
+    wider = {**definitions.ease, **_given_ease(ease)}
+    landmarks = panel_landmarks(body, definitions.panel, landmarks_of(wider))
+    cloth = Cloth(body, ease_of(body, wider, landmarks))
+    curves = EdgeCurves(cloth, landmarks)
     pieces, seconds = [], {}
     for number, panel in enumerate(definitions.panel, start=1):
         begin = time.process_time()
@@ -85,4 +95,13 @@ def make_pattern(
         seconds[panel.name] = time.process_time() - begin
         if progress is not None:
             progress(number, len(definitions.panel))
-    return Pattern(body, definitions, landmarks, tuple(pieces), seconds)
+    return Pattern(body, definitions, landmarks, tuple(pieces), wider, seconds)
+
+
+def _given_ease(ease: Mapping[str, float] | None) -> dict[str, float]:
+    if ease is not None and not isinstance(ease, Mapping):
+        raise InputError(
+            f"ease is {shown(ease)}; expected a mapping of levels to lengths in meters, such as "
+            '{"bust": 0.04}'
+        )
+    return checked_ease(ease or {})

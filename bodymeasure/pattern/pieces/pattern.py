@@ -45,6 +45,8 @@ class Pattern:
     landmarks : mapping of str to AtlasPoint
         The landmarks that were known.
     pieces : tuple of Piece
+    ease : mapping of str to float
+        By how much girths are wider than those of the body, in meters, by the names of levels.
     seconds : mapping of str to float
         The processor time for each piece.
     """
@@ -53,6 +55,7 @@ class Pattern:
     definitions: PatternDefinitions
     landmarks: Mapping[str, AtlasPoint]
     pieces: tuple[Piece, ...]
+    ease: Mapping[str, float] = field(default_factory=dict)
     seconds: Mapping[str, float] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> Piece:

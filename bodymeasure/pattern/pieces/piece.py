@@ -24,12 +24,16 @@ class PieceEdge:
         Its vertices in the piece, one chain more than there are darts on it.
     skin_length : float
         Its length on the skin.
+    cloth_length : float
+        Its length on the cloth above the skin, which it has to have in the piece; that on the skin
+        where there is no ease.
     """
 
     name: str
     seam: str
     parts: tuple[Array, ...]
     skin_length: float
+    cloth_length: float
 
     @property
     def length(self) -> float:

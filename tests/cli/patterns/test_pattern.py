@@ -91,3 +91,24 @@ def test_sizes_that_name_no_folders_are_refused(run: Run, tmp_path: Path) -> Non
         assert words in ran.err
         assert not (tmp_path / "out").exists()
     assert run("pattern", *bodies, "--patches", "-o", tmp_path / "out").code == 2
+
+
+def test_ease_is_given_with_units(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "small.toml").write_text(SMALL)
+    lengths = {}
+    for ease in ("hip=0cm", "hip=6cm,waist=0.5in"):
+        out = tmp_path / "out"
+        ran = run(
+            *("pattern", "female_average", "--set", tmp_path / "small.toml"),
+            *("--ease", ease, "-o", out),
+        )
+        assert ran.code == 0
+        (piece,) = json.loads((out / "pattern.json").read_bytes())["pieces"]
+        lengths[ease] = {edge["name"]: edge["length_in_piece"] for edge in piece["edges"]}
+    bare, wide = lengths.values()
+    assert 12.0 < wide["hip"] - bare["hip"] < 18.0
+    for wrong, words in (("hip=6", "is no ease"), ("hip=6cm,hip=1cm", "given twice")):
+        ran = run("pattern", "female_average", "--ease", wrong, "-o", tmp_path / "none")
+        assert ran.code == 2
+        assert words in ran.err
+        assert not (tmp_path / "none").exists()

@@ -1,0 +1,114 @@
+"""Garments that are wider than the body."""
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from helpers.panels import CORNERS, cylinder, four_geodesics, interpolated
+
+import bodymeasure as bm
+from bodymeasure._typing import Array
+from bodymeasure.pattern import load_pattern
+from bodymeasure.pattern.cloth.cloth import Cloth
+from bodymeasure.pattern.cloth.ease import ease_of
+from bodymeasure.section import plane_section
+
+EASE = {"bust": 0.04, "waist": 0.02}
+
+
+def test_a_cylinder_with_ease_is_a_wider_one() -> None:
+    piece = bm.make_pattern(interpolated(cylinder), four_geodesics(), ease={"m": 0.04}).pieces[0]
+    # The whole girth grows by 4 cm: a panel over an angle of 2 du by its part of that.
+    u, v = np.array(CORNERS).T
+    wide = np.stack([(0.2 + 2.0 * 0.04 / (2.0 * np.pi)) * u, 0.2 * v], axis=1)
+    assert np.abs(piece.strains).max() < 1e-5
+    for edge, start in zip(("ab", "bc", "cd", "da"), range(4), strict=True):
+        (points,) = piece.edge(edge).parts
+        chord = np.linalg.norm(points[-1] - points[0])
+        assert chord == pytest.approx(np.linalg.norm(wide[(start + 1) % 4] - wide[start]), abs=2e-8)
+        assert piece.edge(edge).cloth_length > piece.edge(edge).skin_length
+
+
+def test_a_whole_turn_grows_by_the_ease() -> None:
+    def tube(u: Array, v: Array) -> Array:
+        return np.asarray(cylinder(3.0 * u, v))
+
+    body = interpolated(tube)
+    corners = ((0.02, 0.1), (0.98, 0.1), (0.98, 0.9), (0.02, 0.9))
+    marks = {name: bm.AtlasPoint(0, *at) for name, at in zip("abcd", corners, strict=True)}
+    body = replace(body, landmarks={**body.landmarks, **marks})
+    piece, wider = (
+        bm.make_pattern(body, four_geodesics(), ease=ease).pieces[0] for ease in (None, {"m": 0.04})
+    )
+    turn = 6.0 * 0.96 / (2.0 * np.pi)
+    assert wider.edge("ab").length - piece.edge("ab").length == pytest.approx(0.04 * turn, abs=1e-5)
+
+
+def loop_length(cloth: Cloth, at: bm.AtlasPoint) -> float:
+    """The length of a level curve round the trunk, as the cloth lies above it."""
+    body = cloth.atlas
+    position = body.position(at)
+    loop = plane_section(body, bm.Plane(position, body.axes.up_vector)).nearest(position)
+    parts = np.linspace(0.0, 1.0, 9)[:-1]
+    every = np.arange(loop.count)
+    parameters = loop.surface.parameters(loop.pieces, np.tile(parts, (len(every), 1)))
+    patch = np.repeat(loop.pieces.patch, len(parts))
+    points = cloth.positions(patch, parameters.reshape(-1, 2))
+    return float(np.linalg.norm(points - np.roll(points, 1, axis=0), axis=1).sum())
+
+
+@pytest.mark.parametrize("name", ["female_full_bust", "male_average"])
+def test_girths_grow_by_the_ease_that_is_asked_for(name: str) -> None:
+    body = bm.load_sample(name)
+    skin, cloth = Cloth(body), Cloth(body, ease_of(body, EASE, body.landmarks))
+    for landmark, ease in (("bust point left", 0.04), ("front waist point", 0.02)):
+        at = body.landmarks[landmark]
+        assert loop_length(cloth, at) - loop_length(skin, at) == pytest.approx(ease, abs=5e-4)
+
+
+@cache
+def bodice() -> bm.Pattern:
+    return bm.make_pattern(bm.load_sample("male_average"), "bodice", ease=EASE)
+
+
+def test_pieces_with_ease_are_sound_and_their_seams_match() -> None:
+    # In the armpit of this body the surface would fold but for what is done in creases.
+    assert bodice().is_sound
+    assert bodice().ease == EASE
+    assert all(abs(seam.difference) < 1e-9 for seam in bodice().seams)
+    waist = [piece.edge("waist") for piece in bodice().pieces]
+    grown = 2.0 * sum(edge.length - edge.skin_length for edge in waist)
+    # The curve of this seam is not level.
+    assert grown == pytest.approx(0.02, abs=1.5e-3)
+    for piece in bodice().pieces:
+        for edge in piece.edges:
+            assert edge.length == pytest.approx(edge.cloth_length, abs=1e-11)
+
+
+def test_a_set_has_ease_of_its_own(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    text = 'format = "bodymeasure pattern"\nversion = 1\nname = "Mine"\nextends = "skirt"\n'
+    path.write_text(text + "ease = {hip = 0.06}\n")
+    assert load_pattern(path).ease == {"hip": 0.06}
+    path.write_text(text + "ease = {hip = 6.0}\n")
+    with pytest.raises(bm.InputError, match=r"mine.toml: ease at 'hip' is 6.0; expected .*meters"):
+        load_pattern(path)
+
+
+@pytest.mark.parametrize(
+    ("ease", "words"),
+    [
+        ({"hip": 0.04}, "asked for at 'hip', which is no landmark"),
+        ({"m": 4.0}, "ease at 'm' is 4.0; expected .* in meters"),
+        ({"m": "4cm"}, "expected by how much the girth there is wider"),
+        ([0.04], "expected a mapping of levels"),
+        ({"a": 0.01, "b": 0.02, "m": 0.03}, r"whose heights differ by less than 1 cm"),
+    ],
+)
+def test_eases_that_make_no_sense_are_named(ease: object, words: str) -> None:
+    body = interpolated(cylinder)
+    near = {**body.landmarks, "b": bm.AtlasPoint(0, 0.8, 0.21)}
+    with pytest.raises(bm.InputError, match=words):
+        bm.make_pattern(replace(body, landmarks=near), four_geodesics(), ease=ease)  # type: ignore[arg-type]
