@@ -10,8 +10,9 @@ from bodymeasure.pattern.patches.sheet import patches_sheet, patches_table
 from bodymeasure.pattern.patches.unfold import UnfoldedPatches, unfold_patches
 from bodymeasure.pattern.pieces.graded import GradedPattern, grade_pattern
 from bodymeasure.pattern.pieces.make import make_pattern
-from bodymeasure.pattern.pieces.pattern import Pattern, Seam
+from bodymeasure.pattern.pieces.pattern import Pattern
 from bodymeasure.pattern.pieces.piece import Piece, PieceDart, PieceEdge
+from bodymeasure.pattern.pieces.seams import Seam
 
 __all__ = [
     "SETS",

@@ -209,11 +209,13 @@ def _print_seams(made: "Pattern") -> None:
     if not made.seams:
         return
     scale = 1000.0 * made.atlas.unit.meters
-    worst = max(abs(scale * seam.difference) for seam in made.seams)
+    worst = max(abs(scale * seam.excess) for seam in made.seams)
     words = (
         f"{counted(len(made.seams), 'seam')} between pieces; both sides differ by at most "
         f"{worst:.1g} mm"
     )
+    if any(seam.ease for seam in made.seams):
+        words += ", apart from what is eased into a seam"
     RESULTS.print(Text(words), soft_wrap=True)
 
 

@@ -36,3 +36,9 @@ def on_cloth(curve: SkinCurve, cloth: Cloth) -> SkinCurve:
         return below(to_skin(np.clip(arc, 0.0, run[-1])))
 
     return replace(curve, length=float(run[-1]), places=places)
+
+
+def stretched(curve: SkinCurve, length: float) -> SkinCurve:
+    """Return a curve with another length, evenly stretched."""
+    below, part = curve.places, curve.length / length
+    return replace(curve, length=length, places=lambda arc: below(part * arc))

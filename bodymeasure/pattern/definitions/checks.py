@@ -10,6 +10,10 @@ from bodymeasure.wording import hint
 MOST_ALLOWANCE = 0.2
 
 
+# In meters: the most that is gathered into a seam.
+MOST_EASE = 1.0
+
+
 def panel_faults(panel: Panel) -> Iterator[str]:
     """Yield sentences on what is wrong with a panel."""
     names = [edge.name for edge in panel.edge]
@@ -34,6 +38,9 @@ def panel_faults(panel: Panel) -> Iterator[str]:
         named = getattr(panel, member)
         if named and named not in names:
             yield f"{member} names the edge {named!r}, which it lacks; {hint(named, names)}"
+    for edge in panel.edge:
+        if edge.ease and edge.name == panel.fold:
+            yield f"edge {edge.name!r} has ease, but is the fold, which is no seam"
     for dart in panel.dart:
         yield from _dart_faults(dart, names, panel.fold)
 
@@ -62,6 +69,13 @@ def _edge_faults(edge: Edge) -> Iterator[str]:
         yield f"edge {edge.name!r} has fewer than two landmarks in 'through'; give both ends"
     if len(set(edge.through)) < len(edge.through):
         yield f"edge {edge.name!r} leads through one landmark twice; leave it out"
+    if not abs(edge.ease) <= MOST_EASE:
+        yield (
+            f"edge {edge.name!r} has an ease of {edge.ease}; expected by how much it is longer "
+            f"than its curve, in meters, at most {MOST_EASE}"
+        )
+    if edge.ease and not edge.seam:
+        yield f"edge {edge.name!r} has ease, but no seam into which it is eased; name one"
     if edge.kind == "section":
         if edge.plane is None:
             yield (

@@ -29,7 +29,10 @@ class Edge(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         Of a section: the landmark near which it passes, of both ways round; the shorter way if
         not given.
     seam : str
-        The seam to which the edge is sewn: all edges of one seam are one curve.
+        The seam to which the edge is sewn: edges of one seam through the same landmarks are one
+        curve, and an edge may be sewn to several that lead from one of its ends to the other.
+    ease : float
+        By how much it is longer than its curve, in meters: what is eased or gathered into the seam.
     allowance : float, optional
         What is added to it outside, in meters; that of the panel if not given, and none at a fold.
     notches : tuple of float, optional
@@ -43,6 +46,7 @@ class Edge(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     plane: tuple[str, str, str] | Laid | None = None
     via: str = ""
     seam: str = ""
+    ease: float = 0.0
     allowance: float | None = None
     notches: tuple[float, ...] | None = None
 

@@ -44,13 +44,14 @@ class PieceRecord(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class SeamRecord(msgspec.Struct, frozen=True, kw_only=True):
-    """Two edges that are sewn together; lengths are in millimeters."""
+    """Edges that are sewn together, several in a row with a plus; lengths are in millimeters."""
 
     name: str
     pieces: tuple[str, str]
     edges: tuple[str, str]
     lengths: tuple[float, float]
     difference: float
+    ease: float
 
 
 class PatternRecord(msgspec.Struct, frozen=True, kw_only=True):
@@ -83,6 +84,7 @@ def pattern_record(pattern: Pattern, *, allowance: float = 10.0) -> PatternRecor
                 edges=seam.edges,
                 lengths=(scale * seam.lengths[0], scale * seam.lengths[1]),
                 difference=scale * seam.difference,
+                ease=scale * seam.ease,
             )
             for seam in pattern.seams
         ),

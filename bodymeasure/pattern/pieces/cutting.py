@@ -104,6 +104,7 @@ def _piece_of(curves: EdgeCurves, panel: Panel, step: float) -> Piece:
             tuple(positions[chain.vertices] for chain in chains),
             on_skin[number].length,
             sides[number].length,
+            panel.edge[number].ease / atlas.unit.meters,
         )
         for number, chains in zip(region.order, flat.mesh.edges, strict=True)
     )

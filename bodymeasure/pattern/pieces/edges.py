@@ -10,7 +10,7 @@ from bodymeasure.bezier import evaluate
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.pattern.cloth.cloth import Cloth
 from bodymeasure.pattern.curves.geodesics import geodesic_curve
-from bodymeasure.pattern.curves.on_cloth import on_cloth
+from bodymeasure.pattern.curves.on_cloth import on_cloth, stretched
 from bodymeasure.pattern.curves.sections import section_curve
 from bodymeasure.pattern.curves.skin_curve import SkinCurve
 from bodymeasure.pattern.definitions.panels import Dart, Edge
@@ -21,6 +21,8 @@ from bodymeasure.section import Plane
 SAMPLES, ROUNDS = 64, 6
 # In meters: a foot farther from its edge is another place.
 FARTHEST_FOOT = 0.03
+# The part of an edge that has to be left where its ease makes it shorter.
+LEAST_PART = 0.5
 # The shortest dart, in meters.
 SHORTEST = 0.01
 
@@ -37,13 +39,30 @@ class EdgeCurves:
         self._on_cloth: dict[tuple[object, ...], SkinCurve] = {}
 
     def on_cloth(self, edge: Edge) -> SkinCurve:
-        """Return the curve of an edge on the cloth above the skin, found once as well."""
+        """Return the curve of an edge on the cloth above the skin, found once as well.
+
+        An edge that is eased into its seam is longer by that, evenly.
+
+        Raises
+        ------
+        InputError
+            If there is no such curve, or too little of it is left.
+        """
         key = (edge.kind, edge.plane, edge.via)
         if (key, edge.through) not in self._on_cloth:
             curve = on_cloth(self.of(edge), self.cloth)
             self._on_cloth[key, edge.through] = curve
             self._on_cloth[key, edge.through[::-1]] = curve.reversed
-        return self._on_cloth[key, edge.through]
+        curve = self._on_cloth[key, edge.through]
+        ease = edge.ease / self.atlas.unit.meters
+        if not ease:
+            return curve
+        if curve.length + ease < LEAST_PART * curve.length:
+            raise InputError(
+                f"edge {edge.name!r}: its ease of {100.0 * edge.ease:.1f} cm leaves too little of "
+                f"its {100.0 * curve.length * self.atlas.unit.meters:.1f} cm; choose a smaller one"
+            )
+        return stretched(curve, curve.length + ease)
 
     def of(self, edge: Edge) -> SkinCurve:
         """Return the curve of an edge on the skin.

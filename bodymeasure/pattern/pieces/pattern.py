@@ -2,36 +2,12 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from itertools import combinations
 
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.pattern.definitions.panels import PatternDefinitions
 from bodymeasure.pattern.pieces.piece import Piece
+from bodymeasure.pattern.pieces.seams import Seam, seams_of
 from bodymeasure.wording import counted
-
-
-@dataclass(frozen=True)
-class Seam:
-    """Two edges that are sewn together.
-
-    Parameters
-    ----------
-    name : str
-    pieces, edges : tuple of (str, str)
-        Names of both pieces, and of the edges on them.
-    lengths : tuple of (float, float)
-        Of both edges in the pieces, in the atlas's unit.
-    """
-
-    name: str
-    pieces: tuple[str, str]
-    edges: tuple[str, str]
-    lengths: tuple[float, float]
-
-    @property
-    def difference(self) -> float:
-        """By how much the second edge is longer."""
-        return self.lengths[1] - self.lengths[0]
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,16 +50,7 @@ class Pattern:
     @property
     def seams(self) -> tuple[Seam, ...]:
         """The seams between pieces, in the order of the pieces."""
-        ends: dict[str, list[tuple[str, str, float]]] = {}
-        for piece in self.pieces:
-            for edge in piece.edges:
-                if edge.seam:
-                    ends.setdefault(edge.seam, []).append((piece.name, edge.name, edge.length))
-        return tuple(
-            Seam(name, (a[0], b[0]), (a[1], b[1]), (a[2], b[2]))
-            for name, sides in ends.items()
-            for a, b in combinations(sides, 2)
-        )
+        return tuple(seams_of(self.pieces))
 
     @property
     def is_sound(self) -> bool:
@@ -93,7 +60,7 @@ class Pattern:
         """
         millimeters = 1000.0 * self.atlas.unit.meters
         return all(piece.is_sound for piece in self.pieces) and all(
-            abs(millimeters * seam.difference) <= UNEQUAL for seam in self.seams
+            abs(millimeters * seam.excess) <= UNEQUAL for seam in self.seams
         )
 
     @property
@@ -101,15 +68,23 @@ class Pattern:
         """What there is to look at, with the names of the pieces and seams."""
         result = [f"{piece.name}: {words}" for piece in self.pieces for words in piece.warnings]
         meters = self.atlas.unit.meters
-        for seam in self.seams:
-            millimeters = 1000.0 * meters * seam.difference
-            if abs(millimeters) > UNEQUAL:
-                result.append(
-                    f"seam {seam.name!r}: {seam.edges[1]!r} of {seam.pieces[1]!r} is "
-                    f"{millimeters:+.3f} mm longer than {seam.edges[0]!r} of {seam.pieces[0]!r}; "
-                    "let both edges lead through the same landmarks"
-                )
+        result.extend(
+            self._unequal(seam)
+            for seam in self.seams
+            if abs(1000.0 * meters * seam.excess) > UNEQUAL
+        )
         return tuple(result)
+
+    def _unequal(self, seam: Seam) -> str:
+        difference, ease = (
+            1000.0 * self.atlas.unit.meters * length for length in (seam.difference, seam.ease)
+        )
+        wanted = f", and not by the {ease:.1f} mm of its ease" if ease else ""
+        return (
+            f"seam {seam.name!r}: {seam.edges[1]!r} of {seam.pieces[1]!r} is {difference:+.3f} mm "
+            f"longer than {seam.edges[0]!r} of {seam.pieces[0]!r}{wanted}; let both lead through "
+            "the same landmarks, or give the longer one that ease"
+        )
 
     def __repr__(self) -> str:
         return (

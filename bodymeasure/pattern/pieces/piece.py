@@ -27,6 +27,8 @@ class PieceEdge:
     cloth_length : float
         Its length on the cloth above the skin, which it has to have in the piece; that on the skin
         where there is no ease.
+    ease : float
+        By how much it is longer than the curve, to be eased or gathered into the seam.
     """
 
     name: str
@@ -34,6 +36,7 @@ class PieceEdge:
     parts: tuple[Array, ...]
     skin_length: float
     cloth_length: float
+    ease: float = 0.0
 
     @property
     def length(self) -> float:
