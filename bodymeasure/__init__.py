@@ -53,6 +53,7 @@ __all__ = [
     "MeshPath",
     "Method",
     "MissingExtraError",
+    "MissingUnitError",
     "Outcome",
     "Pattern",
     "PatternDefinitions",
@@ -192,6 +193,7 @@ if TYPE_CHECKING:
         FitError,
         InputError,
         MissingExtraError,
+        MissingUnitError,
         TriangleMeshError,
     )
     from bodymeasure.fit import (

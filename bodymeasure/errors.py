@@ -17,6 +17,10 @@ class TriangleMeshError(InputError):
     """A file holds a triangle mesh where an atlas is asked for; a body may be fitted to it."""
 
 
+class MissingUnitError(InputError):
+    """A file does not say the unit of its coordinates, and none was given."""
+
+
 class MissingExtraError(BodymeasureError, ImportError):
     """A feature needs a package that an optional extra installs."""
 

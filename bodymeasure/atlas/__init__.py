@@ -7,6 +7,7 @@ from bodymeasure.atlas.axes import Axes
 from bodymeasure.atlas.check.check import check_atlas
 from bodymeasure.atlas.check.finding import Finding, FindingKind, Severity
 from bodymeasure.atlas.check.weld import weld
+from bodymeasure.atlas.check.words import check_sentences
 from bodymeasure.atlas.faces import FileFaces
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.queries.approximation_error import approximation_error
@@ -44,6 +45,7 @@ __all__ = [
     "approximation_error",
     "approximation_sentences",
     "check_atlas",
+    "check_sentences",
     "closest_point",
     "convert_length",
     "edge_table",

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Self
 
 from bodymeasure.atlas import Axes, Unit
-from bodymeasure.errors import InputError
+from bodymeasure.errors import InputError, MissingUnitError
 
 
 @dataclass(frozen=True)
@@ -78,12 +78,12 @@ class ReadOptions:
 
         Raises
         ------
-        InputError
+        MissingUnitError
             If none was given.
         """
         if self.unit is None:
             known = ", ".join(unit.value for unit in Unit)
-            raise InputError(
+            raise MissingUnitError(
                 f"{source}: {title} says no unit, and none was given; say in which unit its "
                 f"coordinates are (one of {known}): unit=... in Python, --file-unit on the "
                 "command line; `bodymeasure convert` keeps it in a file"

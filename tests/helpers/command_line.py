@@ -113,3 +113,11 @@ def part_of_a_body(first: int, last: int) -> Atlas:
         landmarks={},
         name="Part of a body",
     )
+
+
+def folded_part_of_a_body() -> Atlas:
+    """A part of a body with a patch that is folded over itself, which its check finds."""
+    part = part_of_a_body(100, 106)
+    points = part.points.copy()
+    points[part.index[2, 1, 1]] = points[part.index[2, 3, 3]] * 1.5
+    return replace(part, points=points)

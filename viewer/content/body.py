@@ -47,6 +47,8 @@ def body_message(body: ShownBody, extra: dict[str, Any] | None = None) -> bytes:
         "layers": list(LAYERS),
         "warnings": [*body.warnings, *approximation_sentences(atlas, atlas.unit)],
         "layout": layout_of(atlas),
+        "mark": body.mark,
+        "place": body.place,
         **body.start,
         **(extra or {}),
     }

@@ -8,6 +8,7 @@ from pathlib import Path
 from bodymeasure.viewer.content.requests import OpenFile
 from bodymeasure.viewer.content.shown import ShownBody
 
+from bodymeasure.atlas import check_sentences
 from bodymeasure.errors import InputError, ReadWarning
 from bodymeasure.formats import format_of, read_atlas
 from bodymeasure.formats.options import ReadOptions
@@ -28,7 +29,8 @@ def opened(request: OpenFile) -> ShownBody:
     with warnings.catch_warnings(record=True, action="always", category=ReadWarning) as noted:
         atlas = decode(request.content, name, format_of(Path(name)), options)
     notes = tuple(str(note.message) for note in noted if issubclass(note.category, ReadWarning))
-    return ShownBody("", atlas, atlas.name or Path(name).stem, name, warnings=notes)
+    noticed = (*notes, *check_sentences(atlas))
+    return ShownBody("", atlas, atlas.name or Path(name).stem, name, warnings=noticed)
 
 
 def read_again(body: ShownBody) -> ShownBody:
@@ -45,7 +47,8 @@ def read_again(body: ShownBody) -> ShownBody:
         atlas = read_atlas(body.file, **dict(body.settings))
     notes = tuple(str(note.message) for note in noted if issubclass(note.category, ReadWarning))
     known = body.differences if atlas.digest == body.atlas.digest else None
-    return replace(body, atlas=atlas, version=body.version + 1, warnings=notes, differences=known)
+    noticed = (*notes, *check_sentences(atlas))
+    return replace(body, atlas=atlas, version=body.version + 1, warnings=noticed, differences=known)
 
 
 def may_write(path: str) -> bool:

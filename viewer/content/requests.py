@@ -46,6 +46,7 @@ class ShowLayer(Request, frozen=True, kw_only=True, tag="layer"):
 
     name: Literal["nets", "diagonals", "boundary"]
     compare: bool = False
+    tab: Text = ""
 
 
 class ShowQuantity(Request, frozen=True, kw_only=True, tag="quantity"):
@@ -153,6 +154,12 @@ class OpenFile(Request, frozen=True, kw_only=True, tag="open"):
     name: Text
     content: bytes
     unit: Unit | None = None
+
+
+class Stop(Request, frozen=True, kw_only=True, tag="stop"):
+    """Ask for what a tab has asked for and takes long to be stopped; only the server knows it."""
+
+    tab: Text
 
 
 class ReadAgain(Request, frozen=True, kw_only=True, tag="again"):

@@ -1,5 +1,6 @@
 """A body that is shown: its atlas, and what all drawings of it share."""
 
+import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -67,6 +68,17 @@ class ShownBody:
     def savable(self) -> bool:
         """Whether landmarks can be saved into the body's own file."""
         return self.settings is not None and self.file.lower().endswith(".atlas")
+
+    @cached_property
+    def mark(self) -> str:
+        """A hash of all that a page holds of it, by which it sees that there is another one."""
+        places = sorted((name, *place) for name, place in self.atlas.landmarks.items())
+        return hashlib.sha256(repr((self.atlas.digest, self.name, places)).encode()).hexdigest()
+
+    @property
+    def place(self) -> str:
+        """Under what a page keeps tapes: of a file, its path, whatever it holds later."""
+        return self.atlas.digest if self.settings is None else self.file
 
     @property
     def segments(self) -> int:

@@ -1,6 +1,7 @@
 """The viewer as a widget of a notebook."""
 
 import logging
+import secrets
 from importlib.resources import files
 from typing import Any
 
@@ -45,7 +46,11 @@ class BodyView(anywidget.AnyWidget):
         self.bodies = Bodies()
         body = content.body
         self.bodies.put(body)
-        options: dict[str, Any] = {"can": {"save": True, "open": False}}
+        # The cells of a notebook share a memory, in which each keeps its tapes under its own name.
+        options: dict[str, Any] = {
+            "can": {"save": True, "open": False},
+            "key": secrets.token_hex(8),
+        }
         if content.chart is not None:
             options["chart"] = keep_chart(self.bodies, body, content.chart)
         if content.survey is not None:

@@ -9,7 +9,7 @@ from urllib.parse import quote, unquote
 
 from bodymeasure.viewer.content import requests
 from bodymeasure.viewer.server.guard import Guard, TooLargeError
-from bodymeasure.viewer.server.queue import BusyError, GoneError
+from bodymeasure.viewer.server.queue import BusyError, GoneError, StoppedError
 from bodymeasure.viewer.server.service import Service
 from bodymeasure.viewer.server.work import Done
 from msgspec import json
@@ -78,6 +78,8 @@ def application(service: Service, *, token: str, port: int, **guard: Any) -> Gua
                 return Response(status_code=400)
             except GoneError as error:
                 return _error(500, str(error))
+            except StoppedError as error:
+                return _error(409, str(error))
             except BusyError:
                 return _error(503, "too many requests wait; wait for an answer, and try again")
 
@@ -98,6 +100,7 @@ def application(service: Service, *, token: str, port: int, **guard: Any) -> Gua
         ("/api/chart", requests.MeasureChart),
         ("/api/export", requests.Export),
         ("/api/landmarks", requests.SaveLandmarks),
+        ("/api/stop", requests.Stop),
     ]
     routes = [
         Route("/", page),
@@ -148,15 +151,18 @@ def _response(done: Done | None) -> Response:
             name = quote(done.name, safe="")
             return Response(done.content, headers={"X-Filename": name}, media_type=BINARY)
         case "error":
-            return _error(422, done.content.decode())
+            return _error(422, done.content.decode(), wants=done.wants)
     LOG.error("a request failed:\n%s", done.content.decode())
     return _error(
         500, "something unexpected happened, which the viewer has logged; the page goes on"
     )
 
 
-def _error(status: int, sentence: str, headers: dict[str, str] | None = None) -> Response:
-    return Response(json.encode({"error": sentence}), status, headers, JSON)
+def _error(
+    status: int, sentence: str, headers: dict[str, str] | None = None, wants: str = ""
+) -> Response:
+    told = {"error": sentence, **({"wants": wants} if wants else {})}
+    return Response(json.encode(told), status, headers, JSON)
 
 
 async def _file(name: str) -> Response:

@@ -18,10 +18,15 @@ LOG = logging.getLogger("bodymeasure.viewer")
 # Requests that may wait; of one tab there are a few at most.
 MOST_WAITING = 200
 ENDED = "the viewer has ended"
+STOPPED = "this was stopped before it was finished"
 
 
 class BusyError(Exception):
     """Too many requests wait."""
+
+
+class StoppedError(Exception):
+    """What is to be told of a request that was stopped by whoever had asked."""
 
 
 class GoneError(Exception):
@@ -34,6 +39,7 @@ class _Waiting:
     limit: float
     future: "asyncio.Future[Done | None]"
     progress: Callable[[int, int, str], None] | None
+    stopped: bool = False
 
 
 class Queue:
@@ -92,6 +98,8 @@ class Queue:
             If too many requests wait already.
         GoneError
             If it took too long, or the worker died of it.
+        StoppedError
+            If `stop` was called for its tab.
         """
         if self._closed:
             raise GoneError(ENDED)
@@ -129,6 +137,8 @@ class Queue:
                     "measure to a point in between, or ask for less at once",
                 )
             except WorkerGoneError:
+                if waiting.stopped:
+                    continue
                 self._failed(
                     waiting,
                     "the process that measures ended unexpectedly (it was killed, or ran out of "
@@ -141,6 +151,20 @@ class Queue:
             else:
                 if not waiting.future.done():
                     waiting.future.set_result(answer)
+
+    def stop(self, tab: str) -> bool:
+        """Stop what a tab has asked for; return whether there was anything."""
+        asked = [
+            waiting
+            for waiting in (*self._waiting.values(), *([self._current] if self._current else []))
+            if getattr(waiting.request, "tab", "") == tab and not waiting.future.done()
+        ]
+        for waiting in asked:
+            waiting.stopped = True
+            waiting.future.set_exception(StoppedError(STOPPED))
+            if waiting is self._current:
+                self.worker.stop()
+        return bool(asked)
 
     def close(self) -> None:
         """Let all that wait end, and begin nothing any more.

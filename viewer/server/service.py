@@ -3,11 +3,12 @@
 import asyncio
 import logging
 import pickle
+import secrets
 from collections.abc import Callable, Hashable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from bodymeasure.viewer.content import requests
 from bodymeasure.viewer.server.events import Events
@@ -57,14 +58,14 @@ class Service:
         self.workers = (Worker(own), Worker(own))
         self._loop: asyncio.AbstractEventLoop | None = None
         self._opened = len(self.bodies) - 1
-        self._shown: tuple[int, Done] | None = None
+        self._shown: tuple[tuple[int, *tuple[str, ...]], Done] | None = None
         # The main body's file as it was last read.
         self._read: tuple[int, int] | None = None
 
     def begin(self) -> None:
         """Begin, within the event loop."""
         self._loop = asyncio.get_running_loop()
-        self.events = Events()
+        self.events = Events(self._hello)
         told = {"worker": "restarted"}
         self._queues = [
             Queue(worker, self.bodies, lambda: self.events.tell(told)) for worker in self.workers
@@ -94,6 +95,9 @@ class Service:
         """Return the answer to a request; None if a newer one of the same tab took its place."""
         if isinstance(request, requests.ShowBody) and request.body == MAIN:
             return await self._body(request)
+        if isinstance(request, requests.Stop):
+            stopped = self._queues[True].stop(request.tab)
+            return Done(0, "json", json.encode({"stopped": stopped}))
         long = isinstance(request, requests.MeasureChart) or self._compares(request)
         slot: Hashable = None
         if isinstance(request, requests.Ask) and request.tab:
@@ -130,13 +134,18 @@ class Service:
 
     async def _body(self, request: requests.ShowBody) -> Done | None:
         """Return the message of the main body, which all tabs get and which is made once."""
-        version = self.bodies[MAIN].version
-        if self._shown is None or self._shown[0] != version:
+        # It names the bodies that are open beside it.
+        about = (self.bodies[MAIN].version, *self.bodies)
+        if self._shown is None or self._shown[0] != about:
             found = await self._queues[False].ask(request, limit=LIMIT)
             if found is None or found.kind != "binary":
                 return found
-            self._shown = (version, found)
+            self._shown = (about, found)
         return self._shown[1]
+
+    def _hello(self) -> dict[str, Any]:
+        """Return what a page is told that connects: which bodies are open, and what they are."""
+        return {"bodies": {name: body.mark for name, body in self.bodies.items()}}
 
     def _compares(self, request: requests.Request) -> bool:
         """Return whether a request is for a comparison that no report has made already."""
@@ -156,7 +165,9 @@ class Service:
 
     def _open(self, found: Done) -> Done:
         self._opened += 1
-        body = replace(pickle.loads(found.content), id=str(self._opened))
+        # After a new start of the program, a page must not take another file for the one it has.
+        name = f"{self._opened}-{secrets.token_hex(4)}"
+        body = replace(pickle.loads(found.content), id=name)
         self.bodies[body.id] = body
         others = [name for name in self.bodies if name != MAIN]
         for name in others[:-MOST_OPENED]:

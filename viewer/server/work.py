@@ -9,7 +9,7 @@ from dataclasses import replace
 from multiprocessing.connection import Connection
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from bodymeasure.errors import BodymeasureError
+from bodymeasure.errors import BodymeasureError, MissingUnitError
 
 if TYPE_CHECKING:
     from bodymeasure.viewer.content.bodies import Bodies
@@ -54,12 +54,15 @@ class Done(NamedTuple):
     content : bytes
     name : str
         What a file is to be called.
+    wants : str
+        Of an error, what the user may know that is lacking: the unit.
     """
 
     number: int
     kind: str
     content: bytes
     name: str = ""
+    wants: str = ""
 
 
 class Progressed(NamedTuple):
@@ -115,6 +118,8 @@ def done(bodies: "Bodies", job: Job, tell: Callable[[Any], None]) -> Done:
                 read = read_again(bodies[job.request.body])
                 return Done(job.number, "body", pickle.dumps(read))
         content = answer(bodies, job.request, progress)
+    except MissingUnitError as error:
+        return Done(job.number, "error", str(error).encode(), wants="unit")
     except BodymeasureError as error:
         return Done(job.number, "error", str(error).encode())
     except Exception:

@@ -141,6 +141,11 @@ class Worker:
         self._known = {body.id: body.version for body in bodies.values()}
         return answer
 
+    def stop(self) -> None:
+        """Give up what the process is at, as if it had died of it; for the event loop."""
+        if self._waiting is not None and not self._waiting[1].done():
+            self._waiting[1].set_exception(WorkerGoneError())
+
     def _send(self, job: Job) -> None:
         connection = self._connection
         if connection is None:

@@ -9,6 +9,9 @@ import { soundSheet } from "./model/tape_files.js";
 import { interpolate } from "./scene/grid.js";
 import { Failure } from "./transport/failure.js";
 
+// The answer to what the user has stopped.
+const STOPPED = 409;
+
 export class App {
   constructor(root, transport, options = {}) {
     this.root = root;
@@ -47,7 +50,10 @@ export class App {
 
   /** Fetch a body and make it the one that is measured. */
   async open(id = "0") {
-    const { header, arrays } = await this.transport.body(id);
+    this.#show(id, await this.transport.body(id));
+  }
+
+  #show(id, { header, arrays }) {
     this.bodyId = header.id ?? id;
     this.header = header;
     this.arrays = arrays;
@@ -70,6 +76,11 @@ export class App {
     const { bodyId } = this;
     const { header, arrays } = await this.transport.body(bodyId);
     if (this.bodyId !== bodyId) return;
+    // A program that was started again may have another body, which has tapes of its own.
+    if (header.place !== this.header.place) {
+      this.#show(bodyId, { header, arrays });
+      return;
+    }
     const sameLayout = header.layout === this.header.layout;
     Object.assign(this, { header, arrays, chart: null, otherChart: null });
     this.sheet.forgetResults();
@@ -86,7 +97,9 @@ export class App {
   }
 
   get #place() {
-    return `bodymeasure-sheet-${this.header.layout}-${this.header.file || this.header.name}`;
+    const { layout, place } = this.header;
+    // The cells of a notebook share the memory of their page.
+    return ["bodymeasure-sheet", this.options.key, layout, place].filter(Boolean).join("-");
   }
 
   #keep() {
@@ -129,6 +142,11 @@ export class App {
   resolve(location) {
     if (typeof location !== "string") return location;
     return this.sheet.landmarks[location]?.location ?? location;
+  }
+
+  /** The point of the body where a location is, that of a landmark by its name; or undefined. */
+  locationOf(location) {
+    return typeof location === "string" ? this.landmarks.find((one) => one.name === location)?.location : location;
   }
 
   /** Where a location is: a landmark's place, or a point of the drawn surface. */
@@ -178,13 +196,13 @@ export class App {
 
   /** Take the measurements of a set on the body with its landmarks as they are now. */
   async takeChart(set) {
-    const { bodyId, other, header: { version } } = this;
+    const { bodyId, header: { version } } = this;
     // A chart takes a while, in which another body may be opened, or this one be read again.
     const stays = () => this.bodyId === bodyId && this.header.version === version;
     const changes = this.landmarkChanges;
     const taking = {};
     this.taking = taking;
-    this.emit("progress", { words: "Taking the measurements…" });
+    this.emit("progress", { words: "Taking the measurements…", long: true });
     this.emit("chart");
     try {
       const chosen = set ?? this.header.sets?.[0]?.key ?? "default";
@@ -194,9 +212,7 @@ export class App {
       this.chartSet = chosen;
       this.chartLandmarks = changes;
       this.#hideStraight();
-      if (!other) return;
-      const otherChart = await this.transport.chart(other.header.id, chosen, null);
-      if (stays() && this.other === other) this.otherChart = otherChart;
+      if (this.other) await this.takeOtherChart();
     } finally {
       if (this.taking === taking) {
         this.taking = null;
@@ -204,6 +220,16 @@ export class App {
       }
       this.emit("chart");
     }
+  }
+
+  /** Take the same measurements on the body that this one is compared with. */
+  async takeOtherChart() {
+    const { chart, other, chartSet } = this;
+    if (!chart || !other) return;
+    const otherChart = await this.transport.chart(other.header.id, chartSet, null);
+    if (this.chart !== chart || this.other !== other) return;
+    this.otherChart = otherChart;
+    this.emit("chart");
   }
 
   /** Heights and breadths are straight lines beside the body; all at once they would be a fence. */
@@ -226,7 +252,8 @@ export class App {
     if (error instanceof Failure && error.gone) this.emit("gone", error.message);
     else {
       const sentence = error instanceof Failure ? error.message : `The page failed: ${error.message}`;
-      this.emit("message", { text: sentence, tone: "bad" });
+      const tone = error.status === STOPPED ? "note" : "bad";
+      this.emit("message", { text: sentence, tone });
       if (!(error instanceof Failure)) console.error(error);
     }
   }

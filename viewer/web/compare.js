@@ -1,4 +1,5 @@
 // Coloring the body by a quantity, and a second body: beside this one, or as the distance to it.
+import { openFile } from "./opening.js";
 
 /** Labels of the program are written as within a sentence. */
 export function sentenceCase(text) {
@@ -8,6 +9,13 @@ export function sentenceCase(text) {
 export function comparing(app, viewport) {
   let key = "none";
   let beside = true;
+  // What was asked for last, which `key` becomes when its answer is here.
+  let asked = "none";
+  let computing = false;
+  // How often colors, and bodies, were chosen: an answer that comes after a newer choice changes
+  // nothing.
+  let colored = 0;
+  let chosen = 0;
   const fields = new Map();
 
   const show = (field) => {
@@ -18,30 +26,47 @@ export function comparing(app, viewport) {
 
   const color = (wanted) =>
     app.try(async () => {
-      if (wanted === "none") {
+      const choice = ++colored;
+      const stays = () => choice === colored;
+      asked = wanted;
+      if (computing) app.emit("progress", null);
+      computing = false;
+      try {
+        const field = wanted === "none" ? null : await fieldOf(wanted, stays);
+        if (!stays()) return;
         key = wanted;
-        seams(null);
-        show(null);
-        return;
+        // A quantity of the seams colors these, and leaves the body plain.
+        const ofSeams = field?.per === "seam";
+        seams(ofSeams ? field : null);
+        show(ofSeams ? null : field);
+        if (ofSeams) app.settings.setLayer("seams", true);
+      } catch (error) {
+        if (!stays()) return;
+        asked = key;
+        throw error;
       }
-      const place = `${app.bodyId}/${wanted}/${wanted === "distance" ? app.other.header.id : ""}`;
-      if (!fields.has(place)) {
-        app.emit("progress", { words: "Computing the colors…" });
-        try {
-          const against = wanted === "distance" ? app.other.header.id : undefined;
-          const { header, arrays } = await app.transport.quantity(app.bodyId, wanted, against);
-          fields.set(place, { ...header, label: sentenceCase(header.label), values: arrays.values.data });
-        } finally {
+    }).finally(() => app.emit("field"));
+
+  const fieldOf = async (wanted, stays) => {
+    const against = wanted === "distance" ? app.other.header.id : undefined;
+    const place = placeOf(wanted);
+    if (!fields.has(place)) {
+      computing = true;
+      app.emit("progress", { words: "Computing the colors…" });
+      try {
+        const { header, arrays } = await app.transport.quantity(app.bodyId, wanted, against);
+        if (stays()) fields.set(place, { ...header, label: sentenceCase(header.label), values: arrays.values.data });
+      } finally {
+        if (stays()) {
+          computing = false;
           app.emit("progress", null);
         }
       }
-      key = wanted;
-      const field = fields.get(place);
-      // A quantity of the seams colors these, and leaves the body plain.
-      seams(field.per === "seam" ? field : null);
-      show(field.per === "seam" ? null : field);
-      if (field.per === "seam") app.settings.setLayer("seams", true);
-    }).finally(() => app.emit("field"));
+    }
+    return fields.get(place);
+  };
+
+  const placeOf = (wanted) => `${app.bodyId}/${wanted}/${wanted === "distance" ? app.other?.header.id : ""}`;
 
   const seams = (field) => viewport?.layers.setSeamField(field);
 
@@ -49,7 +74,7 @@ export function comparing(app, viewport) {
     beside = wanted;
     if (beside) {
       viewport?.second.show(app.other);
-      if (key === "distance") color("none");
+      if (asked === "distance") color("none");
     } else {
       viewport?.second.clear();
       color("distance");
@@ -59,7 +84,8 @@ export function comparing(app, viewport) {
   };
 
   const endCompare = () => {
-    if (key === "distance") color("none");
+    chosen++;
+    if (asked === "distance") color("none");
     app.other = null;
     app.otherChart = null;
     viewport?.second.clear();
@@ -68,36 +94,47 @@ export function comparing(app, viewport) {
   };
 
   /** Put a body that the program has open beside this one. */
-  const put = async (id) => {
-    app.other = await app.transport.body(id);
-    app.other.header.id = id;
-    if (app.chart) app.otherChart = await app.transport.chart(id, app.chartSet, null);
+  const put = async (id, choice) => {
+    const other = await app.transport.body(id);
+    if (choice !== chosen) return;
+    other.header.id = id;
+    // It knows all that are open, of which it may be the newest.
+    app.header.bodies = other.header.bodies ?? app.header.bodies;
+    Object.assign(app, { other, otherChart: null });
     setBeside(true);
     app.emit("chart");
+    await app.takeOtherChart();
   };
 
-  const compareWith = (id) => app.try(() => put(id));
+  const compareWith = (id) => app.try(() => put(id, ++chosen));
 
   const compare = (file) =>
     app.try(async () => {
+      const choice = ++chosen;
       app.emit("progress", { words: `Opening ${file.name}…` });
       try {
-        const { id } = await app.transport.open(file);
-        await put(id);
+        const { id } = await openFile(app, file);
+        if (choice === chosen) await put(id, choice);
+      } catch (error) {
+        if (choice === chosen) throw error;
       } finally {
-        app.emit("progress", null);
+        if (choice === chosen) app.emit("progress", null);
       }
     });
 
   app.on("body", () => {
     fields.clear();
+    colored++;
+    asked = "none";
+    // The same body, read again, stays beside the other.
+    if (!app.reopened) chosen++;
     key = "none";
     seams(null);
     if (!app.other) viewport?.second.clear();
     app.emit("field");
     app.emit("compare");
   });
-  const current = () => fields.get(`${app.bodyId}/${key}/${key === "distance" ? app.other?.header.id : ""}`);
+  const current = () => fields.get(placeOf(key));
   return {
     color,
     compare,
@@ -107,6 +144,11 @@ export function comparing(app, viewport) {
     beside: () => beside,
     colorKey: () => key,
     field: () => current() ?? null,
-    valueAt: (location) => viewport?.surface.value(location) ?? viewport?.layers.seamValue(location),
+    /** The value under the pointer; undefined where there is none to tell. */
+    valueAt: ({ location, point }) => {
+      const place = app.locationOf(location);
+      if (current()?.per === "seam") return viewport.layers.seamValue(point, viewport.reach);
+      return place && (viewport.surface.value(place) ?? undefined);
+    },
   };
 }

@@ -7,7 +7,21 @@ import { readTapes } from "./ui/export_menu.js";
 // Files of tapes are small; larger ones are not even looked into.
 const MOST_TAPES = 2_000_000;
 
+/** Open a file as a body; of one that does not say its unit, the user does. Returns {id, warnings}. */
+export async function openFile(app, file) {
+  try {
+    return await app.transport.open(file);
+  } catch (error) {
+    if (error.wants !== "unit") throw error;
+    const unit = await askUnit(app.root, file.name);
+    if (!unit) throw error;
+    return app.transport.open(file, unit);
+  }
+}
+
 export function opening(app) {
+  let opened = 0;
+
   const openTapes = (file, { tapes, layout, body }) => {
     if (layout && layout !== app.header.layout) {
       app.emit("message", { text: `These tapes belong to ${body || "another body"}, whose patches are laid out in another way. Open that body first.`, tone: "bad" });
@@ -23,20 +37,15 @@ export function opening(app) {
     app.say(`Opened ${tapes.length} tapes.`);
   };
 
-  const openBody = async (file, unit) => {
+  const openBody = async (file) => {
+    const choice = ++opened;
     app.emit("progress", { words: `Opening ${file.name}…` });
     try {
-      const { id, warnings } = await app.transport.open(file, unit);
-      app.other = null;
-      await app.open(id);
-      app.emit("progress", null);
-      if (app.header.unit === "" && !unit) {
-        const chosen = await askUnit(app.root, file.name);
-        if (chosen) await openBody(file, chosen);
-      }
-      for (const warning of warnings ?? []) app.emit("message", { text: warning, tone: "note" });
+      const { id } = await openFile(app, file);
+      // Of two files that were dropped, the later one is shown, whichever is read first.
+      if (choice === opened) await app.open(id);
     } finally {
-      app.emit("progress", null);
+      if (choice === opened) app.emit("progress", null);
     }
   };
 
@@ -59,7 +68,7 @@ function askUnit(root, name) {
     const dialog = showDialog(
       root,
       "In which unit is this file?",
-      h("p", {}, `${name} does not say it. Close this to go on without a unit.`),
+      h("p", {}, `${name} does not say it, and lengths need it.`),
       h("div", { class: "row form" }, ["mm", "cm", "m", "inch"].map((unit) => h("button", { type: "button", class: "button", "data-testid": `unit-${unit}`, onClick: () => { resolve(unit); dialog.close(); } }, unit))),
     );
     dialog.addEventListener("close", () => resolve(null));

@@ -61,7 +61,7 @@ export function startViewer(root, transport, options = {}) {
     ["display", "Display", displayPanel(app, actions)],
   ]);
   const pages = options.alone ? document : root;
-  const stopKeys = viewport ? keys(pages, app, parts.host, actions) : () => {};
+  const stopKeys = keys(pages, app, parts.host, actions);
   if (transport.can.open) dropZone(root, actions.open);
 
   const themed = () => {
@@ -95,7 +95,7 @@ export function startViewer(root, transport, options = {}) {
     stopKeys();
     stopConnection();
     dark.removeEventListener("change", themed);
-    transport.stop?.();
+    transport.end?.();
     viewport?.dispose();
     app.emitter.clear();
     root.replaceChildren();
@@ -179,10 +179,14 @@ function makeActions(app, viewport, workbench) {
         const background = app.settings.theme === "dark" ? "#15191d" : "#ffffff";
         download("body.png", await viewport.stage.picture(PICTURE_SCALE, background));
       }),
-    linesOf: (location) =>
-      viewport?.layers.shown("diagonals") && Array.isArray(location)
-        ? viewport.layers.items("diagonals").filter((item) => item.patch === location[0])
-        : [],
+    // Both diagonals of the patch under the pointer, and the boundary curve that it is on.
+    linesOf: ({ location, point }) => {
+      const { layers } = viewport;
+      const place = app.locationOf(location);
+      const own = layers.shown("diagonals") && place ? layers.items("diagonals").filter((item) => item.patch === place[0]) : [];
+      const near = layers.shown("boundary") ? layers.nearest("boundary", point, viewport.reach) : null;
+      return near ? [layers.items("boundary")[near.line], ...own] : own;
+    },
     lineScale: () => (viewport?.layers.shown("diagonals") ? viewport.layers.scale : null),
   };
   actions.open = opening(app, actions);

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from bodymeasure.atlas import Severity, check_atlas
+from bodymeasure.atlas import check_sentences
 from bodymeasure.cli.console import print_note
 from bodymeasure.cli.fitting.files import fitted_in_words
 from bodymeasure.cli.fitting.scans import is_scan, require_fit, scan_subject
@@ -20,7 +20,6 @@ from bodymeasure.cli.options import (
 from bodymeasure.errors import InputError
 from bodymeasure.formats import read_population
 from bodymeasure.samples import sample_names
-from bodymeasure.wording import counted
 
 if TYPE_CHECKING:
     from bodymeasure.atlas import Atlas
@@ -32,8 +31,6 @@ SERVER = (
 )
 # The key under which the page knows a file of definitions.
 OWN, EVERY = "own", "default"
-# Findings that are told; `bodymeasure check` lists all.
-TOLD = 3
 
 
 class Page(NamedTuple):
@@ -156,7 +153,7 @@ def _bodies(name: str) -> list[dict[str, Any]]:
                     "atlas": body,
                     "name": body.name or f"{path.stem} {number}",
                     "file": f"{path.name}, body {number}",
-                    "warnings": (_one_of_many(path, bodies, number), *_findings(body)),
+                    "warnings": (_one_of_many(path, bodies, number), *check_sentences(body)),
                 }
                 for number, body in enumerate(bodies, start=1)
             ]
@@ -173,7 +170,7 @@ def loaded_body(name: str) -> tuple["Atlas", dict[str, Any]]:
         print_note(fitted_in_words(fit), style="dim")
         return fit.atlas, {"file": path.name, "warnings": (fitted_in_words(fit),)}
     atlas = load_atlas(name)
-    members: dict[str, Any] = {"file": str(path), "warnings": _findings(atlas)}
+    members: dict[str, Any] = {"file": str(path), "warnings": check_sentences(atlas)}
     if name in sample_names() and path != Path(name):
         # A sample stays as it is.
         members["file"] = ""
@@ -184,18 +181,6 @@ def loaded_body(name: str) -> tuple["Atlas", dict[str, Any]]:
 
 def _one_of_many(path: Path, bodies: Sequence["Atlas"], number: int) -> str:
     return f"{path.name} holds {len(bodies)} bodies; this is number {number}."
-
-
-def _findings(atlas: "Atlas") -> tuple[str, ...]:
-    """Return what is wrong with an atlas, which can be looked at all the same."""
-    errors = [found for found in check_atlas(atlas) if found.severity == Severity.ERROR]
-    if not errors:
-        return ()
-    told = "; ".join(found.message for found in errors[:TOLD])
-    return (
-        f"The check of the atlas finds {counted(len(errors), 'error')}, near which lengths may "
-        f"be wrong: {told}{'; …' if len(errors) > TOLD else ''}",
-    )
 
 
 def not_installed() -> InputError:

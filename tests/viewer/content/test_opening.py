@@ -8,7 +8,7 @@ from bodymeasure.viewer.content.bodies import Bodies
 from bodymeasure.viewer.content.opening import opened, read_again
 from bodymeasure.viewer.content.requests import OpenFile
 from bodymeasure.viewer.content.shown import ShownBody
-from helpers.command_line import part_of_a_body
+from helpers.command_line import folded_part_of_a_body, part_of_a_body
 
 import bodymeasure as bm
 from bodymeasure.errors import InputError, TriangleMeshError
@@ -79,3 +79,20 @@ def test_a_file_is_read_again_with_what_was_said_of_it(tmp_path: Path) -> None:
     path.write_bytes(b"half")
     with pytest.raises(InputError, match=r"body\.bpt"):
         read_again(body)
+
+
+def test_what_a_check_finds_is_told_of_a_dropped_file_and_of_one_that_has_changed(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "folded.atlas"
+    bm.write_atlas(folded_part_of_a_body(), path)
+    (told,) = opened(OpenFile(name="folded.atlas", content=path.read_bytes())).warnings
+    assert told.startswith("The check of the atlas finds ")
+    whole = ShownBody("0", part_of_a_body(100, 106), "b", str(path), settings={})
+    assert read_again(whole).warnings == (told,)
+
+
+def test_a_file_without_a_unit_is_told_by_its_kind(tmp_path: Path) -> None:
+    bm.write_atlas(part_of_a_body(100, 106), tmp_path / "part.bpt")
+    with pytest.raises(bm.MissingUnitError, match="says no unit"):
+        opened(OpenFile(name="part.bpt", content=(tmp_path / "part.bpt").read_bytes()))

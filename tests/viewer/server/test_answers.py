@@ -127,7 +127,7 @@ def test_a_file_that_changes_is_read_again(tmp_path: Path) -> None:
         asked = {"landmarks": {"mole": [1, 0.5, 0.5]}, "to": "file"}
         with server.client.stream("GET", "/api/events") as stream:
             lines = stream.iter_lines()
-            assert json.decode(next(lines)) == {"tick": 0}
+            assert json.decode(next(lines)) == {"tick": 0, "bodies": {"0": header["mark"]}}
             assert server.post("/api/landmarks", json=asked).json() == {"saved": str(path)}
             # At once, not only when the file is looked at the next time.
             header, _ = unpacked(server.get("/api/body").content)

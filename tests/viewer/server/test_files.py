@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 from bodymeasure.viewer.content.wire import unpacked
-from helpers.command_line import part_of_a_body, run_apart
+from helpers.command_line import folded_part_of_a_body, part_of_a_body, run_apart
 from helpers.viewer_server import Viewer, viewer
 from msgspec import json
 
@@ -117,11 +117,7 @@ def test_all_bodies_of_a_file_are_open(tmp_path: Path) -> None:
 
 def test_what_a_check_finds_is_told_on_the_page(tmp_path: Path) -> None:
     path = tmp_path / "gaping.atlas"
-    atlas = part_of_a_body(100, 106)
-    points = atlas.points.copy()
-    # A patch that is folded over itself.
-    points[atlas.index[2, 1, 1]] = points[atlas.index[2, 3, 3]] * 1.5
-    bm.write_atlas(bm.Atlas(points, atlas.index, atlas.unit), path)
+    bm.write_atlas(folded_part_of_a_body(), path)
     with viewer(path) as server:
         (warning,) = header_of(server)["warnings"]
         assert warning.startswith("The check of the atlas finds ")

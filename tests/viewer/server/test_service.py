@@ -6,14 +6,24 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from bodymeasure.viewer.content.requests import FindPoint, ReadAgain, ShowBody, ShowLayer
+from bodymeasure.viewer.content.requests import (
+    FindPoint,
+    MeasureChart,
+    OpenFile,
+    ReadAgain,
+    ShowBody,
+    ShowLayer,
+    Stop,
+)
 from bodymeasure.viewer.content.shown import ShownBody
+from bodymeasure.viewer.content.wire import unpacked
 from bodymeasure.viewer.server import service as module
-from bodymeasure.viewer.server.queue import GoneError
+from bodymeasure.viewer.server.queue import GoneError, StoppedError
 from bodymeasure.viewer.server.service import Service
 from helpers.command_line import part_of_a_body
 
 import bodymeasure as bm
+from bodymeasure.samples import sample_path
 
 PATIENCE = 60.0
 
@@ -106,3 +116,95 @@ def test_no_more_bodies_are_open_than_may_be() -> None:
         assert list(service.bodies) == [str(number) for number in range(7)]
 
     with_service(body, test, [body] * 10)
+
+
+def test_a_page_that_is_loaded_again_knows_the_bodies_that_were_dropped() -> None:
+    body = ShownBody("0", part_of_a_body(100, 106), "Part")
+
+    async def test(service: Service) -> None:
+        await service.answer(ShowBody())
+        content = sample_path("paraboloid").read_bytes()
+        await service.answer(OpenFile(name="bowl.atlas", content=content))
+        found = await service.answer(ShowBody())
+        assert found is not None
+        header, _ = unpacked(found.content)
+        assert [one["name"] for one in header["bodies"]] == ["Part", "Paraboloid of revolution"]
+        # And what connects anew is told what is open.
+        assert list(service._hello()["bodies"]) == [one["id"] for one in header["bodies"]]
+
+    with_service(body, test)
+
+
+def test_a_dropped_file_has_another_id_after_a_new_start() -> None:
+    body = ShownBody("0", part_of_a_body(100, 106), "Part")
+    request = OpenFile(name="bowl.atlas", content=sample_path("paraboloid").read_bytes())
+    ids = set[str]()
+
+    async def test(service: Service) -> None:
+        await service.answer(request)
+        ids.update(service.bodies)
+
+    for _ in range(2):
+        with_service(body, test)
+    assert len(ids - {"0"}) == 2
+
+
+def test_a_chart_is_stopped_by_the_tab_that_has_asked_and_by_no_other() -> None:
+    body = ShownBody("0", bm.load_sample("female_average"), "Average")
+
+    async def test(service: Service) -> None:
+        told: list[dict[str, Any]] = []
+        under_way = asyncio.Event()
+
+        def tell(event: dict[str, Any]) -> None:
+            told.append(event)
+            under_way.set()
+
+        service.events.tell = tell
+        chart = asyncio.create_task(service.answer(MeasureChart(tab="mine")))
+        waiting = asyncio.create_task(service.answer(MeasureChart(set="tops", tab="mine")))
+        other = asyncio.create_task(service.answer(MeasureChart(set="core", tab="other")))
+        await asyncio.wait_for(under_way.wait(), PATIENCE)
+        found = await service.answer(Stop(tab="nobody"))
+        assert found is not None
+        assert (found.content, chart.done()) == (b'{"stopped":false}', False)
+        found = await service.answer(Stop(tab="mine"))
+        assert found is not None
+        assert found.content == b'{"stopped":true}'
+        for one in (chart, waiting):
+            with pytest.raises(StoppedError, match="stopped before it was finished"):
+                await asyncio.wait_for(one, PATIENCE)
+        # The other tab's chart is measured, and nobody is told of a process that has died.
+        answer = await asyncio.wait_for(other, PATIENCE)
+        assert answer is not None
+        assert answer.kind == "binary"
+        assert not [one for one in told if "worker" in one]
+
+    with_service(body, test)
+
+
+def test_a_page_that_closes_leaves_no_task() -> None:
+    body = ShownBody("0", part_of_a_body(100, 106), "Part")
+
+    async def test(service: Service) -> None:
+        await service.answer(ShowBody())
+        before = len(asyncio.all_tasks())
+
+        async def listen() -> None:
+            async for _line in service.events.listen():
+                pass
+
+        pages = [asyncio.create_task(listen()) for _ in range(5)]
+        while len(service.events) < 5:
+            await asyncio.sleep(0)
+        await asyncio.sleep(0.05)
+        assert len(asyncio.all_tasks()) > before + 5
+        for page in pages:
+            page.cancel()
+        await asyncio.wait(pages)
+        await asyncio.sleep(0)
+        await asyncio.sleep(0)
+        assert len(asyncio.all_tasks()) == before
+        assert len(service.events) == 0
+
+    with_service(body, test)

@@ -22,6 +22,7 @@ const GROUPS = {
 
 export const TAPE_COLOR = { light: "#0b5c8e", dark: "#0e6ea8" };
 export const LIT_COLOR = { light: "#d9480f", dark: "#ff8f4d" };
+export const LANDMARK_COLOR = "#2c3e50";
 export const NO_LENGTH_COLOR = "#c2255c";
 
 export function groupColor(number, theme) {
@@ -63,11 +64,24 @@ export function colorValues(values, { low, high, scale }, target) {
   }
 }
 
-/** The color of one value as the page's text. */
-export function colorOf(value, { low, high, scale }) {
+/** The color of one value, as styles and the renderer take it. */
+export function colorOf(value, field) {
   const target = new Float32Array(3);
-  colorValues([value], { low, high, scale }, target);
-  return new Color(...target);
+  colorValues([value], field, target);
+  return `#${new Color(...target).getHexString()}`;
+}
+
+/** Where a value stands on a scale: differences and errors span decades, so by their logarithm. */
+export function toScale(key, value) {
+  if (!Number.isFinite(value)) return NaN;
+  return key === "length" ? value : Math.log10(Math.max(Math.abs(value), 1e-16));
+}
+
+/** The scale of what stands on it, but for the outermost hundredths. */
+export function scaleOf(key, places) {
+  const known = places.filter(Number.isFinite).sort((a, b) => a - b);
+  const at = (part) => known[Math.round(part * (known.length - 1))] ?? 0;
+  return { key, low: at(0.01), high: at(0.99), scale: "sequential" };
 }
 
 export function gradient(scale) {

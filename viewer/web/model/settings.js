@@ -9,6 +9,7 @@ const STANDARD = {
   layers: { seams: true, nets: false, diagonals: false, boundary: false, landmarks: true, names: false, tapes: true, labels: true },
   color: "none",
   lines: "length",
+  tapes: "group",
   snap: true,
   via: false,
 };

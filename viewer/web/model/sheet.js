@@ -77,6 +77,25 @@ export class Sheet {
     this.#replace({ ...this.state, landmarks }, step);
   }
 
+  /** Give a landmark another name, also in the tapes that lie at it; `landmarks` are those after it. */
+  renameLandmark(old, name, landmarks) {
+    const named = (location) => (location === old ? name : location);
+    const tapes = this.state.tapes.map((tape) => {
+      if (!tape.locations.includes(old)) return tape;
+      const locations = tape.locations.map(named);
+      // A tape that has its name from its landmarks follows these.
+      const title = tape.name === tape.locations.join(" to ") ? locations.join(" to ") : tape.name;
+      return { ...tape, locations, name: title };
+    });
+    this.#replace({ ...this.state, tapes, landmarks });
+  }
+
+  /** Take a landmark off; tapes that lie at it stay where they are. */
+  removeLandmark(name, location, landmarks) {
+    const tapes = this.state.tapes.map((tape) => ({ ...tape, locations: tape.locations.map((one) => (one === name ? location : one)) }));
+    this.#replace({ ...this.state, tapes, landmarks });
+  }
+
   get canUndo() {
     return this.#past.length > 0;
   }

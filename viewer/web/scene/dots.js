@@ -47,6 +47,7 @@ export class Dots {
     geometry.setAttribute("color", new BufferAttribute(colors, 3));
     geometry.setAttribute("size", new BufferAttribute(sizes, 1));
     this.object.geometry = geometry;
+    this.count = dots.length;
     this.object.visible = dots.length > 0;
   }
 

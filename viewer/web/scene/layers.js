@@ -1,14 +1,16 @@
 // What can be laid over the body: seams, control nets, diagonals, boundary curves, landmarks. Each is
 // fetched when it is first asked for.
-import { colorValues } from "../model/colors.js";
+import { colorValues, scaleOf, toScale } from "../model/colors.js";
 import { NO_ARRAY } from "../transport/bm1.js";
 import { fatSegments, lifted, release, segmentsOf, thinSegments } from "./lines.js";
+import { nearestLine } from "./nearest.js";
 
 const FETCHED = ["nets", "diagonals", "boundary"];
 
 export class Layers {
   #objects = {};
   #data = {};
+  // What is under way for this body: an answer about the one before comes too late.
   #busy = new Set();
   #coarse = false;
 
@@ -24,6 +26,7 @@ export class Layers {
   reset() {
     this.clear();
     this.#data = {};
+    this.#busy = new Set();
     this.#data.seams = {
       points: this.app.arrays.seams ?? NO_ARRAY,
       normals: this.app.arrays.seam_normals ?? NO_ARRAY,
@@ -62,25 +65,29 @@ export class Layers {
   }
 
   async #fetch(name) {
-    if (this.#busy.has(name)) return;
-    this.#busy.add(name);
+    const busy = this.#busy;
+    if (busy.has(name)) return;
+    busy.add(name);
     const { app } = this;
-    const id = app.bodyId;
+    const stays = () => busy === this.#busy;
     app.emit("progress", { words: `Computing: ${name}…` });
     try {
       const compared = name === "diagonals" && this.#wantsDifferences;
-      const { header, arrays } = await app.transport.layer(id, name, compared);
-      if (id !== app.bodyId) return;
-      this.#data[name] = { points: arrays.points, normals: arrays.normals, items: header.items ?? [], compared };
-      this.update();
-      app.emit("layers");
+      const { header, arrays } = await app.transport.layer(app.bodyId, name, compared);
+      if (stays()) this.#data[name] = { points: arrays.points, normals: arrays.normals, items: header.items ?? [], compared };
     } catch (error) {
-      app.settings.setLayer(name, false);
-      app.fail(error);
+      if (stays()) {
+        app.settings.setLayer(name, false);
+        app.fail(error);
+      }
     } finally {
-      this.#busy.delete(name);
-      app.emit("progress", null);
+      busy.delete(name);
+      if (stays()) app.emit("progress", null);
     }
+    if (!stays()) return;
+    // What was chosen meanwhile may want more than was asked for.
+    this.update();
+    app.emit("layers");
   }
 
   #draw(name) {
@@ -122,18 +129,26 @@ export class Layers {
     return segmentsOf(each, count, samples);
   }
 
-  /** The greatest value on the sides of a patch cannot be told here; seams have no patch. */
-  seamValue() {
-    return NaN;
+  /** The value of the seam within reach of a point; undefined where there is no seam. */
+  seamValue(point, reach) {
+    const near = this.seamField && this.nearest("seams", point, reach);
+    if (!near) return undefined;
+    const { values } = this.seamField;
+    const first = near.line * this.#data.seams.points.shape[1] + near.sample;
+    // Where one of both is missing, so is what lies between.
+    return near.part > 0 ? values[first] + near.part * (values[first + 1] - values[first]) : values[first];
+  }
+
+  /** The line of a layer within reach of a point: {line, sample, part}, or null. */
+  nearest(name, point, reach) {
+    return this.#data[name] ? nearestLine(this.#data[name].points, point, reach) : null;
   }
 
   /** The colors of the diagonals by what the user chose, and their scale for the legend. */
   #lineColors(items, count, samples) {
     const key = this.app.settings.get("lines");
-    const values = items.map((item) => toScale(key, item));
-    const known = values.filter(Number.isFinite).sort((a, b) => a - b);
-    const at = (part) => known[Math.round(part * (known.length - 1))] ?? 0;
-    this.scale = { key, low: at(0.01), high: at(0.99), scale: "sequential", logarithmic: key !== "length" };
+    const values = items.map((item) => toScale(key, { length: item.length, error: item.error_estimate, difference: item.difference }[key]));
+    this.scale = scaleOf(key, values);
     const each = new Float32Array(3 * count);
     colorValues(values, this.scale, each);
     const colors = new Float32Array(count * (samples - 1) * 6);
@@ -163,11 +178,4 @@ export class Layers {
       if (this.#objects[name]) this.#objects[name].visible = !this.#coarse;
     }
   }
-}
-
-/** Differences and errors span decades, so they are colored by their logarithm. */
-function toScale(key, item) {
-  if (key === "length") return item.length ?? NaN;
-  const value = Math.abs(key === "difference" ? (item.difference ?? NaN) : (item.error_estimate ?? NaN));
-  return Math.log10(Math.max(value, 1e-16));
 }

@@ -1,6 +1,8 @@
 // A second body beside the first, in a scene of its own, under the same camera.
-import { Scene } from "three";
+import { Group, Scene } from "three";
 import { h } from "../ui/dom.js";
+import { Dots } from "./dots.js";
+import { Lines } from "./line_set.js";
 import { lifted, release, segmentsOf, thinSegments } from "./lines.js";
 import { Surface } from "./surface.js";
 
@@ -9,6 +11,7 @@ export class Second {
     this.app = app;
     this.viewport = viewport;
     this.surface = null;
+    this.lines = null;
     this.name = h("p", { class: "second-name", hidden: true, "data-testid": "second-name" });
     viewport.host.append(this.name);
   }
@@ -33,6 +36,14 @@ export class Second {
       // It moves with the body that it lies on.
       this.surface.object.add(this.seams);
     }
+    // Its landmarks and tapes stand with it, wherever it stands.
+    const group = new Group();
+    group.position.copy(this.offset);
+    this.dots = new Dots();
+    group.add(this.dots.object);
+    this.lines = new Lines(group, this.viewport.stage);
+    scene.add(group);
+    this.landmarks = header.landmarks ?? [];
     this.name.textContent = header.name;
     this.name.hidden = false;
     const pick = this.surface.pick.bind(this.surface);
@@ -44,8 +55,16 @@ export class Second {
     this.viewport.stage.setSecond(scene);
   }
 
+  /** Draw its tapes, and its landmarks where they are wanted. */
+  update(lines, { landmarks, color }) {
+    if (!this.surface) return;
+    this.lines.set(lines);
+    this.dots.set(landmarks ? this.landmarks.map(({ position }) => ({ position, color, size: 9 })) : []);
+  }
+
   setCoarse(stride) {
     this.surface?.setStride(stride);
+    this.lines?.setCoarse(stride !== 1);
     if (this.seams) this.seams.visible = stride === 1;
   }
 
@@ -57,6 +76,9 @@ export class Second {
     if (!this.surface) return;
     release(this.seams);
     this.seams = null;
+    this.lines.clear();
+    this.lines = null;
+    this.dots.dispose();
     this.name.hidden = true;
     this.surface.dispose();
     this.surface = null;

@@ -1,5 +1,6 @@
 // Which lines and names stand in the scene for the rows of the list.
-import { groupColor, LIT_COLOR, NO_LENGTH_COLOR, TAPE_COLOR } from "../model/colors.js";
+import { LANDMARK_COLOR, LIT_COLOR, NO_LENGTH_COLOR } from "../model/colors.js";
+import { tapeColors } from "../model/tape_colors.js";
 import { formatLength, formatValue } from "../model/units.js";
 import { lifted } from "./lines.js";
 
@@ -55,12 +56,13 @@ export class TapeLines {
     const lines = [];
     const labels = [];
     this.places = [];
-    const groups = [...new Set(app.items.filter((item) => item.source === "chart").map((item) => item.group))];
-    for (const item of app.items) {
+    const { items } = app;
+    const colors = tapeColors(app, items);
+    for (const item of items) {
       const lit = item.id === app.lit || item.id === app.selected;
       if (!(item.visible || lit)) continue;
       const mine = item.source === "tape";
-      const color = mine ? TAPE_COLOR[theme] : groupColor(groups.indexOf(item.group), theme);
+      const color = colors.of(item);
       const parts = mine ? this.#ofTape(item) : layers.tapes || lit ? this.#ofMeasurement(item) : [];
       parts.forEach((part, n) => {
         const dashed = part.through ? this.viewport.radius * 0.01 : 0;
@@ -92,6 +94,31 @@ export class TapeLines {
     labels.push(...this.extra.flatMap((one) => one.labels ?? []));
     this.viewport.lines.set([...lines, ...this.extra.flatMap((one) => one.lines ?? [])]);
     this.viewport.labels.set(labels);
+    this.#updateSecond(items, colors);
+  }
+
+  /** The same measurements on the body beside this one, in the same colors. */
+  #updateSecond(items, colors) {
+    const { app, viewport } = this;
+    if (!viewport.second.surface) return;
+    const layers = app.settings.get("layers");
+    const lines = [];
+    const chart = app.otherChart;
+    if (chart) {
+      const others = new Map(chart.header.measurements.map((one) => [one.key, one]));
+      const tapes = this.#chartTapes(chart);
+      for (const item of items) {
+        const lit = item.id === app.lit || item.id === app.selected;
+        if (item.source !== "chart" || !(lit || (item.visible && layers.tapes))) continue;
+        (others.get(item.measurement.key)?.tapes ?? []).forEach((number, n) => {
+          const { points, through } = tapes[number];
+          const line = { id: `${item.id}/${n}`, points, dashed: through ? viewport.radius * 0.01 : 0, through };
+          if (lit) lines.push({ ...line, color: LIT_COLOR[app.settings.theme], width: 4.5 });
+          else lines.push({ ...line, color: colors.of(item), width: 2, batched: !through });
+        });
+      }
+    }
+    viewport.second.update(lines, { landmarks: layers.landmarks, color: LANDMARK_COLOR });
   }
 
   /** What is drawn of a tape: while it is measured anew, what was measured last. */

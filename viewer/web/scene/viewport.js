@@ -12,6 +12,8 @@ import { Second } from "./second.js";
 const COARSE = 2;
 // A point counts as hidden when the body stands this part of its size before it.
 const BEHIND = 4e-3;
+// A line is under the pointer within this many pixels.
+const REACH = 7;
 
 export class Viewport {
   constructor(app, host, { software }) {
@@ -28,7 +30,9 @@ export class Viewport {
     this.second = new Second(app, this);
     this.stage.onQuality.push((coarse) => this.#quality(coarse));
     this.stage.beforeFrame.push(() => {
-      this.dots.material.uniforms.ratio.value = this.stage.renderer.getPixelRatio();
+      for (const dots of [this.dots, this.second.surface && this.second.dots]) {
+        if (dots) dots.material.uniforms.ratio.value = this.stage.renderer.getPixelRatio();
+      }
     });
   }
 
@@ -61,6 +65,11 @@ export class Viewport {
   get corners() {
     const [low, high] = this.app.header.bounds;
     return [0, 1, 2, 3, 4, 5, 6, 7].map((n) => [0, 1, 2].map((k) => ((n >> k) & 1 ? high : low)[k]));
+  }
+
+  /** How far from a point of the body a line is still under the pointer, in meters. */
+  get reach() {
+    return REACH * this.stage.pixelAt();
   }
 
   get lift() {

@@ -1,5 +1,5 @@
 // Joins the scene, the pointer and the tools: what a hover shows, what a click does, what is drawn.
-import { LIT_COLOR, TAPE_COLOR } from "../model/colors.js";
+import { LANDMARK_COLOR, LIT_COLOR, TAPE_COLOR } from "../model/colors.js";
 import { placeWords } from "../model/items.js";
 import { TapeLines, bandLabel } from "../scene/tape_lines.js";
 import { Handles } from "./handles.js";
@@ -10,8 +10,6 @@ import { TapeTool } from "./tape_tool.js";
 
 // The pointer rests this long, in milliseconds, before the length up to it is asked for.
 const PREVIEW = 160;
-// A line is under the pointer within this many pixels.
-const REACH = 7;
 
 export class Workbench {
   #preview = null;
@@ -37,7 +35,7 @@ export class Workbench {
       onDouble: ({ x, y }) => this.pivot(x, y),
       onLeave: () => this.hover(null),
     });
-    for (const name of ["sheet", "results", "chart", "selection", "lit", "settings", "layers"]) {
+    for (const name of ["sheet", "results", "chart", "selection", "lit", "settings", "layers", "compare"]) {
       app.on(name, () => this.update());
     }
     app.on("body", () => this.use(this.tool.name));
@@ -84,7 +82,7 @@ export class Workbench {
   }
 
   #row(hit) {
-    return this.tapes.nearest(hit.point, REACH * this.viewport.stage.pixelAt());
+    return this.tapes.nearest(hit.point, this.viewport.reach);
   }
 
   hover(hit) {
@@ -191,7 +189,7 @@ export class Workbench {
     if (app.settings.get("layers").landmarks) {
       for (const one of app.landmarks) {
         const lit = one.name === this.landmark || (this.hit?.snap === "landmark" && this.hit.name === one.name);
-        dots.push({ position: one.position, color: lit ? LIT_COLOR[theme] : one.edited ? "#8a4fa3" : "#2c3e50", size: lit ? 15 : 9 });
+        dots.push({ position: one.position, color: lit ? LIT_COLOR[theme] : one.edited ? "#8a4fa3" : LANDMARK_COLOR, size: lit ? 15 : 9 });
       }
     }
     for (const point of this.tool.points ?? []) dots.push({ position: point.point, color: LIT_COLOR[theme], size: 11 });

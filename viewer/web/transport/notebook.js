@@ -1,16 +1,42 @@
 // Requests of the notebook's widget: messages to the kernel, told apart by a number. Large answers
 // come as the message's buffers, since JSON would triple them.
 import { readBM1 } from "./bm1.js";
-import { Failure } from "./failure.js";
+import { Failure, KERNEL_GONE, KERNEL_SILENT } from "./failure.js";
+
+// A kernel that is at another cell answers late; after so long, in milliseconds, the page says so.
+const SILENCE = 15_000;
+// By these the notebook tells that a kernel was restarted or has ended.
+const ENDED = ["comm:close", "comm_live_update"];
 
 /** The transport over an anywidget model. */
 export function notebookTransport(model) {
   const waiting = new Map();
   let last = 0;
+  let tell = () => {};
+  let timer = 0;
+  let silent = false;
+  const watch = () => {
+    clearTimeout(timer);
+    if (!waiting.size) return;
+    timer = setTimeout(() => {
+      silent = true;
+      tell({ silent: KERNEL_SILENT });
+    }, SILENCE);
+  };
+  const ended = () => {
+    for (const { reject } of waiting.values()) reject(new Failure(KERNEL_GONE, { gone: true }));
+    waiting.clear();
+    watch();
+    tell({ silent: KERNEL_GONE });
+  };
+  for (const name of ENDED) model.on(name, ended);
   const receive = (message, buffers) => {
     const { resolve, reject } = waiting.get(message?.id) ?? {};
     if (!resolve) return;
     waiting.delete(message.id);
+    watch();
+    if (silent) tell({ silent: null });
+    silent = false;
     if (message.error) reject(new Failure(message.error, { status: message.status ?? 422 }));
     else resolve({ message, buffers: buffers ?? [] });
   };
@@ -21,7 +47,12 @@ export function notebookTransport(model) {
     new Promise((resolve, reject) => {
       const id = ++last;
       waiting.set(id, { resolve, reject });
-      model.send({ id, request: { request: kind, ...request } });
+      watch();
+      try {
+        model.send({ id, request: { request: kind, ...request } });
+      } catch {
+        ended();
+      }
     });
   // Buffers arrive as views or as plain buffers, and at any offset; the arrays want their own.
   const bytes = (buffer) =>
@@ -57,7 +88,14 @@ export function notebookTransport(model) {
     open: async () => {
       throw new Failure("In a notebook, open another body with bm.show(path).");
     },
-    events: () => () => {},
-    stop: () => model.off("msg:custom", receive),
+    events: (listener) => {
+      tell = listener;
+      return () => (tell = () => {});
+    },
+    end: () => {
+      clearTimeout(timer);
+      model.off("msg:custom", receive);
+      for (const name of ENDED) model.off(name, ended);
+    },
   };
 }

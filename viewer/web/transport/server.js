@@ -6,6 +6,9 @@ import { Failure, GONE, NOT_ALLOWED } from "./failure.js";
 const KEPT = "bodymeasure-token";
 // Pauses between attempts to reach a server that is gone, in milliseconds.
 const PAUSES = [300, 600, 1200, 2500, 5000];
+// The server says something every three seconds; one that is silent for so long has stopped, or the
+// network is gone, which no connection tells by itself.
+const SILENCE = 10_000;
 
 /** Take the token out of the address, so that it lands in no bookmark and on no screenshot. */
 function takeToken() {
@@ -26,8 +29,14 @@ export function serverTransport() {
   // A tab is who asks: the newest request of a tab overtakes its older ones.
   const tab = crypto.getRandomValues(new Uint32Array(2)).join("-");
 
+  // What is asked and not answered, so that nobody waits for ever for a server that has stopped.
+  const open = new Set();
+  const hangUp = () => open.forEach((one) => one.abort());
+
   async function ask(path, { body, json, headers = {}, signal } = {}) {
-    const options = { headers: { "X-Token": token, ...headers }, cache: "no-store", signal };
+    const own = new AbortController();
+    const options = { headers: { "X-Token": token, ...headers }, cache: "no-store", signal: signal ?? own.signal };
+    if (!signal) open.add(own);
     if (json !== undefined) {
       options.body = JSON.stringify(json);
       options.headers["Content-Type"] = "application/json";
@@ -42,14 +51,13 @@ export function serverTransport() {
     } catch (error) {
       if (signal?.aborted) throw error;
       throw new Failure(GONE, { gone: true });
+    } finally {
+      open.delete(own);
     }
     if (answer.ok) return answer;
-    const sentence = await answer
-      .json()
-      .then((content) => content.error)
-      .catch(() => "");
+    const { error: sentence, wants } = await answer.json().catch(() => ({}));
     const standard = answer.status === 403 ? NOT_ALLOWED : `The program answered ${answer.status}.`;
-    throw new Failure(sentence || standard, { status: answer.status });
+    throw new Failure(sentence || standard, { status: answer.status, wants });
   }
   const binary = async (...request) => {
     try {
@@ -69,10 +77,10 @@ export function serverTransport() {
   const other = (id) => (id === undefined ? "" : `&other=${encodeURIComponent(id)}`);
 
   return {
-    can: { measure: true, chart: true, save: true, open: true, export: true },
+    can: { measure: true, chart: true, save: true, open: true, export: true, stop: true },
     body: (id) => binary(`api/body${of(id)}`),
     layer: (id, name, compare) =>
-      binary(`api/layer${of(id, `&name=${encodeURIComponent(name)}${compare ? "&compare=true" : ""}`)}`),
+      binary(`api/layer${of(id, `&name=${encodeURIComponent(name)}${compare ? "&compare=true" : ""}&tab=${tab}`)}`),
     quantity: (id, key, against) =>
       binary(`api/quantity${of(id, `&key=${encodeURIComponent(key)}${other(against)}`)}`),
     path: (id, request) => object(`api/path${of(id)}`, { json: { tab, ...request } }),
@@ -81,6 +89,7 @@ export function serverTransport() {
     mirror: (id, location) => object(`api/mirror${of(id)}`, { json: { location } }),
     point: (id, location) => object(`api/point${of(id)}`, { json: { location } }),
     chart: (id, set, landmarks) => binary(`api/chart${of(id)}`, { json: { set, landmarks, tab } }),
+    stop: () => object("api/stop", { json: { tab } }),
     exportFile: (id, request) => file(`api/export${of(id)}`, { json: request }),
     save: async (id, request) => {
       const answer = await ask(`api/landmarks${of(id)}`, { json: request });
@@ -101,42 +110,62 @@ export function serverTransport() {
       }),
     // How far another tab's chart is concerns that tab alone.
     events: (listener) =>
-      listen(ask, (news) => (!news.progress?.tab || news.progress.tab === tab) && listener(news)),
+      listen(ask, hangUp, (news) => (!news.progress?.tab || news.progress.tab === tab) && listener(news)),
   };
 }
 
 /** Read the server's ticks and news, and connect again after it was gone. Returns how to stop. */
-function listen(ask, listener) {
-  const stop = new AbortController();
-  (async () => {
-    let attempt = 0;
-    while (!stop.signal.aborted) {
-      try {
-        const answer = await ask("api/events", { signal: stop.signal });
-        listener({ connected: true });
+function listen(ask, hangUp, listener) {
+  let stopped = false;
+  let attempt = 0;
+  let trying = new AbortController();
+  let timer = 0;
+  const heard = () => {
+    clearTimeout(timer);
+    timer = setTimeout(() => trying.abort(), SILENCE);
+  };
+  const once = async () => {
+    trying = new AbortController();
+    heard();
+    try {
+      const answer = await ask("api/events", { signal: trying.signal });
+      await readLines(answer.body, (news) => {
         attempt = 0;
-        await readLines(answer.body, listener);
-      } catch (error) {
-        if (stop.signal.aborted) return;
-        if (error instanceof Failure && error.status === 403) {
-          listener({ refused: error.message });
-          return;
-        }
+        listener(news);
+      }, heard);
+    } catch (error) {
+      if (error instanceof Failure && error.status === 403) return error.message;
+    } finally {
+      clearTimeout(timer);
+    }
+    return null;
+  };
+  (async () => {
+    while (!stopped) {
+      const refused = await once();
+      if (stopped) return;
+      if (refused) {
+        listener({ refused });
+        return;
       }
-      if (stop.signal.aborted) return;
       listener({ connected: false });
+      hangUp();
       const pause = PAUSES[Math.min(attempt++, PAUSES.length - 1)];
       await new Promise((resolve) => setTimeout(resolve, pause));
     }
   })();
-  return () => stop.abort();
+  return () => {
+    stopped = true;
+    trying.abort();
+  };
 }
 
-async function readLines(stream, listener) {
+async function readLines(stream, listener, heard) {
   const reader = stream.pipeThrough(new TextDecoderStream()).getReader();
   let rest = "";
   for (;;) {
     const { value, done } = await reader.read();
+    heard();
     if (done) return;
     const lines = (rest + value).split("\n");
     rest = lines.pop();

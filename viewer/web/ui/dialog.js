@@ -1,9 +1,9 @@
 // Dialogs, by the browser's own element, which keeps the focus inside and closes on Esc.
-import { h, iconButton } from "./dom.js";
+import { h, iconButton, unique } from "./dom.js";
 
 /** Show a dialog with a title; returns it. */
 export function showDialog(root, title, ...content) {
-  const name = `title-${Math.random().toString(36).slice(2)}`;
+  const name = unique("title");
   const close = iconButton("close", "Close", () => dialog.close());
   const dialog = h(
     "dialog",

@@ -21,6 +21,11 @@ export function displayPanel(app, actions) {
     { "aria-label": "Color the diagonals by", "data-testid": "lines", onChange: () => app.settings.set("lines", lines.value) },
     [["length", "Length"], ["difference", "Difference from the mesh"], ["error", "Error estimate"]].map(([key, label]) => h("option", { value: key }, label)),
   );
+  const tapes = h(
+    "select",
+    { "aria-label": "Color the tapes by", "data-testid": "tapes", onChange: () => app.settings.set("tapes", tapes.value) },
+    [["group", "Group"], ["length", "Length"], ["error", "Error estimate"]].map(([key, label]) => h("option", { value: key }, label)),
+  );
   const snap = check("Snap to landmarks and corners", "snap", () => app.settings.set("snap", snap.input.checked));
   const via = check("Tapes with points on the way", "via", () => app.settings.set("via", via.input.checked));
   const compare = h("div", { class: "compare" });
@@ -34,6 +39,7 @@ export function displayPanel(app, actions) {
       layers,
       h("h2", {}, "Colors"),
       h("label", { class: "field" }, h("span", {}, "Body"), color),
+      h("label", { class: "field" }, h("span", {}, "Tapes"), tapes),
       h("label", { class: "field" }, h("span", {}, "Diagonals"), lines),
       h("h2", {}, "Tools"),
       h("div", { class: "checks" }, snap.label, via.label),
@@ -57,6 +63,7 @@ export function displayPanel(app, actions) {
     color.replaceChildren(h("option", { value: "none" }, "Plain"), ...quantities.map(({ key, label }) => h("option", { value: key }, sentenceCase(label))));
     color.value = actions.colorKey();
     color.disabled = !quantities.length;
+    tapes.value = app.settings.get("tapes");
     lines.value = app.settings.get("lines");
     lines.disabled = !shown.diagonals;
     snap.input.checked = app.settings.get("snap");

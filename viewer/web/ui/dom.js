@@ -15,6 +15,15 @@ export function h(tag, attributes = {}, ...children) {
   return element;
 }
 
+// A notebook may hold several viewers, each of which has loaded this program anew.
+const own = Math.random().toString(36).slice(2, 10);
+let last = 0;
+
+/** An id that no other element of the page has. */
+export function unique(name) {
+  return `bm-${own}-${name}-${++last}`;
+}
+
 const PROPERTIES = { value: 1, checked: 1, indeterminate: 1 };
 
 /** An icon of 20 by 20 from the `d` of its paths, drawn in the color of the text. */

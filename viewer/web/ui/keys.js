@@ -9,6 +9,8 @@ export function keys(target, app, host, actions) {
   const crosshair = { x: 0.5, y: 0.5 };
   const element = host.querySelector(".crosshair");
   const place = () => {
+    // Without a scene there is nothing to point at, and the list has the keys.
+    if (!element) return;
     element.style.left = `${100 * crosshair.x}%`;
     element.style.top = `${100 * crosshair.y}%`;
   };
@@ -69,7 +71,7 @@ export function keys(target, app, host, actions) {
     // A focused button takes Enter and Space for itself.
     const onButton = event.target.closest?.("button, a, summary") && (event.key === "Enter" || event.key === " ");
     if (onButton) return;
-    if ((event.target === host && inScene(event)) || anywhere(event)) event.preventDefault();
+    if ((element && event.target === host && inScene(event)) || anywhere(event)) event.preventDefault();
   };
   target.addEventListener("keydown", listener);
   return () => target.removeEventListener("keydown", listener);

@@ -1,6 +1,6 @@
 // Landmarks: those that the body has, those that its chart lacks, and saving them.
 import { otherSide } from "../tools/workbench.js";
-import { download, h, iconButton } from "./dom.js";
+import { download, h, iconButton, unique } from "./dom.js";
 import { showMenu } from "./menu.js";
 
 export function landmarksPanel(app, workbench, actions) {
@@ -11,8 +11,9 @@ export function landmarksPanel(app, workbench, actions) {
   const editor = h("div", { class: "editor" });
   const save = h("button", { type: "button", class: "button", "data-testid": "save-landmarks", "aria-haspopup": "menu", onClick: () => showMenu(save, saving(app)) }, "Save landmarks…");
   const add = h("button", { type: "button", class: "button", "data-testid": "add-landmark", onClick: () => { workbench.tools.landmark.target = null; actions.use("landmark"); } }, "Add by clicking");
-  const names = h("datalist", { id: "lacking-names" });
-  const foot = h("div", { class: "foot" }, app.transport.can.measure ? add : "", app.transport.can.save ? save : "");
+  const names = h("datalist", { id: unique("lacking-names") });
+  // Without a scene there is nothing to click.
+  const foot = h("div", { class: "foot" }, app.transport.can.measure && workbench ? add : "", app.transport.can.save ? save : "");
   const element = h("section", { class: "page" }, h("div", { class: "scroll pad" }, h("h2", {}, "On this body"), own, lackingHead, lackingWords, lacking, names), editor, foot);
 
   const draw = () => {
@@ -20,7 +21,7 @@ export function landmarksPanel(app, workbench, actions) {
     own.replaceChildren(...app.landmarks.map((one) => entry(one)));
     if (!app.landmarks.length) own.append(h("li", { class: "soft small" }, "None yet."));
     const rest = app.lacking;
-    lackingHead.hidden = lackingWords.hidden = lacking.hidden = !rest.length || !app.transport.can.measure;
+    lackingHead.hidden = lackingWords.hidden = lacking.hidden = !rest.length || !app.transport.can.measure || !workbench;
     lacking.replaceChildren(...rest.map((one) => lackingEntry(one)));
     names.replaceChildren(...rest.map((one) => h("option", { value: one.name })));
     save.disabled = !app.landmarks.length;
@@ -52,7 +53,7 @@ export function landmarksPanel(app, workbench, actions) {
     const landmark = app.landmarks.find((one) => one.name === workbench?.landmark);
     editor.hidden = !landmark || !app.transport.can.measure;
     if (editor.hidden || editor.contains(document.activeElement) && document.activeElement.tagName === "INPUT") return;
-    const name = h("input", { class: "name", value: landmark.name, list: "lacking-names", "aria-label": "Name of the landmark", "data-testid": "landmark-name", maxlength: "100" });
+    const name = h("input", { class: "name", value: landmark.name, list: names.id, "aria-label": "Name of the landmark", "data-testid": "landmark-name", maxlength: "100" });
     name.addEventListener("change", () => rename(landmark, name.value.trim()));
     name.addEventListener("keydown", (event) => {
       event.stopPropagation();
@@ -77,14 +78,14 @@ export function landmarksPanel(app, workbench, actions) {
     // A landmark of the file is taken off by its old name; one that was clicked just has a new one.
     const inFile = app.header.landmarks.some((one) => one.name === landmark.name);
     const gone = inFile ? { [landmark.name]: null } : {};
-    app.sheet.setLandmarks({ ...rest, ...gone, [name]: { location: landmark.location, position: landmark.position } });
+    app.sheet.renameLandmark(landmark.name, name, { ...rest, ...gone, [name]: { location: landmark.location, position: landmark.position } });
     app.emit("landmark", name);
   };
 
   const remove = (landmark) => {
     const { [landmark.name]: _, ...rest } = app.sheet.landmarks;
     const inFile = app.header.landmarks.some((one) => one.name === landmark.name);
-    app.sheet.setLandmarks(inFile ? { ...rest, [landmark.name]: null } : rest);
+    app.sheet.removeLandmark(landmark.name, landmark.location, inFile ? { ...rest, [landmark.name]: null } : rest);
     app.emit("landmark", null);
   };
 

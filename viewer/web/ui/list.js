@@ -1,6 +1,6 @@
 // The list of tapes and measurements: searched, sorted, and one with the scene.
-import { groupColor, TAPE_COLOR } from "../model/colors.js";
 import { matches, sorted } from "../model/items.js";
+import { tapeColors } from "../model/tape_colors.js";
 import { formatError, formatLength, formatValue } from "../model/units.js";
 import { h, icon, iconButton } from "./dom.js";
 
@@ -98,9 +98,7 @@ export function list(app, actions) {
     const focused = document.activeElement?.dataset?.row;
     const items = app.items.filter((item) => matches(item, words));
     const groups = [...new Set(app.items.map((item) => item.group))];
-    const chartGroups = [...new Set(app.items.filter((item) => item.source === "chart").map((item) => item.group))];
-    const { theme } = app.settings;
-    const color = (item) => (item.source === "tape" ? TAPE_COLOR[theme] : groupColor(chartGroups.indexOf(item.group), theme));
+    const { of: color } = tapeColors(app);
     if (!items.some((item) => item.id === current)) current = items[0]?.id ?? null;
     const bodies = order
       ? [h("tbody", {}, sorted(items, order).map((item) => row(item, color(item))))]

@@ -1,5 +1,6 @@
 // What lies over the scene: the hint, the views, what is under the pointer, the legend, progress.
-import { colorOf, gradient } from "../model/colors.js";
+import { gradient } from "../model/colors.js";
+import { tapeColors } from "../model/tape_colors.js";
 import { formatError, formatLength, formatValue } from "../model/units.js";
 import { sentenceCase } from "../compare.js";
 import { h, iconButton } from "./dom.js";
@@ -35,18 +36,24 @@ export function overlays(app, host, actions) {
     hint.hidden = !text;
   });
   app.on("settings", () => projection.setAttribute("aria-pressed", String(app.settings.get("projection") === "perspective")));
-  app.on("progress", (state) => {
-    progress.hidden = !state;
-    if (!state) return;
-    const part = state.total ? h("progress", { value: state.done, max: state.total, "aria-label": state.words }) : h("span", { class: "spinner", "aria-hidden": "true" });
-    progress.replaceChildren(part, h("span", {}, sentenceCase(state.words)));
+  // What takes a minute can be stopped; the rest is over before a hand is there. The button stays
+  // the same while the numbers change, so that it can be pressed.
+  const stop = h("button", { type: "button", class: "button", "data-testid": "stop", onClick: () => app.try(() => app.transport.stop()) }, "Stop");
+  const state = h("span", { class: "progress-state" });
+  progress.append(state, stop);
+  app.on("progress", (news) => {
+    progress.hidden = !news;
+    if (!news) return;
+    stop.hidden = !(app.transport.can.stop && news.long);
+    const part = news.total ? h("progress", { value: news.done, max: news.total, "aria-label": news.words }) : h("span", { class: "spinner", "aria-hidden": "true" });
+    state.replaceChildren(part, h("span", {}, sentenceCase(news.words)));
   });
   app.on("hover", (hit) => {
     readout.hidden = !hit;
     if (hit) readout.replaceChildren(...readoutLines(app, hit, actions).map((line) => h("span", {}, line)));
   });
   const updateLegend = () => showLegend(app, legend, actions);
-  for (const name of ["field", "layers", "settings", "body"]) app.on(name, updateLegend);
+  for (const name of ["field", "layers", "settings", "body", "chart", "sheet", "results"]) app.on(name, updateLegend);
 }
 
 function readoutLines(app, hit, actions) {
@@ -57,9 +64,10 @@ function readoutLines(app, hit, actions) {
     const item = app.item(hit.row);
     if (item) lines.push(`${item.name}: ${formatValue(item, app.unit)}`);
   }
-  const field = actions.field();
-  if (field && !hit.side && Array.isArray(hit.location)) lines.push(`${field.label}: ${fieldText(field, actions.valueAt(hit.location), app.unit)}`);
-  for (const item of actions.linesOf(hit.location)) {
+  const field = hit.side ? null : actions.field();
+  const value = field && actions.valueAt(hit);
+  if (field && value !== undefined) lines.push(`${field.label}: ${fieldText(field, value, app.unit)}`);
+  for (const item of hit.side ? [] : actions.linesOf(hit)) {
     const difference = Number.isFinite(item.difference) ? `, ${item.difference.toExponential(1)} from the mesh` : "";
     lines.push(`${item.name}: ${formatLength(item.length ?? NaN, app.unit)} ${formatError(item.error_estimate ?? NaN, app.unit)}${difference}`);
   }
@@ -73,34 +81,48 @@ function positionText([left, up, front], unit) {
 }
 
 export function fieldText(field, value, unit) {
-  if (!Number.isFinite(value)) return "not known";
+  // Where the body ends, no other patch makes an angle.
+  if (!Number.isFinite(value)) return field.per === "seam" ? "none" : "not known";
   // Distances are lengths; curvatures have units of their own.
   if (field.unit === "m") return formatLength(value, unit);
   return `${Number(value.toPrecision(3))} ${field.unit ?? ""}`.trim();
 }
 
+const TITLES = { length: "Length", difference: "Difference from the mesh", error: "Error estimate" };
+
+/** What the colors mean: of the body or its seams, of tapes, of diagonals. */
 function showLegend(app, legend, actions) {
   const field = actions.field();
-  const scale = field ?? actions.lineScale();
-  legend.hidden = !scale;
-  if (!scale) return;
-  const title = field ? field.label : { length: "Length of diagonals", difference: "Difference from the mesh", error: "Error estimate" }[scale.key];
-  const end = (value) => {
-    if (field) return fieldText(field, value, app.unit);
-    if (scale.key === "length") return formatLength(value, app.unit);
-    const power = 10 ** value;
-    return scale.key === "error" ? formatError(power, app.unit).replace("± ", "") : power.toExponential(0);
-  };
+  const tapes = app.header && tapeColors(app).scale;
+  const lines = actions.lineScale();
+  const scales = [
+    field && { ...field, title: field.label, end: (value) => fieldText(field, value, app.unit) },
+    tapes && { ...tapes, title: `${TITLES[tapes.key]} of tapes`, end: (value) => lineText(tapes.key, value, app.unit) },
+    lines && { ...lines, title: `${TITLES[lines.key]} of diagonals`, end: (value) => lineText(lines.key, value, app.unit) },
+  ].filter(Boolean);
+  legend.hidden = !scales.length;
+  const told = scales.map(({ title, low, high, end }) => `${title}, from ${end(low)} to ${end(high)}`);
+  legend.setAttribute("aria-label", `Colors: ${told.join("; ")}`);
+  legend.replaceChildren(...scales.map(legendOf));
+}
+
+function legendOf({ title, scale, low, high, end, words }) {
   const bar = h("div", { class: "legend-bar" });
-  bar.style.background = gradient(scale.scale);
-  const middle = scale.scale === "diverging" ? end((scale.low + scale.high) / 2) : "";
-  legend.setAttribute("aria-label", `Colors: ${title}, from ${end(scale.low)} to ${end(scale.high)}`);
-  legend.replaceChildren(
+  bar.style.background = gradient(scale);
+  const middle = scale === "diverging" ? end((low + high) / 2) : "";
+  return h(
+    "div",
+    { class: "legend-scale" },
     h("div", { class: "legend-title" }, title),
     bar,
-    h("div", { class: "legend-ends" }, h("span", {}, end(scale.low)), h("span", {}, middle), h("span", {}, end(scale.high))),
-    field?.words ? h("div", { class: "legend-words" }, field.words) : "",
+    h("div", { class: "legend-ends" }, h("span", {}, end(low)), h("span", {}, middle), h("span", {}, end(high))),
+    words ? h("div", { class: "legend-words" }, words) : "",
   );
 }
 
-export { colorOf };
+/** A value of a line as it stands on its scale, where errors and differences are logarithms. */
+function lineText(key, value, unit) {
+  if (key === "length") return formatLength(value, unit);
+  const power = 10 ** value;
+  return key === "error" ? formatError(power, unit).replace("± ", "") : power.toExponential(0);
+}

@@ -1,15 +1,16 @@
 // The panel at the side: three pages of it under tabs.
-import { h } from "./dom.js";
+import { h, unique } from "./dom.js";
 
 /** Make the tabs; `pages` is [[key, label, element]]. Returns how to show one. */
 export function panel(place, pages) {
   const tabs = pages.map(([key, label, element], n) => {
-    element.id = `page-${key}`;
+    const id = unique(`tab-${key}`);
+    element.id = unique(`page-${key}`);
     element.setAttribute("role", "tabpanel");
-    element.setAttribute("aria-labelledby", `tab-${key}`);
+    element.setAttribute("aria-labelledby", id);
     return h(
       "button",
-      { type: "button", role: "tab", id: `tab-${key}`, "aria-controls": `page-${key}`, "data-testid": `tab-${key}`, onClick: () => show(n) },
+      { type: "button", role: "tab", id, "aria-controls": element.id, "data-testid": `tab-${key}`, onClick: () => show(n) },
       label,
     );
   });

@@ -36,6 +36,15 @@ def test_side_by_side_and_differences(screen: Screen, heavy: Path) -> None:
         shown = screen.get(f"row-chart:{key}").locator("td").last.inner_text()
         sign = "+" if difference > 0 else "\N{MINUS SIGN}"
         assert shown == f"{sign}{abs(difference):.2f} cm"
+    # Its landmarks and its tapes stand with it, and what is hidden here is hidden there.
+    beside = screen.state()["second"]
+    assert beside["landmarks"] == len(bm.load_sample("female_heavy").landmarks)
+    assert {"chart:bust_girth/0", "chart:hip_girth/0"} <= set(beside["lines"])
+    row = screen.get("row-chart:bust_girth")
+    row.hover()
+    row.get_by_role("button", name="Hide").click()
+    screen.page.mouse.move(5, 300)
+    screen.until("state => !state.second.lines.includes('chart:bust_girth/0')")
     # One view for both: turned over the right body, the left one turns as well.
     box = screen.page.locator("canvas").bounding_box()
     assert box is not None

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from helpers.command_line import folded_part_of_a_body, part_of_a_body
 from helpers.viewer_page import Screen
 
 import bodymeasure as bm
@@ -44,6 +45,45 @@ def test_what_is_no_body_is_said_in_a_sentence(complaints: Screen) -> None:
     screen.get("messages").get_by_text("broken.atlas").first.wait_for()
     # The body that was open is still there, and is measured.
     assert screen.measure((15, 0.5, 0.5), (173, 0.5, 0.5))["result"]["length"] > 0.1
+
+
+def test_who_drops_a_file_without_a_unit_is_asked_for_it(
+    complaints: Screen, tmp_path: Path
+) -> None:
+    screen = complaints
+    path = tmp_path / "part.bpt"
+    bm.write_atlas(part_of_a_body(100, 106), path)
+    screen.drop("part.bpt", path.read_bytes())
+    dialog = screen.page.get_by_role("dialog")
+    assert "part.bpt does not say it" in dialog.inner_text()
+    # Who does not know it is told what is lacking, and has the body that was there.
+    dialog.get_by_role("button", name="Close").click()
+    assert "says no unit" in screen.message()
+    assert screen.state()["patches"] == 376
+    screen.drop("part.bpt", path.read_bytes())
+    screen.get("unit-cm").click()
+    screen.until("state => state.patches === 6")
+    # In centimeters it is a hundredth as large as in meters.
+    expected = 0.01 * bm.diagonals(part_of_a_body(100, 106)).length[0, 0]
+    screen.get("tab-display").click()
+    screen.get("layer-diagonals").click()
+    screen.get("legend").wait_for()
+    screen.hover((0, 0.5, 0.5))
+    screen.get("readout").get_by_text(f"{100 * expected:.2f} cm").first.wait_for()
+
+
+def test_what_is_wrong_with_a_dropped_file_is_said_and_the_file_is_listed_after_a_reload(
+    screen: Screen, tmp_path: Path
+) -> None:
+    path = tmp_path / "folded.atlas"
+    bm.write_atlas(folded_part_of_a_body(), path)
+    screen.drop("folded.atlas", path.read_bytes())
+    screen.get("messages").get_by_text("The check of the atlas finds").wait_for()
+    screen.page.reload()
+    screen.page.wait_for_selector("#bodymeasure[data-ready]")
+    screen.get("more").click()
+    screen.page.get_by_role("menuitem", name="Go to Part of a body").first.click()
+    screen.until("state => state.patches === 6")
 
 
 def test_a_triangle_mesh_is_sent_to_the_fit(complaints: Screen) -> None:

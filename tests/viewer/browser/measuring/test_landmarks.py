@@ -118,6 +118,37 @@ def test_tapes_follow_a_landmark_that_is_moved(blank: Screen) -> None:
     assert abs(after - before) > 1e-3
 
 
+def test_a_tape_stays_where_its_landmark_was_when_that_is_renamed_or_removed(
+    blank: Screen,
+) -> None:
+    blank.get("more").click()
+    blank.get("menu-between").click()
+    blank.get("between-measure").click()
+    blank.until("state => state.tapes.length === 1")
+    before = blank.settle()["tapes"][0]
+    assert before["locations"] == ["back neck point", "crotch point"]
+    blank.get("landmarks").get_by_text("crotch point").click()
+    name = blank.get("landmark-name")
+    name.fill("lowest point")
+    name.press("Enter")
+    renamed = blank.settle()["tapes"][0]
+    assert renamed["locations"] == ["back neck point", "lowest point"]
+    assert renamed["name"] == "back neck point to lowest point"
+    assert renamed["result"]["length"] == before["result"]["length"]
+    # All of it is one step.
+    blank.page.keyboard.press("Control+z")
+    assert blank.settle()["tapes"][0]["locations"] == before["locations"]
+    blank.page.keyboard.press("Control+Shift+z")
+    blank.get("landmarks").get_by_text("lowest point").click()
+    blank.get("remove-landmark").click()
+    removed = blank.settle()["tapes"][0]
+    assert "lowest point" not in names(blank)
+    assert removed["locations"][1] == list(
+        bm.load_sample("female_average").landmarks["crotch point"]
+    )
+    assert removed["result"]["length"] == before["result"]["length"]
+
+
 def test_saved_as_picks_and_in_a_copy(blank: Screen, tmp_path: Path) -> None:
     blank.get("add-landmark").click()
     blank.click(blank.seen(apart=7)[3])

@@ -154,3 +154,47 @@ def test_what_failed_is_asked_again_after_a_new_start(own: Served, open_page: Op
         if "spawn_main" in " ".join(child.cmdline()):
             child.kill()
     screen.until("state => state.tapes[0].result && state.tapes[0].result.length > 0.1")
+
+
+def test_the_color_that_was_chosen_last_is_shown(screen: Screen) -> None:
+    screen.get("tab-display").click()
+    held = hold_first(screen, "**/api/quantity*")
+    screen.get("color").select_option("gaussian")
+    held_back(screen, held)
+    screen.get("color").select_option("mean")
+    legend = screen.get("legend")
+    legend.get_by_text("Mean curvature").wait_for()
+    release(screen, held, "**/api/quantity*")
+    assert "Gaussian" not in legend.inner_text()
+    assert screen.get("color").input_value() == "mean"
+    assert screen.get("progress").is_hidden()
+
+
+def test_a_body_that_comes_after_the_end_of_comparing_does_not_appear(
+    pair: Served, open_page: Open
+) -> None:
+    screen = open_page(pair.link)
+    screen.get("tab-display").click()
+    held = hold_first(screen, "**/api/body*")
+    screen.get("compare-open").select_option("1")
+    held_back(screen, held)
+    # Meanwhile that body itself is opened, and compared with the first.
+    go_to_second(screen)
+    release(screen, held, "**/api/body*")
+    assert not screen.state()["side"]
+    screen.get("compare-open").select_option("0")
+    screen.until("state => state.side")
+
+
+def test_lines_of_a_body_that_was_left_are_asked_for_anew(pair: Served, open_page: Open) -> None:
+    screen = open_page(pair.link)
+    screen.get("tab-display").click()
+    held = hold_first(screen, "**/api/layer*")
+    screen.get("layer-boundary").click()
+    held_back(screen, held)
+    with screen.page.expect_response("**/api/layer?body=1*"):
+        go_to_second(screen)
+    geometries = screen.until("state => state.geometries > 3 && state.geometries")
+    release(screen, held, "**/api/layer?body=0*")
+    assert screen.state()["geometries"] == geometries
+    assert screen.get("layer-boundary").is_checked()

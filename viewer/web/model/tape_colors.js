@@ -1,0 +1,16 @@
+// The colors of rows, the same in the list and in the scene: by group, or by a value of theirs.
+import { colorOf, groupColor, scaleOf, TAPE_COLOR, toScale } from "./colors.js";
+
+/** {scale, of(item)} for the rows as they are now; `scale` is null where groups have the colors. */
+export function tapeColors(app, items = app.items) {
+  const { theme } = app.settings;
+  const key = app.settings.get("tapes");
+  if (key === "group" || !items.length) {
+    const groups = [...new Set(items.filter((item) => item.source === "chart").map((item) => item.group))];
+    const of = (item) => (item.source === "tape" ? TAPE_COLOR[theme] : groupColor(groups.indexOf(item.group), theme));
+    return { scale: null, of };
+  }
+  const place = (item) => (item.kind === "length" ? toScale(key, key === "length" ? item.value : item[key]) : NaN);
+  const scale = scaleOf(key, items.map(place));
+  return { scale, of: (item) => colorOf(place(item), scale) };
+}
