@@ -40,8 +40,8 @@ ORDERS = {
     " landmarks/paths, landmarks/places · body, input/slopes, sides · kinds, landmarks/rules ·"
     " approximated, landmarks · input · taken · definitions, sensitivity · needed, reading,"
     " selection, chart · evaluate",
-    "cli": "console, tables · options · fitting · atlases, docs, landmarks, measuring, study ·"
-    " patterns · main",
+    "cli": "commands, tables · console · options · fitting · atlases, docs, landmarks, measuring,"
+    " study · patterns · main",
     "compare": "names, records · readings · gaps, iso20685, plausible, read, shown · comparison,"
     " page",
     "fit": "model, scan · completed, solving · topology · export",

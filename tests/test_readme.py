@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import bodymeasure as bm
-from bodymeasure.cli.main import COMMANDS
+from bodymeasure.cli.commands import COMMANDS
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
 

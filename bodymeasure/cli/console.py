@@ -1,7 +1,6 @@
 """Printing: results go to stdout, progress and errors to stderr."""
 
 import errno
-import io
 import itertools
 import os
 from collections.abc import Callable, Iterable, Iterator
@@ -13,11 +12,10 @@ import click
 from rich.console import Console
 from rich.text import Text
 
+from bodymeasure.cli.tables import plain_lines
+
 if TYPE_CHECKING:
     from rich.table import Table
-
-# The width of a table that is not for a terminal, at which no line of it is broken.
-UNBROKEN = 10_000
 
 
 class _Console(Console):
@@ -36,10 +34,8 @@ def print_table(table: "Table") -> None:
     if RESULTS.is_terminal:
         RESULTS.print(table)
         return
-    text = io.StringIO()
-    Console(file=text, width=UNBROKEN, color_system=None, emoji=False).print(table)
-    for line in text.getvalue().splitlines():
-        click.echo(line.rstrip())
+    for line in plain_lines(table):
+        click.echo(line)
 
 
 def print_files(files: Iterable[Path]) -> None:

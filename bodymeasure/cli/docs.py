@@ -7,8 +7,8 @@ from pathlib import Path
 import click
 from rich.text import Text
 
+from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_note, print_table
-from bodymeasure.cli.options import EXIT_CODES
 from bodymeasure.cli.tables import new_table
 from bodymeasure.errors import InputError
 from bodymeasure.wording import hint
@@ -47,7 +47,7 @@ img {{ max-width: 100%; }}
 """
 
 
-@click.command(short_help="Print the documentation, or open it.", epilog=EXIT_CODES)
+@click.command(epilog=EXIT_CODES)
 @click.argument("page", required=False)
 @click.option("--open", "opens", is_flag=True, help="Open the page in the web browser.")
 def docs(page: str | None, opens: bool) -> None:

@@ -1,8 +1,6 @@
 """The command `bodymeasure`, and how it ends."""
 
 import errno
-import importlib
-import importlib.metadata
 import io
 import os
 import signal
@@ -10,34 +8,12 @@ import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, Literal
 
 import click
 
-from bodymeasure.cli.console import print_error, print_note
-from bodymeasure.cli.options import EXIT_CODES
+from bodymeasure.cli.commands import EXIT_CODES, LazyGroup
 from bodymeasure.errors import BodymeasureError
-from bodymeasure.wording import hint
-
-# The commands in the order of the help, the main one first, and the module in this package that
-# defines a command of that name. A command is added by its module and one line.
-COMMANDS = {
-    "report": "measuring.report",
-    "chart": "measuring.chart",
-    "fit": "fitting.fit",
-    "compare": "measuring.compare",
-    "landmarks": "landmarks.group",
-    "pattern": "patterns.pattern",
-    "diagonals": "measuring.diagonals",
-    "check": "atlases.check",
-    "info": "atlases.info",
-    "convert": "atlases.convert",
-    "view": "measuring.view",
-    "samples": "atlases.samples",
-    "bench": "study.bench",
-    "paper": "study.paper",
-    "docs": "docs",
-}
 
 EXIT_BAD_INPUT = 2
 # The exit codes of a command that a signal ended, as shells have them: 128 + SIGINT, SIGPIPE or
@@ -96,18 +72,8 @@ def _output_errors() -> Iterator[None]:
         raise _OutputError(error) from error
 
 
-class _Commands(click.Group):
-    """The commands, each of which is imported when it is first asked for."""
-
-    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
-        return list(COMMANDS)
-
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command:
-        if cmd_name not in COMMANDS:
-            ctx.fail(f"No such command {cmd_name!r}; {hint(cmd_name, COMMANDS)}")
-        module = importlib.import_module(f"bodymeasure.cli.{COMMANDS[cmd_name]}")
-        command: click.Command = getattr(module, cmd_name)
-        return command
+class _Commands(LazyGroup):
+    """The commands; what goes wrong with the output is not their fault."""
 
     def make_context(self, *args: Any, **kwargs: Any) -> click.Context:
         with _output_errors():
@@ -125,6 +91,8 @@ class _Commands(click.Group):
 def _print_version(ctx: click.Context, _parameter: click.Parameter, wanted: bool) -> None:
     if not wanted or ctx.resilient_parsing:
         return
+    import importlib.metadata  # A slow import, which nothing else needs.
+
     try:
         version = importlib.metadata.version("bodymeasure")
     except importlib.metadata.PackageNotFoundError:
@@ -181,22 +149,32 @@ def main(arguments: list[str] | None = None) -> None:
         error.show()
         code = error.exit_code
     except BodymeasureError as error:
-        print_error(str(error))
+        _say("error", str(error))
         code = EXIT_BAD_INPUT
     except (KeyboardInterrupt, click.Abort):
         # A second interrupt must not show a traceback while Python exits.
         signal.signal(signal.SIGINT, signal.SIG_IGN)
-        print_note("Interrupted; no half-written file is left.", style="")
+        _say("note", "Interrupted; no half-written file is left.")
         code = EXIT_INTERRUPTED
     except _TerminatedError:
-        print_note("Terminated; no half-written file is left.", style="")
+        _say("note", "Terminated; no half-written file is left.")
         code = EXIT_TERMINATED
     except _OutputError as error:
         if not error.is_closed_pipe:
-            print_error(f"the output cannot be written ({error})")
+            _say("error", f"the output cannot be written ({error})")
         _discard_output()
         code = EXIT_BROKEN_PIPE if error.is_closed_pipe else EXIT_BAD_INPUT
     sys.exit(code or 0)
+
+
+def _say(kind: Literal["error", "note"], text: str) -> None:
+    """Print to stderr."""
+    from bodymeasure.cli.console import print_error, print_note  # Slow imports.
+
+    if kind == "error":
+        print_error(text)
+    else:
+        print_note(text, style="")
 
 
 def _discard_output() -> None:

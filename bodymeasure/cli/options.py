@@ -14,6 +14,7 @@ import click
 
 from bodymeasure.atlas import Atlas, FindingKind, Severity, Unit, check_atlas
 from bodymeasure.atlas.axes import DIRECTIONS
+from bodymeasure.cli.commands import EXIT_CODES as EXIT_CODES
 from bodymeasure.cli.console import print_note
 from bodymeasure.errors import InputError, MissingExtraError, ReadWarning
 from bodymeasure.formats import format_of, read_atlas
@@ -25,11 +26,6 @@ DEFAULT_SAMPLE = "female_average"
 LISTED = 3
 # Similarity of names from which on one is taken for a misspelling of the other.
 NEAR = 0.7
-EXIT_CODES = (
-    "Exit codes: 0 done; 1 done, but with something to look at: the check found errors, a length "
-    "disagrees with the mesh, a measurement could not be taken, or differences exceed what ISO "
-    "20685-1 allows; 2 bad input or usage, and nothing written; 130 interrupted."
-)
 # The needs of features: a name for the feature, the module, its package, and the extra that
 # installs the package.
 COMPARISON = ("the comparison (--no-cross-check leaves it out)", "igl", "libigl", "oracle")

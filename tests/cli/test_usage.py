@@ -1,6 +1,7 @@
 import importlib.metadata
 import os
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -8,7 +9,7 @@ import pytest
 from helpers.command_line import Run, run_apart, start
 
 from bodymeasure import read_atlas, sample_names
-from bodymeasure.cli.main import COMMANDS
+from bodymeasure.cli.commands import COMMANDS
 
 
 def test_the_version_is_that_of_the_package(run: Run) -> None:
@@ -39,6 +40,18 @@ def test_the_help_tells_commands_and_exit_codes(run: Run, option: str) -> None:
         assert said in words
     # No command's summary is cut off.
     assert "..." not in ran.out.partition("Commands:")[2]
+
+
+@pytest.mark.parametrize("option", ["--help", "--version"])
+def test_the_help_imports_nothing_slow(option: str) -> None:
+    program = (
+        "import sys\nfrom bodymeasure.cli.main import main\n"
+        f"try:\n    main([{option!r}])\n"
+        "finally:\n    print(sorted({'numpy', 'scipy', 'rich', 'msgspec'} & sys.modules.keys()))"
+    )
+    ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert (ran.returncode, ran.stderr) == (0, "")
+    assert ran.stdout.splitlines()[-1] == "[]"
 
 
 @pytest.mark.parametrize("command", COMMANDS)

@@ -80,7 +80,7 @@ def nearest_patches(atlas: Atlas, positions: Array) -> Ints:
 
 
 @lru_cache(maxsize=4)
-def _samples(atlas: Atlas) -> scipy.spatial.KDTree:
+def _samples(atlas: Atlas) -> "scipy.spatial.KDTree":
     side = (np.arange(SAMPLES) + 0.5) / SAMPLES
     grid = np.stack(np.meshgrid(side, side, indexing="ij"), axis=-1)
     samples = evaluate(atlas.control_points, np.broadcast_to(grid, (len(atlas), *grid.shape)))

@@ -4,15 +4,16 @@ import click
 from rich.text import Text
 
 from bodymeasure.atlas import Severity, check_atlas
+from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS
-from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas
+from bodymeasure.cli.options import atlas_argument, load_atlas
 from bodymeasure.wording import counted
 
 EXIT_FOUND_ERRORS = 1
 COLORS = {Severity.ERROR: "bold red", Severity.WARNING: "yellow"}
 
 
-@click.command(short_help="List the faults of an atlas.", epilog=EXIT_CODES)
+@click.command(epilog=EXIT_CODES)
 @atlas_argument
 def check(atlas: str) -> int:
     """List the faults of ATLAS: gaps in seams, folds, collapsed edges, kinks, wrong axes or size.

@@ -13,8 +13,9 @@ from bodymeasure.atlas import (
     approximation_sentences,
     summarize,
 )
+from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_note
-from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas, path_of_atlas
+from bodymeasure.cli.options import atlas_argument, load_atlas, path_of_atlas
 from bodymeasure.errors import InputError
 from bodymeasure.files import require_writable
 from bodymeasure.formats import FORMATS, format_of, write_atlas
@@ -24,7 +25,7 @@ from bodymeasure.wording import counted
 SHRUNK = 1e-3
 
 
-@click.command(short_help="Convert an atlas from one format to another.", epilog=EXIT_CODES)
+@click.command(epilog=EXIT_CODES)
 @atlas_argument
 @click.option(
     "-o",

@@ -13,8 +13,9 @@ from bodymeasure.atlas import (
     check_atlas,
     summarize,
 )
+from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import print_table
-from bodymeasure.cli.options import EXIT_CODES, atlas_argument, load_atlas
+from bodymeasure.cli.options import atlas_argument, load_atlas
 from bodymeasure.cli.tables import facts_table
 from bodymeasure.wording import counted
 
@@ -22,7 +23,7 @@ from bodymeasure.wording import counted
 LISTED = 8
 
 
-@click.command(short_help="Describe an atlas.", epilog=EXIT_CODES)
+@click.command(epilog=EXIT_CODES)
 @atlas_argument
 def info(atlas: str) -> None:
     """Describe ATLAS: its patches, size and unit, seams, landmarks and quality."""

@@ -8,7 +8,7 @@ from bodymeasure.cli.tables import new_table
 from bodymeasure.samples import samples as all_samples
 
 
-@click.command(short_help="List the atlases that come with bodymeasure.")
+@click.command()
 @click.option("--paths", is_flag=True, help="Print only the paths of the files, one on each line.")
 def samples(paths: bool) -> None:
     """List the atlases that come with bodymeasure.

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 import click
 from rich.text import Text
 
+from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import print_files, print_note, print_table
 from bodymeasure.cli.fitting.batch import Batch, NamedScan, named_scans, print_failures
 from bodymeasure.cli.fitting.files import write_fit
 from bodymeasure.cli.fitting.scans import fitted, require_fit
 from bodymeasure.cli.options import (
-    EXIT_CODES,
     no_pictures_option,
     picks_option,
     several_scans_argument,
@@ -32,9 +32,7 @@ EXIT_FAILED = 1
 NAMED = 6
 
 
-@click.command(
-    short_help="Fit a body to a scan: a triangle mesh in, an atlas out.", epilog=EXIT_CODES
-)
+@click.command(epilog=EXIT_CODES)
 @several_scans_argument
 @picks_option
 @topology_option

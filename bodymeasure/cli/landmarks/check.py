@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Literal
 import click
 from rich.text import Text
 
+from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_table
 from bodymeasure.cli.options import (
-    EXIT_CODES,
     atlas_argument,
     definitions_option,
     format_option,

@@ -2,10 +2,10 @@
 
 import click
 
+from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.landmarks.check import check_landmarks
 from bodymeasure.cli.landmarks.edit import add, remove
 from bodymeasure.cli.landmarks.list import list_landmarks
-from bodymeasure.cli.options import EXIT_CODES
 
 DEFAULT = "list"
 

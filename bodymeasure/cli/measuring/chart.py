@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import (
     count_calls,
     print_files,
@@ -31,7 +32,6 @@ from bodymeasure.cli.options import (
     CHART_PAGE,
     CHART_PICTURES,
     DEFAULT_SAMPLE,
-    EXIT_CODES,
     all_pictures_option,
     definitions_option,
     despite_errors_option,
@@ -72,7 +72,7 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) ->
     ctx.exit()
 
 
-@click.command(short_help="Chart the body measurements of a body.", epilog=EXIT_CODES)
+@click.command(epilog=EXIT_CODES)
 @several_atlases_argument
 @definitions_option
 @folder_option(

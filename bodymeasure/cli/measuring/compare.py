@@ -10,13 +10,13 @@ import click
 from rich.text import Text
 
 from bodymeasure.atlas import Unit
+from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_note, print_table
 from bodymeasure.cli.fitting.done import FILE as DONE
 from bodymeasure.cli.measuring.chart import measured_chart
 from bodymeasure.cli.measuring.subjects import Subject, charts_of, subjects_of
 from bodymeasure.cli.options import (
     CHART_PAGE,
-    EXIT_CODES,
     definitions_option,
     despite_errors_option,
     file_options,
@@ -49,9 +49,7 @@ WRITTEN_SUFFIXES = (".csv", ".json", ".html")
 COLORS = {"within": "green", "exceeds": "red", "too few subjects": "yellow"}
 
 
-@click.command(
-    short_help="Compare two bodies, or a chart with hand measurements.", epilog=EXIT_CODES
-)
+@click.command(epilog=EXIT_CODES)
 @click.argument("first", metavar="A")
 @click.argument("second", metavar="B")
 @file_options

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 import click
 from rich.text import Text
 
+from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_table
 from bodymeasure.cli.measuring.paths import check_paths_file, diagonal_curves, write_curves
 from bodymeasure.cli.options import (
-    EXIT_CODES,
     atlas_argument,
     despite_errors_option,
     format_option,
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from bodymeasure.report.patches.records import Document, PatchRecord
 
 
-@click.command(short_help="Print both diagonals of every patch.", epilog=EXIT_CODES)
+@click.command(epilog=EXIT_CODES)
 @atlas_argument
 @format_option(
     help="Format of the output; json has the layout of a report's measurements.json.",

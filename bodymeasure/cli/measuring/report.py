@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 import click
 from rich.text import Text
 
+from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import count_calls, print_files, print_note, print_table, progress_bar
 from bodymeasure.cli.measuring.scene import pictures_wanted, scene_of
 from bodymeasure.cli.options import (
     COMPARISON,
-    EXIT_CODES,
     PAGE,
     PICTURES,
     all_pictures_option,
@@ -50,7 +50,7 @@ VERDICTS = {
 STATUSES = {"on_boundary": "of them run along an edge of their patch"}
 
 
-@click.command(short_help="Measure a body, check the lengths, write a report.", epilog=EXIT_CODES)
+@click.command(epilog=EXIT_CODES)
 @optional_atlas_argument
 @folder_option(
     default=Path("report"),

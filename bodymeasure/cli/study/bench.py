@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 import click
 from rich.text import Text
 
+from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_files, print_note, print_table, progress_bar
-from bodymeasure.cli.options import BENCHMARK, BENCHMARK_FIGURE, EXIT_CODES, folder_option, require
+from bodymeasure.cli.options import BENCHMARK, BENCHMARK_FIGURE, folder_option, require
 from bodymeasure.cli.tables import new_table
 from bodymeasure.files import output_folder
 
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from bodymeasure.bench.records import BenchDocument, SetRecord
 
 
-@click.command(short_help="Compare methods: error against time.", epilog=EXIT_CODES)
+@click.command(epilog=EXIT_CODES)
 @folder_option(
     help="Folder for bench.json, bench.csv and error_against_time.svg; made if it is not there. "
     "Without it, the tables are printed and nothing is written.",

@@ -6,8 +6,9 @@ import click
 from rich.table import Table
 from rich.text import Text
 
+from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import print_files, print_table, progress_bar
-from bodymeasure.cli.options import EXIT_CODES, PAGE, folder_option, processes_option, require
+from bodymeasure.cli.options import PAGE, folder_option, processes_option, require
 from bodymeasure.cli.tables import new_table
 from bodymeasure.files import output_folder
 from bodymeasure.paper.data.published import MEAN_LOSS
@@ -16,9 +17,7 @@ SURFACE = ("Table 5", "igl", "libigl", "report")
 CHARTS = ("the page's charts", "matplotlib", "matplotlib", "report")
 
 
-@click.command(
-    short_help="Reproduce the paper of 2007: its tables, beside the truth.", epilog=EXIT_CODES
-)
+@click.command(epilog=EXIT_CODES)
 @folder_option(
     default=Path("paper"),
     help="Folder for paper.html, summary.md, tables.json and tables.csv; made if it is not there.",

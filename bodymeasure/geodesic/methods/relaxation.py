@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import make_interp_spline
 from scipy.linalg import solve_banded
 
 from bodymeasure._typing import Array
@@ -83,6 +82,8 @@ class Relaxation:
 
 
 def _spline(mesh: Array, start: Array, moves: Array) -> Path:
+    from scipy.interpolate import make_interp_spline  # A slow import.
+
     spline = make_interp_spline(mesh, moves.T, k=SPLINE_DEGREE)
     return lambda t: start[:, None] + np.asarray(spline(t).T)
 

@@ -6,7 +6,6 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.contact.degrees import LOWER_DEGREES, degrees_wanted, leave_for_certain
@@ -173,6 +172,8 @@ def _spline(degree: int, vertices: int) -> Array:
     """The matrix from a polygon's vertices to a smooth path at a polynomial space's nodes."""
     times = np.linspace(0.0, 1.0, vertices)
     nodes = polynomial_space(degree).nodes
+    from scipy.interpolate import CubicSpline  # A slow import.
+
     return np.asarray(CubicSpline(times, np.eye(vertices))(nodes))
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 import numpy as np
-from scipy.optimize import brentq
+import scipy
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import EDGES, Atlas, AtlasPoint
@@ -131,6 +131,9 @@ def _level_places(atlas: Atlas, patch: int, side: int) -> Array:
     t = np.linspace(0.0, 1.0, SAMPLES + 1)
     value = slope(t)
     rows = np.flatnonzero(value[1:] * value[:-1] < 0.0)
-    roots = [brentq(lambda x: slope(np.array([x]))[0], *t[i : i + 2], xtol=REST) for i in rows]
+    roots = [
+        scipy.optimize.brentq(lambda x: slope(np.array([x]))[0], *t[i : i + 2], xtol=REST)
+        for i in rows
+    ]
     # A place that is met exactly, as in the middle of a symmetric seam.
     return np.array(roots + t[1:-1][value[1:-1] == 0.0].tolist())
