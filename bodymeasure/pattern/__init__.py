@@ -2,6 +2,9 @@
 
 from bodymeasure.pattern.definitions.panels import Dart, Edge, Panel, PatternDefinitions
 from bodymeasure.pattern.definitions.read import SETS, load_pattern, set_text
+from bodymeasure.pattern.files.dxf import pattern_dxf
+from bodymeasure.pattern.files.garmentcode import pattern_garmentcode
+from bodymeasure.pattern.files.pdf import PAPERS, pattern_pdf
 from bodymeasure.pattern.files.report import pattern_json, pattern_record
 from bodymeasure.pattern.files.strain import strain_svg
 from bodymeasure.pattern.files.svg import path_id, pattern_svg
@@ -15,6 +18,7 @@ from bodymeasure.pattern.pieces.piece import Piece, PieceDart, PieceEdge
 from bodymeasure.pattern.pieces.seams import Seam
 
 __all__ = [
+    "PAPERS",
     "SETS",
     "Dart",
     "Edge",
@@ -34,7 +38,10 @@ __all__ = [
     "patches_sheet",
     "patches_table",
     "path_id",
+    "pattern_dxf",
+    "pattern_garmentcode",
     "pattern_json",
+    "pattern_pdf",
     "pattern_record",
     "pattern_svg",
     "set_text",

@@ -1,7 +1,7 @@
 """Pieces on a sheet in millimeters: where each lies, those of all sizes over each other."""
 
 import textwrap
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -17,9 +17,11 @@ GAP = 15.0
 SQUARE, CORNER = 50.0, 5.0
 # Letters in a line of words on a piece, and of those beside the square, which stand on the first
 # sheet of a print in tiles.
-LONGEST_LINE, LONGEST_TITLE = 30, 36
+LONGEST_LINE, LONGEST_TITLE = 30, 30
 # Room above the pieces for that square and the words beside it.
 ABOVE = SQUARE + CORNER + 10.0
+# The height of those words, and the width that they and the square take.
+TITLE, TITLE_WIDTH = 4.0, SQUARE + 80.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,18 +60,28 @@ class Sheet:
     nests : tuple of Nest
     width, height : float
         In millimeters.
+    corner : ndarray, shape (2,)
+        The upper left corner of the square by which a print is checked, with the title beside it.
     """
 
     title: tuple[str, ...]
     nests: tuple[Nest, ...]
     width: float
     height: float
+    corner: Array = field(default_factory=lambda: np.full(2, CORNER))
 
     @property
     def square(self) -> Array:
         """The corners of the square by which a print is checked."""
         side = SQUARE * np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
-        return np.asarray(CORNER + side)
+        return np.asarray(self.corner + side)
+
+    @property
+    def title_places(self) -> Array:
+        """Where the lines of the title begin, shape (n, 2)."""
+        rows = np.arange(len(self.title))
+        x = np.full(len(rows), SQUARE + CORNER)
+        return np.asarray(self.corner + np.stack([x, TITLE + 1.5 * TITLE * rows], axis=1))
 
 
 def sizes_of(pattern: Pattern | GradedPattern) -> dict[str, Pattern]:
@@ -77,7 +89,9 @@ def sizes_of(pattern: Pattern | GradedPattern) -> dict[str, Pattern]:
     return pattern.patterns if isinstance(pattern, GradedPattern) else {"": pattern}
 
 
-def sheet_of(pattern: Pattern | GradedPattern, allowance: float, width: float = np.inf) -> Sheet:
+def sheet_of(
+    pattern: Pattern | GradedPattern, allowance: float, width: float = np.inf, above: float = ABOVE
+) -> Sheet:
     """Lay out the pieces of a pattern.
 
     Parameters
@@ -87,11 +101,13 @@ def sheet_of(pattern: Pattern | GradedPattern, allowance: float, width: float = 
         In millimeters, of edges that have none of their own.
     width : float
         That of the paper, in millimeters: pieces that do not fit beside others come below.
+    above : float
+        Room above the pieces, in millimeters.
     """
     sizes = sizes_of(pattern)
     first = next(iter(sizes.values()))
     nests = []
-    x, y, deepest, widest = GAP, ABOVE + GAP, 0.0, 0.0
+    x, y, deepest, widest = GAP, above + GAP, 0.0, 0.0
     for number, panel in enumerate(first.definitions.panel):
         drawn = tuple(
             drawn_piece(each, each.pieces[number], allowance, size) for size, each in sizes.items()
@@ -106,7 +122,7 @@ def sheet_of(pattern: Pattern | GradedPattern, allowance: float, width: float = 
         deepest = max(deepest, float(high[1] - low[1]))
         widest = max(widest, x)
     title = _title(first, sizes, allowance)
-    return Sheet(title, tuple(nests), max(widest, 2 * SQUARE + 100.0), y + deepest + GAP)
+    return Sheet(title, tuple(nests), max(widest, TITLE_WIDTH + 2.0 * CORNER), y + deepest + GAP)
 
 
 def _words(name: str, cut: str, sizes: dict[str, Pattern]) -> tuple[str, ...]:

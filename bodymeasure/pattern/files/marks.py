@@ -67,7 +67,7 @@ def notches_of(
     found = []
     for edge in edges:
         parts = () if edge.is_fold else _parts(definitions, panel, edge.name)
-        if _is_backwards(panel, edges):
+        if is_backwards(panel, [edge.name for edge in edges]):
             parts = tuple(1.0 - part for part in parts)
         apart = (-0.5 * PAIR, 0.5 * PAIR) if panel.notch == "double" else (0.0,)
         chain = _Chain(edge.parts)
@@ -99,12 +99,12 @@ def _parts(definitions: PatternDefinitions, panel: Panel, name: str) -> tuple[fl
     return (0.5,)
 
 
-def _is_backwards(panel: Panel, edges: "tuple[DrawnEdge, ...]") -> bool:
-    """Whether the edges of a piece come in the other order than in its panel."""
-    names = [edge.name for edge in panel.edge]
-    if len(edges) < 3 or edges[0].name not in names:
+def is_backwards(panel: Panel, names: list[str]) -> bool:
+    """Whether edges, by their names, come in the other order than in their panel."""
+    defined = [edge.name for edge in panel.edge]
+    if len(names) < 3 or names[0] not in defined:
         return False
-    return edges[1].name == names[names.index(edges[0].name) - 1]
+    return names[1] == defined[defined.index(names[0]) - 1]
 
 
 class _Chain:

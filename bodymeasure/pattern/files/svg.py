@@ -8,12 +8,12 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.pattern.files.drawn import DrawnPiece
 from bodymeasure.pattern.files.labels import Marks
-from bodymeasure.pattern.files.layout import CORNER, SQUARE, Nest, Sheet, sheet_of
+from bodymeasure.pattern.files.layout import SQUARE, TITLE, Nest, Sheet, sheet_of
 from bodymeasure.pattern.pieces.graded import GradedPattern
 from bodymeasure.pattern.pieces.pattern import Pattern
 
-# Sizes in millimeters: of the words beside the square, of arrows, and of holes.
-TEXT, ARROW, HOLE = 5.0, 4.0, 1.5
+# Sizes of arrows and holes in millimeters.
+ARROW, HOLE = 4.0, 1.5
 # The decimals of coordinates: a hundredth of what a plotter can do.
 DECIMALS = 4
 SEW = "#1f4e9e"
@@ -136,15 +136,16 @@ def _head(tip: Array, towards: Array) -> Array:
 
 
 def _square(sheet: Sheet) -> str:
+    x, y = sheet.corner.tolist()
     words = [
-        text(np.array([SQUARE + 3.0 * CORNER, 2.5 * CORNER + 1.5 * TEXT * row]), line, TEXT)
-        for row, line in enumerate(sheet.title)
+        text(place, line, TITLE)
+        for place, line in zip(sheet.title_places, sheet.title, strict=True)
     ]
     return "\n".join(
         [
-            f'<rect id="test-square" x="{CORNER:g}" y="{CORNER:g}" width="{SQUARE:g}" '
+            f'<rect id="test-square" x="{x:g}" y="{y:g}" width="{SQUARE:g}" '
             f'height="{SQUARE:g}" fill="none" stroke="black" stroke-width="0.2"/>',
-            text(np.array([CORNER + 3.0, CORNER + SQUARE - 3.0]), f"{SQUARE:g} mm", TEXT),
+            text(sheet.corner + np.array([3.0, SQUARE - 3.0]), f"{SQUARE:g} mm", TITLE),
             *words,
         ]
     )

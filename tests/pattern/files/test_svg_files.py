@@ -1,6 +1,7 @@
 """The files of a pattern, read back."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import msgspec
@@ -95,17 +96,12 @@ def test_the_report_says_what_the_pattern_holds(bodice: bm.Pattern) -> None:
     assert not content["warnings"]
 
 
-def test_seams_of_unequal_edges_are_said() -> None:
-    definitions = bm.load_pattern("bodice")
-    front, back = definitions.panel
+def test_seams_of_unequal_edges_are_said(bodice: bm.Pattern) -> None:
+    front, back = bodice.pieces
     edges = tuple(
-        msgspec.structs.replace(edge, seam="side") if edge.name == "armscye" else edge
-        for edge in back.edge
+        replace(edge, seam="side" if edge.name == "armscye" else "") for edge in back.edges
     )
-    other = msgspec.structs.replace(
-        definitions, panel=(front, msgspec.structs.replace(back, edge=edges))
-    )
-    pattern = bm.make_pattern(bm.load_sample("female_average"), other)
+    pattern = replace(bodice, pieces=(front, replace(back, edges=edges)))
     assert any("mm longer than 'side' of 'bodice front'" in words for words in pattern.warnings)
 
 
@@ -120,7 +116,9 @@ def test_names_from_files_are_escaped() -> None:
     definitions = bm.load_pattern("skirt")
     panel = msgspec.structs.replace(definitions.panel[1], name="<b>&\"'", cut="<i>")
     pattern = bm.make_pattern(
-        bm.load_sample("female_average"), msgspec.structs.replace(definitions, panel=(panel,))
+        bm.load_sample("female_average"),
+        msgspec.structs.replace(definitions, panel=(panel,)),
+        step=0.02,
     )
     for text in (pattern_svg(pattern), strain_svg(pattern)):
         assert "<b>" not in text
