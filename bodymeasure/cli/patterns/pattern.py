@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 EXIT_LOOK = 1
 CUTTING = ("cutting pieces out of the skin", "shapely", "shapely", "pattern")
 # The sets that come along, for the help.
-NAMES = "bodice, princess or skirt"
+NAMES = "bodice, princess, skirt, sleeve or trousers"
 
 
 def _print_set(ctx: click.Context, _parameter: click.Parameter, name: str | None) -> None:

@@ -37,7 +37,26 @@ class Region:
     order: tuple[int, ...]
 
 
-def region_inside(cloth: Cloth, mesh: CutMesh, inside: AtlasPoint, names: list[str]) -> Region:
+@dataclass(frozen=True, eq=False)
+class Bound:
+    """An edge that bounds a region.
+
+    Parameters
+    ----------
+    name : str
+    curve : int
+        The number of its curve; two edges have one where a tube is slit along it.
+    start, end : ndarray, shape (3,)
+        Where on the cloth it begins and ends.
+    """
+
+    name: str
+    curve: int
+    start: Array
+    end: Array
+
+
+def region_inside(cloth: Cloth, mesh: CutMesh, inside: AtlasPoint, bounds: list[Bound]) -> Region:
     """Return the part of a mesh round a point, up to the curves.
 
     Parameters
@@ -46,65 +65,115 @@ def region_inside(cloth: Cloth, mesh: CutMesh, inside: AtlasPoint, names: list[s
         On which the positions are.
     mesh : CutMesh
     inside : AtlasPoint
-    names : list of str
-        The names of the curves, for messages.
+    bounds : list of Bound
+        The edges in order round the region, either way.
 
     Raises
     ------
     InputError
-        If the region is no disk that all curves bound in turn; the message names the curves.
+        If the region is no disk that all curves bound in turn; the message names the edges.
     """
     label = _parts(mesh)
-    part = label[_triangle_at(mesh, inside)]
-    kept = label == part
-    vertex, curve = mesh.vertex[kept], mesh.curve[kept]
+    kept = label == label[_triangle_at(mesh, inside)]
+    curve = mesh.curve[kept]
+    _refuse_sides(mesh.vertex[kept], curve, bounds)
+    vertex, first = _slit(mesh.vertex[kept], curve)
     start, stop = vertex, np.roll(vertex, -1, axis=1)
-    halves = dict(
-        zip(
-            zip(start.ravel().tolist(), stop.ravel().tolist(), strict=True),
-            curve.ravel().tolist(),
-            strict=True,
-        )
-    )
-    if len(halves) < start.size:
-        raise InputError("patches of the piece face different ways; `bodymeasure check` says which")
+    pairs = zip(start.ravel().tolist(), stop.ravel().tolist(), strict=True)
+    halves = dict(zip(pairs, curve.ravel().tolist(), strict=True))
     border = {pair: number for pair, number in halves.items() if pair[::-1] not in halves}
-    both = sorted({names[n] for (a, b), n in halves.items() if n >= 0 and (b, a) in halves})
-    if both:
-        listed = ", ".join(map(repr, both))
-        raise InputError(
-            f"the piece lies on both sides of its edge {listed}, so that the edges do not "
-            "enclose it; check that they follow one another round the piece, and 'inside'"
-        )
     if -1 in border.values():
         raise InputError(
             "the piece reaches the open end of the body (neck, wrist or ankle), so that its edges "
             "do not enclose it; check 'inside', and the order of the edges"
         )
     chains, order = _chains(border)
-    numbers = np.unique(vertex)
     edges = len(halves) - (len(halves) - len(border)) // 2
-    if len(numbers) - edges + len(vertex) != 1 or sorted(order) != list(range(len(names))):
-        found = ", ".join(repr(names[number]) for number in order)
+    positions = mesh.positions(cloth, kept).reshape(-1, 3)[first]
+    turned = _in_turn(chains, order, bounds, positions)
+    if len(first) - edges + len(vertex) != 1 or turned is None:
+        found = ", ".join(
+            " or ".join(repr(bound.name) for bound in bounds if bound.curve == number)
+            for number in order
+        )
         raise InputError(
             f"the edges do not bound one piece in turn (round 'inside' there are {found}); an edge "
             "crosses another, or 'inside' lies outside the piece"
         )
-    first = order.index(0)
-    chains, order = chains[first:] + chains[:first], order[first:] + order[:first]
-    local = np.full(int(numbers.max()) + 1, -1, dtype=np.int64)
-    local[numbers] = np.arange(len(numbers))
-    corners = mesh.positions(cloth, kept)
-    positions = np.empty((len(numbers), 3))
-    positions[local[vertex].ravel()] = corners.reshape(-1, 3)
     return Region(
         mesh.patch[kept],
         mesh.parameters[kept],
-        local[vertex],
+        vertex,
         positions,
-        tuple(local[np.array(chain)] for chain in chains),
-        tuple(order),
+        tuple(np.array(chains[row]) for row, _ in turned),
+        tuple(number for _, number in turned),
     )
+
+
+def _refuse_sides(vertex: Ints, curve: Ints, bounds: list[Bound]) -> None:
+    """Refuse a region whose triangles face different ways, or that an edge does not bound."""
+    start, stop = vertex.ravel(), np.roll(vertex, -1, axis=1).ravel()
+    size = int(vertex.max()) + 1
+    forth, back = start * size + stop, stop * size + start
+    if len(np.unique(forth)) < len(forth):
+        raise InputError("patches of the piece face different ways; `bodymeasure check` says which")
+    inner = np.unique(curve.ravel()[np.isin(forth, back) & (curve.ravel() >= 0)]).tolist()
+    both = [
+        bounds_of[0].name
+        for number in inner
+        if len(bounds_of := [bound for bound in bounds if bound.curve == number]) == 1
+    ]
+    if both:
+        listed = ", ".join(map(repr, sorted(both)))
+        raise InputError(
+            f"the piece lies on both sides of its edge {listed}, so that the edges do not "
+            "enclose it; check that they follow one another round the piece, and 'inside'"
+        )
+
+
+def _slit(vertex: Ints, curve: Ints) -> tuple[Ints, Ints]:
+    """Return triangles that share vertices only with those next to them where no curve runs.
+
+    The second array has the first corner of each vertex, counted through all triangles.
+    """
+    start, stop = vertex.ravel(), np.roll(vertex, -1, axis=1).ravel()
+    key = np.minimum(start, stop) * (int(vertex.max()) + 1) + np.maximum(start, stop)
+    free = np.flatnonzero(curve.ravel() < 0)
+    order = free[np.argsort(key[free], kind="stable")]
+    same = key[order[1:]] == key[order[:-1]]
+    one, other = order[:-1][same], order[1:][same]
+    after_one, after_other = (3 * (side // 3) + (side + 1) % 3 for side in (one, other))
+    label = connected_components(
+        np.concatenate([one, after_one]), np.concatenate([after_other, other]), vertex.size
+    )
+    _, first, number = np.unique(label, return_index=True, return_inverse=True)
+    return number.reshape(vertex.shape), first
+
+
+def _in_turn(
+    chains: list[list[int]], order: list[int], bounds: list[Bound], positions: Array
+) -> list[tuple[int, int]] | None:
+    """Return chains and the edges that they are, from the first edge on; None if they are others.
+
+    Where two edges have one curve, the ends of the chains tell which is which.
+    """
+    count = len(bounds)
+    best: tuple[float, list[tuple[int, int]]] | None = None
+    if len(chains) != count:
+        return None
+    for first in range(count):
+        for way in (1, -1):
+            turned = [((first + step) % count, (way * step) % count) for step in range(count)]
+            if any(order[row] != bounds[number].curve for row, number in turned):
+                continue
+            away = 0.0
+            for row, number in turned:
+                ends = [bounds[number].start, bounds[number].end][::way]
+                there = positions[[chains[row][0], chains[row][-1]]]
+                away += float(np.linalg.norm(there - ends, axis=1).sum())
+            if best is None or away < best[0]:
+                best = away, turned
+    return None if best is None else best[1]
 
 
 def _parts(mesh: CutMesh) -> Ints:

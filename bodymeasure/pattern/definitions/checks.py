@@ -79,11 +79,16 @@ def _edge_faults(edge: Edge) -> Iterator[str]:
     if edge.kind == "section":
         if edge.plane is None:
             yield (
-                f"edge {edge.name!r} is a section without a plane; give three landmarks, or "
-                "'front', 'level' or 'median'"
+                f"edge {edge.name!r} is a section without a plane; give three landmarks, or two to "
+                "whose way it is square, or 'front', 'level' or 'median'"
             )
-        elif not isinstance(edge.plane, str) and len(set(edge.plane)) < 3:
-            yield f"edge {edge.name!r} has a plane through fewer than three different landmarks"
+        elif not isinstance(edge.plane, str) and (
+            len(edge.plane) not in (2, 3) or len(set(edge.plane)) < len(edge.plane)
+        ):
+            yield (
+                f"edge {edge.name!r} has a plane of {', '.join(map(repr, edge.plane))}; expected "
+                "three different landmarks of it, or two between which it is square"
+            )
         if len(edge.through) > 2:
             yield f"edge {edge.name!r} is a section, which has two ends and no landmark between"
     elif edge.plane is not None or edge.via:

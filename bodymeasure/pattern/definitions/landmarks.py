@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.chart import LandmarkRule, both_sides, derive_landmarks, load_definitions
 from bodymeasure.errors import InputError
-from bodymeasure.pattern.definitions.panels import Panel
+from bodymeasure.pattern.definitions.panels import Panel, PatternDefinitions
 from bodymeasure.wording import hint
 
 
@@ -23,7 +23,7 @@ def named_in(panel: Panel) -> list[str]:
 
 
 def panel_landmarks(
-    atlas: Atlas, panels: Iterable[Panel], levels: Iterable[str] = ()
+    atlas: Atlas, definitions: PatternDefinitions, levels: Iterable[str] = ()
 ) -> Mapping[str, AtlasPoint]:
     """Return the landmarks that panels name, and those of levels that are there.
 
@@ -33,7 +33,8 @@ def panel_landmarks(
         If a landmark is missing; the message names the panel, the landmark and the reason.
     """
     rules = {rule.name: rule for rule in both_sides(load_definitions().landmark)}
-    panels = tuple(panels)
+    rules |= {rule.name: rule for rule in definitions.landmark}
+    panels = definitions.panel
     needed = _needed(rules, [*levels, *(name for panel in panels for name in named_in(panel))])
     derived = derive_landmarks(atlas, [rules[name] for name in needed], strict=False)
     for panel in panels:

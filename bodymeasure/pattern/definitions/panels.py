@@ -4,6 +4,7 @@ from typing import Final, Literal
 
 import msgspec
 
+from bodymeasure.chart import LandmarkRule
 from bodymeasure.wording import counted
 
 FORMAT: Final = "bodymeasure pattern"
@@ -22,9 +23,10 @@ class Edge(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         The shortest path along the skin, or a part of a plane section.
     through : tuple of str
         Landmarks: the start, those on the way (of a geodesic), and the end.
-    plane : tuple of three str or {"front", "level", "median"}, optional
+    plane : tuple of two or three str or {"front", "level", "median"}, optional
         Of a section: three landmarks of the plane; or one that holds both ends and runs to the
-        front, or as level as it can, or upright.
+        front, or as level as it can, or upright, or as square as it can to the way between two
+        landmarks.
     via : str
         Of a section: the landmark near which it passes, of both ways round; the shorter way if
         not given.
@@ -43,7 +45,7 @@ class Edge(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     name: str
     kind: Literal["geodesic", "section"]
     through: tuple[str, ...]
-    plane: tuple[str, str, str] | Laid | None = None
+    plane: tuple[str, ...] | Laid | None = None
     via: str = ""
     seam: str = ""
     ease: float = 0.0
@@ -146,6 +148,9 @@ class PatternDefinitions(msgspec.Struct, frozen=True, kw_only=True, forbid_unkno
     ease : dict of str to float
         By how much girths of the garment are wider than those of the body, in meters, by the
         landmarks at whose levels they are, or ``neck``, ``bust``, ``waist`` and ``hip``.
+    landmark : tuple of LandmarkRule
+        Rules for landmarks that neither bodies nor the default set of charts have, by the same
+        rules as there.
 
     Examples
     --------
@@ -162,6 +167,7 @@ class PatternDefinitions(msgspec.Struct, frozen=True, kw_only=True, forbid_unkno
     drop: tuple[str, ...] = ()
     panel: tuple[Panel, ...] = ()
     ease: dict[str, float] = {}
+    landmark: tuple[LandmarkRule, ...] = ()
 
     def __repr__(self) -> str:
         return f"<PatternDefinitions {self.name!r}: {counted(len(self.panel), 'panel')}>"

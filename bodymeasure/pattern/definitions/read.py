@@ -3,13 +3,17 @@
 import codecs
 import re
 import tomllib
+from functools import reduce
+from operator import or_
 from pathlib import Path
+from types import GenericAlias
 from typing import Any
 
 import msgspec
 
 from bodymeasure.arguments import file_path
-from bodymeasure.chart import both_sides
+from bodymeasure.chart import LandmarkRule, both_sides
+from bodymeasure.chart.landmarks.rules import RULES
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes
 from bodymeasure.pattern.cloth.ease import checked_ease
@@ -18,7 +22,7 @@ from bodymeasure.pattern.definitions.panels import FORMAT, VERSION, PatternDefin
 from bodymeasure.wording import hint
 
 FOLDER = Path(__file__).parents[1] / "data"
-SETS = ("bodice", "princess", "skirt")
+SETS = ("bodice", "princess", "skirt", "sleeve", "trousers")
 
 
 def load_pattern(source: str | Path) -> PatternDefinitions:
@@ -27,7 +31,8 @@ def load_pattern(source: str | Path) -> PatternDefinitions:
     Parameters
     ----------
     source : str or Path
-        The name of a set that comes along (``bodice``, ``princess`` or ``skirt``), or a file.
+        The name of a set that comes along (``bodice``,
+        ``princess``, ``skirt``, ``sleeve`` or ``trousers``), or a file.
         ``bodymeasure pattern --print-set bodice`` prints one, to be copied and changed.
 
     Returns
@@ -79,8 +84,9 @@ def pattern_from(content: bytes, source: str) -> PatternDefinitions:
             f"{source}: has version {raw.get('version')!r}; this bodymeasure reads version "
             f"{VERSION}; update whichever of the two is older"
         )
+    rules = _rules(raw.pop("landmark", []), source)
     try:
-        own = msgspec.convert(raw, PatternDefinitions)
+        own = msgspec.structs.replace(msgspec.convert(raw, PatternDefinitions), landmark=rules)
     except msgspec.ValidationError as error:
         raise InputError(f"{source}: {_in_words(str(error), raw)}") from None
     whole = _extended(own, source)
@@ -96,6 +102,16 @@ def pattern_from(content: bytes, source: str) -> PatternDefinitions:
     if not names:
         raise InputError(f"{source}: has no panel; begin each with a line [[panel]]")
     return whole
+
+
+def _rules(raw: object, source: str) -> tuple[LandmarkRule, ...]:
+    """Return the rules for landmarks in a file, one for each side where they name ``{side}``."""
+    kinds = GenericAlias(list, (reduce(or_, RULES.values()),))
+    try:
+        rules = msgspec.convert(raw, kinds)
+    except msgspec.ValidationError as error:
+        raise InputError(f"{source}: {_in_words(str(error), {'landmark': raw})}") from None
+    return both_sides(rules)
 
 
 def _parsed(content: bytes, source: str) -> dict[str, Any]:
@@ -121,6 +137,7 @@ def _extended(own: PatternDefinitions, source: str) -> PatternDefinitions:
     extended = load_pattern(own.extends) if own.extends else None
     base = extended.panel if extended else ()
     ease = {**(extended.ease if extended else {}), **own.ease}
+    rules = {rule.name: rule for rule in (*(extended.landmark if extended else ()), *own.landmark)}
     known = [panel.name for panel in base]
     for name in own.drop:
         if name not in known:
@@ -137,7 +154,12 @@ def _extended(own: PatternDefinitions, source: str) -> PatternDefinitions:
         )
     panels |= {panel.name: panel for panel in mine}
     return msgspec.structs.replace(
-        own, extends="", drop=(), panel=tuple(panels.values()), ease=ease
+        own,
+        extends="",
+        drop=(),
+        panel=tuple(panels.values()),
+        ease=ease,
+        landmark=tuple(rules.values()),
     )
 
 
@@ -150,7 +172,7 @@ def _in_words(reason: str, raw: dict[str, Any]) -> str:
         entries = value.get(kind) if isinstance(value, dict) else None
         value = entries[int(number)] if isinstance(entries, list) else None
         label = value.get("name") if isinstance(value, dict) else None
-        if kind in ("panel", "edge", "dart"):
+        if kind in ("panel", "edge", "dart", "landmark"):
             named.append(f"{kind} {label!r}" if label else f"{kind} {int(number) + 1}")
     rest = place.rstrip("`").rpartition("]")[2].strip(".")
     where = ", ".join([*named, *([f"member {rest!r}"] if rest else [])])

@@ -12,7 +12,7 @@ from bodymeasure.geodesic import geodesic_between
 from bodymeasure.pattern.cloth.cloth import Cloth
 from bodymeasure.pattern.curves.skin_curve import SkinCurve
 from bodymeasure.pattern.cutting.mesh import cut_mesh
-from bodymeasure.pattern.cutting.region import Region, region_inside
+from bodymeasure.pattern.cutting.region import Bound, Region, region_inside
 from bodymeasure.pattern.definitions.panels import Dart, Panel
 from bodymeasure.pattern.flat.conformal import flat_conformally
 from bodymeasure.pattern.flat.flatten import Flat, flattened
@@ -68,7 +68,14 @@ def _piece_of(curves: EdgeCurves, panel: Panel, step: float) -> Piece:
     on_skin = [curves.of(edge) for edge in panel.edge]
     sides = [curves.on_cloth(edge) for edge in panel.edge]
     names = [edge.name for edge in panel.edge]
-    region = region_inside(curves.cloth, cut_mesh(atlas, sides), _inside(curves, panel), names)
+    numbers = [curves.key(edge) for edge in panel.edge]
+    unique = list(dict.fromkeys(numbers))
+    mesh = cut_mesh(atlas, [sides[numbers.index(key)] for key in unique])
+    bounds = [
+        Bound(edge.name, unique.index(key), *curves.ends(edge))
+        for edge, key in zip(panel.edge, numbers, strict=True)
+    ]
+    region = region_inside(curves.cloth, mesh, _inside(curves, panel), bounds)
     # Either way round, as the panel's edges stand in its file.
     backwards = region.order[1] != 1
     border = np.concatenate([chain[:-1] for chain in region.border])

@@ -38,6 +38,19 @@ class EdgeCurves:
         self._known: dict[tuple[object, ...], SkinCurve] = {}
         self._on_cloth: dict[tuple[object, ...], SkinCurve] = {}
 
+    @staticmethod
+    def key(edge: Edge) -> tuple[object, ...]:
+        """Return what two edges have in common that lie on one curve, either way."""
+        through = min(edge.through, edge.through[::-1])
+        return edge.kind, edge.plane, edge.via, through
+
+    def ends(self, edge: Edge) -> tuple[Array, Array]:
+        """Return where on the cloth an edge begins and ends."""
+        points = [self.landmarks[edge.through[row]] for row in (0, -1)]
+        patch = np.array([point.patch for point in points])
+        start, end = self.cloth.positions(patch, np.array([[p.u, p.v] for p in points]))
+        return start, end
+
     def on_cloth(self, edge: Edge) -> SkinCurve:
         """Return the curve of an edge on the cloth above the skin, found once as well.
 
@@ -91,14 +104,18 @@ class EdgeCurves:
 
     def _plane(self, edge: Edge) -> Plane:
         atlas = self.atlas
-        if isinstance(edge.plane, tuple):
-            a, b, c = (atlas.position(self.landmarks[name]) for name in edge.plane)
-            return Plane(a, np.cross(b - a, c - a))
+        named = edge.plane if isinstance(edge.plane, tuple) else ()
+        points = [atlas.position(self.landmarks[name]) for name in named]
+        if len(points) == 3:
+            return Plane(points[0], np.cross(points[1] - points[0], points[2] - points[0]))
         start, end = (atlas.position(self.landmarks[edge.through[i]]) for i in (0, -1))
         along = end - start
         if edge.plane == "front":
             return Plane(start, np.cross(along, atlas.axes.front_vector))
-        wanted = atlas.axes.up_vector if edge.plane == "level" else atlas.axes.left_vector
+        if points:
+            wanted = points[1] - points[0]
+        else:
+            wanted = atlas.axes.up_vector if edge.plane == "level" else atlas.axes.left_vector
         along = along / np.linalg.norm(along)
         return Plane(start, wanted - (wanted @ along) * along)
 

@@ -85,7 +85,7 @@ def make_pattern(
     if not isinstance(step, (int, float)) or not FINEST <= step <= COARSEST:
         raise InputError(f"step is {step!r}; expected a length in meters, {FINEST} to {COARSEST}")
     wider = {**definitions.ease, **_given_ease(ease)}
-    landmarks = panel_landmarks(body, definitions.panel, landmarks_of(wider))
+    landmarks = panel_landmarks(body, definitions, landmarks_of(wider))
     cloth = Cloth(body, ease_of(body, wider, landmarks))
     curves = EdgeCurves(cloth, landmarks)
     pieces, seconds = [], {}
