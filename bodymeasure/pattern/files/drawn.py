@@ -144,7 +144,7 @@ def drawn_piece(pattern: Pattern, piece: Piece, allowance: float, size: str) -> 
     area = widened(*_border(edges, darts), fold)
     cut = np.asarray(shapely.get_coordinates(area))
     cut = cut[np.append(True, np.linalg.norm(np.diff(cut, axis=0), axis=1) > SAME)]
-    notches = notches_of(pattern.definitions, panel, (edges, darts), cut)
+    notches = notches_of(pattern, panel, (edges, darts), cut)
     return DrawnPiece(piece, size, cut, edges, darts, notches, scale, origin)
 
 

@@ -24,8 +24,8 @@ def pattern_garmentcode(pattern: Pattern) -> bytes:
 
     Pieces on the fold are unfolded, and pieces for one side of the body come with their mirror
     images. Darts are open and sewn shut. Edges are cubics as long as on the skin; both sides of a
-    seam have the same number of them, sewn one to one. A seam of more than two edges is not sewn,
-    since GarmentCode sews an edge to one other.
+    seam have the same number of them, sewn one to one. Of seams that have an edge in common, only
+    the first is sewn, since GarmentCode sews an edge to one other.
 
     Parameters
     ----------
@@ -42,20 +42,18 @@ def pattern_garmentcode(pattern: Pattern) -> bytes:
     cubics = sewn_cubics(panels)
     written: dict[str, Any] = {}
     # The edges of each seam by its sides, each with where on the seam it begins.
-    seams: dict[tuple[str, ...], dict[tuple[str, str], list[tuple[float, str, int]]]] = {}
+    seams: dict[tuple[str, ...], dict[int, list[tuple[float, str, int]]]] = {}
     for number, (name, panel) in enumerate(zip(names, panels, strict=True)):
         sides = [cubics[number, place] for place in range(len(panel.sides))]
         written[name], firsts = _panel(panel, sides)
         count = sum(len(parts) for parts in sides)
         for side, first, parts in zip(panel.sides, firsts, sides, strict=True):
-            if side.seam:
-                edges = [(first + row) % count for row in range(len(parts))]
-                if side.runs_back:
-                    edges = edges[::-1]
-                # The parts of an edge on either side of a dart are one side of the seam.
-                label = (name, side.name if side.seam[0] == "seam" else str(first))
-                one_side = seams.setdefault(side.seam, {}).setdefault(label, [])
-                one_side += [(side.breaks[0], name, edge) for edge in edges]
+            edges = [(first + row) % count for row in range(len(parts))]
+            if side.place.runs_back:
+                edges = edges[::-1]
+            if side.place.seam:
+                entries = seams.setdefault(side.place.seam, {}).setdefault(side.place.side, [])
+                entries += [(side.place.start, name, edge) for edge in edges]
     specification = {
         "pattern": {"panels": written, "stitches": _stitches(seams), "panel_order": names},
         "parameters": {},
@@ -121,15 +119,16 @@ def _placed(panel: WholePanel) -> tuple[Array, Array]:
 
 
 def _stitches(
-    seams: dict[tuple[str, ...], dict[tuple[str, str], list[tuple[float, str, int]]]],
+    seams: dict[tuple[str, ...], dict[int, list[tuple[float, str, int]]]],
 ) -> list[Any]:
     """Return what is sewn to what: the first edge of one side to the first one of the other."""
     stitches = []
     for sides in seams.values():
+        # What the other side of the body has no partner for stays open.
         if len(sides) != 2:
             continue
         # Sorting keeps the order of the edges of a part.
-        both = (sorted(side, key=lambda entry: entry[0]) for side in sides.values())
+        both = (sorted(sides[row], key=lambda entry: entry[0]) for row in (0, 1))
         stitches += [
             [{"panel": name, "edge": edge} for _, name, edge in pair]
             for pair in zip(*both, strict=True)

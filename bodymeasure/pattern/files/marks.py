@@ -5,7 +5,9 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.pattern.definitions.panels import Panel, PatternDefinitions
+from bodymeasure.pattern.definitions.panels import Panel
+from bodymeasure.pattern.files.places import is_backwards, notched_parts
+from bodymeasure.pattern.pieces.pattern import Pattern
 from bodymeasure.pattern.planar import shapely
 
 if TYPE_CHECKING:
@@ -49,7 +51,7 @@ def hole_of(one: Array, other: Array, before: float) -> Array:
 
 
 def notches_of(
-    definitions: PatternDefinitions,
+    pattern: Pattern,
     panel: Panel,
     lines: "tuple[tuple[DrawnEdge, ...], tuple[DrawnDart, ...]]",
     cut: Array,
@@ -60,13 +62,14 @@ def notches_of(
     counted from the same end.
     """
     edges, darts = lines
+    parts_of = notched_parts(pattern)
     ring = shapely.linearrings(np.concatenate([part for edge in edges for part in edge.parts]))
     # Outside is on the right of an edge, unless the piece's atlas faces inwards.
     out = 1.0 if shapely.is_ccw(ring) else -1.0
     feet = [leg[0] for dart in darts for leg in dart.legs]
     found = []
     for edge in edges:
-        parts = () if edge.is_fold else _parts(definitions, panel, edge.name)
+        parts = () if edge.is_fold else parts_of.get((panel.name, edge.name), ())
         if is_backwards(panel, [edge.name for edge in edges]):
             parts = tuple(1.0 - part for part in parts)
         apart = (-0.5 * PAIR, 0.5 * PAIR) if panel.notch == "double" else (0.0,)
@@ -82,29 +85,6 @@ def notches_of(
                 if any(np.abs(end - foot).max() < SAME for foot in feet):
                     found.append(_notch(edge, end, out * along, cut))
     return tuple(found)
-
-
-def _parts(definitions: PatternDefinitions, panel: Panel, name: str) -> tuple[float, ...]:
-    """Return where an edge is notched, as parts of its length from its defined start."""
-    edge = next((edge for edge in panel.edge if edge.name == name), None)
-    if edge is None:
-        return ()
-    if edge.notches is not None or not edge.seam:
-        return edge.notches or ()
-    for other in (other for each in definitions.panel for other in each.edge):
-        if other.seam == edge.seam and other.notches is not None:
-            if other.through[0] == edge.through[-1] or other.through[-1] == edge.through[0]:
-                return tuple(1.0 - part for part in other.notches)
-            return other.notches
-    return (0.5,)
-
-
-def is_backwards(panel: Panel, names: list[str]) -> bool:
-    """Whether edges, by their names, come in the other order than in their panel."""
-    defined = [edge.name for edge in panel.edge]
-    if len(names) < 3 or names[0] not in defined:
-        return False
-    return names[1] == defined[defined.index(names[0]) - 1]
 
 
 class _Chain:

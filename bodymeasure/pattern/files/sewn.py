@@ -14,7 +14,7 @@ from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
 from bodymeasure.pattern.definitions.panels import Panel
 from bodymeasure.pattern.files.cubics import cubic_chains, part_of
-from bodymeasure.pattern.files.marks import is_backwards
+from bodymeasure.pattern.files.places import Place, is_backwards, seam_places
 from bodymeasure.pattern.pieces.pattern import Pattern
 from bodymeasure.pattern.pieces.piece import Piece
 
@@ -28,22 +28,13 @@ class Side:
 
     Parameters
     ----------
-    name : str
-    seam : tuple of str
-        What is sewn together has this in common; empty if it is sewn to nothing.
+    place : Place
     chain : ndarray, shape (m, 2)
         In millimeters, counterclockwise round the panel.
-    breaks : tuple of float
-        Fractions of its seam at which it begins and ends, in the seam's direction.
-    runs_back : bool
-        Whether the seam's direction is the other one.
     """
 
-    name: str
-    seam: tuple[str, ...]
+    place: Place
     chain: Array
-    breaks: tuple[float, float] = (0.0, 1.0)
-    runs_back: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,28 +60,24 @@ class WholePanel:
 
 def whole_panels(pattern: Pattern) -> tuple[WholePanel, ...]:
     """Return the panels of a pattern, all round the body."""
+    places = seam_places(pattern)
     found = []
     for piece in pattern.pieces:
-        sides = tuple(_sides(pattern, piece))
+        alone = not piece.panel.fold and _lacks_other_side(pattern, piece.panel)
+        sides = tuple(_sides(pattern, piece, places, alone=alone))
+        mirrored = tuple(_mirrored(side) for side in sides[::-1])
         flat, skin = _points(pattern, piece)
-        name = piece.name
+        mirrored_flat, mirrored_skin = flat * [-1.0, 1.0], skin * [-1.0, 1.0, 1.0]
         if piece.panel.fold:
-            mirrored = tuple(_mirrored(side, "other ") for side in sides[::-1])
-            both = (1.0, -1.0)
-            found.append(
-                WholePanel(
-                    name,
-                    (*sides, *mirrored),
-                    np.concatenate([flat * [sign, 1.0] for sign in both]),
-                    np.concatenate([skin * [sign, 1.0, 1.0] for sign in both]),
-                )
-            )
+            flat = np.concatenate([flat, mirrored_flat])
+            skin = np.concatenate([skin, mirrored_skin])
+            found.append(WholePanel(piece.name, (*sides, *mirrored), flat, skin))
             continue
-        found.append(WholePanel(name, sides, flat, skin))
-        if _lacks_other_side(pattern, piece.panel):
-            mirrored = tuple(_mirrored(side, "") for side in sides[::-1])
-            other = swapped(name) if swapped(name) != name else f"{name} mirrored"
-            found.append(WholePanel(other, mirrored, flat * [-1.0, 1.0], skin * [-1.0, 1.0, 1.0]))
+        found.append(WholePanel(piece.name, sides, flat, skin))
+        if alone:
+            other = swapped(piece.name)
+            name = other if other != piece.name else f"{piece.name} mirrored"
+            found.append(WholePanel(name, mirrored, mirrored_flat, mirrored_skin))
     return tuple(found)
 
 
@@ -100,8 +87,14 @@ def swapped(words: str) -> str:
     return " ".join(exchange.get(word, word) for word in words.split(" "))
 
 
-def _sides(pattern: Pattern, piece: Piece) -> Iterator[Side]:
-    """Yield the sides of a piece without its fold, beginning after that, counterclockwise."""
+def _sides(
+    pattern: Pattern, piece: Piece, places: dict[tuple[str, str], Place], *, alone: bool
+) -> Iterator[Side]:
+    """Yield the sides of a piece without its fold, beginning after that, counterclockwise.
+
+    Of a piece that comes with its mirror image, an edge in the middle of the body that is sewn to
+    nothing else is sewn to that image.
+    """
     scale = 1000.0 * pattern.atlas.unit.meters
     edges = [*piece.edges]
     ring = np.concatenate([part for edge in edges for part in edge.parts])
@@ -110,33 +103,44 @@ def _sides(pattern: Pattern, piece: Piece) -> Iterator[Side]:
     turned = bool(x @ np.roll(y, -1) < y @ np.roll(x, -1))
     if turned:
         edges = edges[::-1]
-    names = [edge.name for edge in edges]
-    origin = np.zeros(2)
+    origin = _origin(piece)
     if piece.panel.fold:
-        first = names.index(piece.panel.fold)
-        origin = np.array([edges[first].parts[0][0, 0], 0.0])
+        first = [edge.name for edge in edges].index(piece.panel.fold)
         edges = [*edges[first + 1 :], *edges[:first]]
     legs = {}
     for dart in piece.darts:
         for one, other in (dart.legs, dart.legs[::-1]):
             legs[_key(one[0])] = (dart.name, one, other)
     back = is_backwards(piece.panel, [edge.name for edge in piece.edges]) != turned
+    through = {edge.name: edge.through for edge in piece.panel.edge}
     for edge in edges:
         parts = [part[::-1] for part in edge.parts[::-1]] if turned else [*edge.parts]
-        seam, against = _seam(piece.panel, edge.name)
-        runs_back = back != against
+        whole = places.get((piece.name, edge.name), Place(()))
+        middle = not any({"left", "right"} & set(name.split(" ")) for name in through[edge.name])
+        if alone and edge.seam and middle and not whole.seam:
+            whole = Place(("middle", piece.name, edge.name))
+        runs_back = whole.runs_back != back
         arcs = np.cumsum([0.0, *(_length(part) for part in parts)]) / edge.length
+        if runs_back:
+            arcs = 1.0 - arcs
         for number, part in enumerate(parts):
-            breaks = float(arcs[number]), float(arcs[number + 1])
-            if runs_back:
-                breaks = 1.0 - breaks[1], 1.0 - breaks[0]
+            low, high = (
+                whole.start + (whole.end - whole.start) * arc
+                for arc in sorted(arcs[number : number + 2].tolist())
+            )
             chain = scale * (part - origin)
-            yield Side(edge.name, seam, chain, breaks, runs_back)
+            yield Side(Place(whole.seam, whole.side, low, high, runs_back), chain)
             if number < len(parts) - 1:
                 name, one, other = legs[_key(part[-1])]
-                dart_seam = ("dart", piece.name, name)
-                yield Side(name, dart_seam, scale * (one - origin))
-                yield Side(name, dart_seam, scale * (other[::-1] - origin), runs_back=True)
+                seam = ("dart", piece.name, name)
+                yield Side(Place(seam, 0), scale * (one - origin))
+                yield Side(Place(seam, 1, runs_back=True), scale * (other[::-1] - origin))
+
+
+def _origin(piece: Piece) -> Array:
+    """Return a point of the fold's line, at which the piece is mirrored."""
+    x = piece.edge(piece.panel.fold).parts[0][0, 0] if piece.panel.fold else 0.0
+    return np.array([x, 0.0])
 
 
 def _key(point: Array) -> tuple[float, ...]:
@@ -147,35 +151,14 @@ def _length(chain: Array) -> float:
     return float(np.linalg.norm(np.diff(chain, axis=0), axis=1).sum())
 
 
-def _seam(panel: Panel, name: str) -> tuple[tuple[str, ...], bool]:
-    """Return what sides of a seam have in common, and whether an edge runs against the seam.
-
-    A seam on the left of the body is another one than its mirror image on the right.
-    """
-    edge = next((edge for edge in panel.edge if edge.name == name), None)
-    if edge is None or not edge.seam:
-        return (), False
-    return _common(edge.seam, edge.through), edge.through[0] > edge.through[-1]
-
-
-def _common(seam: str, through: tuple[str, ...]) -> tuple[str, ...]:
-    words = {word for landmark in through for word in landmark.split(" ")}
-    return ("seam", seam, *sorted(words & {"left", "right"}))
-
-
-def _mirrored(side: Side, more: str) -> Side:
+def _mirrored(side: Side) -> Side:
     """Return the mirror image of a side, which runs the other way."""
-    kind = side.seam[:1]
-    seam = tuple(swapped(word) for word in side.seam[1:])
-    if kind == ("dart",):
+    seam, row, start, end, runs_back = side.place
+    if seam[:1] == ("middle",):
+        row = 1
+    elif seam:
         seam = (*seam, "mirrored")
-    return Side(
-        f"{more}{side.name}",
-        (*kind, *seam),
-        side.chain[::-1] * [-1.0, 1.0],
-        side.breaks,
-        not side.runs_back,
-    )
+    return Side(Place(seam, row, start, end, not runs_back), side.chain[::-1] * [-1.0, 1.0])
 
 
 def _lacks_other_side(pattern: Pattern, panel: Panel) -> bool:
@@ -195,57 +178,49 @@ def _points(pattern: Pattern, piece: Piece) -> tuple[Array, Array]:
     skin = evaluate(atlas.control_points[places.patch], places.parameters)
     axes = atlas.axes
     frame = np.stack([axes.left_vector, axes.up_vector, axes.front_vector])
-    origin = np.zeros(2)
-    if piece.panel.fold:
-        origin[0] = piece.edge(piece.panel.fold).parts[0][0, 0]
-    return np.asarray(scale * (piece.positions - origin)), np.asarray(scale * skin @ frame.T)
+    return np.asarray(scale * (piece.positions - _origin(piece))), np.asarray(
+        scale * skin @ frame.T
+    )
 
 
 def sewn_cubics(panels: tuple[WholePanel, ...]) -> dict[tuple[int, int], list[Array]]:
     """Return the cubics of each side, by the numbers of panel and side, in the panel's order.
 
-    Sides of one seam are cut at the same lengths, so that their parts are sewn one to one.
+    Sides of one seam are cut at the same fractions, so that their parts are sewn one to one.
     """
-    groups: dict[tuple[str, ...], list[tuple[int, int]]] = {}
+    groups: dict[tuple[str, ...], dict[tuple[int, int], Side]] = {}
     for number, panel in enumerate(panels):
-        for place, side in enumerate(panel.sides):
-            key = side.seam or (str(number), str(place))
-            groups.setdefault(key, []).append((number, place))
+        for row, side in enumerate(panel.sides):
+            key = side.place.seam or (str(number), str(row))
+            groups.setdefault(key, {})[number, row] = side
     found: dict[tuple[int, int], list[Array]] = {}
-    for members in groups.values():
-        found |= _cubics_of(panels, members)
+    for sides in groups.values():
+        found |= _cubics_of(sides)
     return found
 
 
-def _cubics_of(
-    panels: tuple[WholePanel, ...], members: list[tuple[int, int]]
-) -> dict[tuple[int, int], list[Array]]:
+def _cubics_of(sides: dict[tuple[int, int], Side]) -> dict[tuple[int, int], list[Array]]:
     """Return the cubics of the sides of one seam."""
-    sides = {member: panels[member[0]].sides[member[1]] for member in members}
-    breaks = sorted({value for side in sides.values() for value in side.breaks})
-    breaks = [
-        value for row, value in enumerate(breaks) if row == 0 or value - breaks[row - 1] > SAME
-    ]
-    found: dict[tuple[int, int], list[Array]] = {member: [] for member in members}
+    ends = sorted({end for side in sides.values() for end in (side.place.start, side.place.end)})
+    breaks = [end for row, end in enumerate(ends) if row == 0 or end - ends[row - 1] > SAME]
+    found: dict[tuple[int, int], list[Array]] = {member: [] for member in sides}
     for start, end in pairwise(breaks):
         inside = [
             member
             for member, side in sides.items()
-            if side.breaks[0] < end - SAME and side.breaks[1] > start + SAME
+            if side.place.start < end - SAME and side.place.end > start + SAME
         ]
         parts = [_between(sides[member], start, end) for member in inside]
         for member, cubics in zip(inside, cubic_chains(parts, (0.0, 1.0)), strict=True):
             found[member] += cubics
     for member, side in sides.items():
-        if side.runs_back:
+        if side.place.runs_back:
             found[member] = [cubic[::-1] for cubic in found[member][::-1]]
     return found
 
 
 def _between(side: Side, start: float, end: float) -> Array:
     """Return the part of a side between two fractions of its seam, in the seam's direction."""
-    chain = side.chain[::-1] if side.runs_back else side.chain
-    low, high = side.breaks
-    return part_of(
-        chain, max(0.0, (start - low) / (high - low)), min(1.0, (end - low) / (high - low))
-    )
+    chain = side.chain[::-1] if side.place.runs_back else side.chain
+    low, size = side.place.start, side.place.end - side.place.start
+    return part_of(chain, max(0.0, (start - low) / size), min(1.0, (end - low) / size))
