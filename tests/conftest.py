@@ -1,3 +1,4 @@
+import gc
 import os
 import sys
 from pathlib import Path
@@ -44,6 +45,12 @@ def pytest_configure(config: pytest.Config) -> None:
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
     """Spare the fast tests what drives a browser, which takes half a second to load."""
     return True if _quick(config) and collection_path == BROWSER else None
+
+
+def pytest_collection_finish() -> None:
+    """Take what has been loaded out of the garbage collector's rounds, which it lengthens."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture

@@ -119,8 +119,8 @@ def test_groups_of_a_package_import_only_those_before_them(layer: str) -> None:
     faults = []
     for module in layered():
         group = _group(layer, module.name, levels) if module.layer == layer else ""
-        for name, line in module.imports():
-            if not group or not name.startswith(f"bodymeasure.{layer}."):
+        for name, line in module.imports() if group else ():
+            if not name.startswith(f"bodymeasure.{layer}."):
                 continue
             target = _group(layer, name, levels)
             if target != group and levels.get(target, len(levels)) >= levels[group]:

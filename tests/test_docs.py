@@ -19,7 +19,15 @@ every_file = pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 
 
 @pytest.mark.parametrize(
-    "page", ["quickstart", "charts", "landmarks", "python", "pyvista", "viewer"]
+    "page",
+    [
+        "quickstart",
+        "charts",
+        "landmarks",
+        "python",
+        pytest.param("pyvista", marks=pytest.mark.slow),
+        pytest.param("viewer", marks=pytest.mark.slow),
+    ],
 )
 def test_the_examples_of_a_page_run_and_print_what_it_says(
     page: str,

@@ -16,7 +16,7 @@ def test_memory_is_followed_and_nothing_fails() -> None:
     assert len(small.seconds) > len(large.seconds) >= 3
 
 
-@pytest.mark.parametrize("make", [mild_set, wild_set])
+@pytest.mark.parametrize("make", [mild_set, pytest.param(wild_set, marks=pytest.mark.slow)])
 def test_each_stage_is_seen(make: type) -> None:
     shares = stage_shares(make(40))
     assert list(shares) == [*STAGES, REST]

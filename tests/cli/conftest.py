@@ -2,29 +2,21 @@
 
 import json
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pytest
-from helpers.command_line import Edited, Ran, Run, part_of_a_body
+from helpers.command_line import Edited, Run, part_of_a_body, run_here
 from helpers.surfaces.grids import grid_atlas
 
 from bodymeasure import write_atlas
-from bodymeasure.cli import main
 
 
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str]) -> Run:
     """Run a command in this process."""
-
-    def run(*arguments: object) -> Ran:
-        with pytest.raises(SystemExit) as ended:
-            main([str(argument) for argument in arguments])
-        printed = capsys.readouterr()
-        assert isinstance(ended.value.code, int)
-        return Ran(ended.value.code, printed.out, printed.err)
-
-    return run
+    return partial(run_here, capsys)
 
 
 @pytest.fixture(scope="session")

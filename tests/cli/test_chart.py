@@ -162,6 +162,7 @@ def test_only_some_measurements_are_taken(run: Run, tmp_path: Path) -> None:
     assert "',' names nothing" in nothing.err
 
 
+@pytest.mark.slow
 def test_what_a_landmark_that_lies_elsewhere_changes(run: Run) -> None:
     options = ("--only", "back_neck_height,bust_span,shoulder_slope", "--sensitivity")
     measured = json.loads(run("chart", *options, "--format", "json").out)["measurements"]

@@ -60,8 +60,8 @@ def running(group: int) -> bool:
     [
         # A terminal sends the signal to all processes of the group.
         (signal.SIGINT, True, 130, INTERRUPTED),
-        (signal.SIGTERM, True, 143, TERMINATED),
-        (signal.SIGTERM, False, 143, TERMINATED),
+        pytest.param(signal.SIGTERM, True, 143, TERMINATED, marks=pytest.mark.slow),
+        pytest.param(signal.SIGTERM, False, 143, TERMINATED, marks=pytest.mark.slow),
     ],
 )
 def test_an_interrupt_of_the_comparison_leaves_nothing(
@@ -144,7 +144,9 @@ def test_a_disk_with_little_room_leaves_nothing(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("arguments", [("--help",), ("check", "enneper")])
+@pytest.mark.parametrize(
+    "arguments", [pytest.param(("--help",), marks=pytest.mark.slow), ("check", "enneper")]
+)
 def test_a_closed_pipe_is_no_error_to_speak_of(arguments: tuple[str, ...]) -> None:
     reader, writer = os.pipe()
     os.close(reader)
@@ -155,7 +157,7 @@ def test_a_closed_pipe_is_no_error_to_speak_of(arguments: tuple[str, ...]) -> No
     assert (ran.code, ran.err) == (141, "")
 
 
-@pytest.mark.parametrize("command", ["check", "diagonals"])
+@pytest.mark.parametrize("command", ["check", pytest.param("diagonals", marks=pytest.mark.slow)])
 def test_a_full_disk_behind_the_output_is_told(command: str) -> None:
     full = Path("/dev/full")
     if not full.exists():

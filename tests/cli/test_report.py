@@ -74,6 +74,7 @@ def test_a_single_patch_with_pictures_and_progress(
         assert done[-1] == total
 
 
+@pytest.mark.slow
 def test_all_pictures_are_drawn_on_request(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

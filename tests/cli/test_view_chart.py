@@ -83,6 +83,7 @@ def test_options_of_the_chart_need_it(run: Run, option: tuple[str, str]) -> None
     assert "--measure and --set are about measurements; add --chart." in ran.err
 
 
+@pytest.mark.slow
 def test_a_measurement_is_drawn_without_opengl(
     run: Run, tmp_path: Path, definitions: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

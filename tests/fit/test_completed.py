@@ -1,6 +1,7 @@
 """Landmarks by rule and lengths of head, hands and feet on bodies of the model."""
 
 import numpy as np
+import pytest
 
 from bodymeasure.atlas import Atlas
 from bodymeasure.chart import Outcome, measure_chart
@@ -14,6 +15,7 @@ def body(distance: float | None = None) -> Atlas:
     return completed(atlas_of_vertices(vertices), vertices, distance=away)
 
 
+@pytest.mark.slow
 def test_a_chart_has_stature_head_and_feet() -> None:
     keys = ["stature", "head_girth", "head_above_neck", "heel_girth", "hand_length"]
     chart = measure_chart(body(0.001), only=keys)

@@ -73,6 +73,17 @@ def recorded_bars(monkeypatch: pytest.MonkeyPatch, command: str) -> list[Bar]:
     return bars
 
 
+def run_here(capsys: pytest.CaptureFixture[str], *arguments: object) -> Ran:
+    """Run the command line in this process."""
+    from bodymeasure.cli import main
+
+    with pytest.raises(SystemExit) as ended:
+        main([str(argument) for argument in arguments])
+    printed = capsys.readouterr()
+    assert isinstance(ended.value.code, int)
+    return Ran(ended.value.code, printed.out, printed.err)
+
+
 def start(*arguments: object, setup: str = "", **options: Any) -> subprocess.Popen[str]:
     """Start the command line in a process and a process group of its own, after some setup."""
     environment = {**os.environ, "OMP_NUM_THREADS": "1"}

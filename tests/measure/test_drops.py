@@ -5,7 +5,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from helpers.bodies import BODIES, armpits
+from helpers.bodies import ONE_QUICKLY, armpits
 from helpers.surfaces.tubes import tube
 from scipy.spatial import ConvexHull
 
@@ -87,7 +87,7 @@ def test_a_hollow_is_bridged_and_a_bulge_is_not() -> None:
     assert len(bulge.hull.bridges) == 0
 
 
-@pytest.mark.parametrize("name", BODIES)
+@pytest.mark.parametrize("name", ONE_QUICKLY)
 def test_drops_of_bodies(name: str) -> None:
     atlas = load_sample(name)
     for start, level, plane in MEASURES:

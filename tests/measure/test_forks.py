@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from helpers.bodies import BODIES, armpits
+from helpers.bodies import ONE_QUICKLY, armpits
 from helpers.surfaces.two_valleys import Knot, cubics, smooth, valleys
 from scipy.spatial.transform import Rotation
 
@@ -68,7 +68,7 @@ def test_forks_follow_the_axes() -> None:
     assert turned.position(fork_point(turned, LEGS)) == pytest.approx(np.zeros(3), abs=1e-11)
 
 
-@pytest.mark.parametrize("name", BODIES)
+@pytest.mark.parametrize("name", ONE_QUICKLY)
 def test_armpits_and_crotch_of_bodies(name: str) -> None:
     atlas = load_sample(name)
     left, right = map(atlas.position, armpits(name))

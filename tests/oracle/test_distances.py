@@ -146,6 +146,7 @@ def test_a_degenerate_patch_fails_alone() -> None:
     assert measured.exact[0, 0] == measured.exact[2, 0] == pytest.approx(5 * math.sqrt(2) / 3)
 
 
+@pytest.mark.slow
 def test_workers_give_the_same() -> None:
     nets = np.stack([surface.control_points for surface in SURFACES])
     start = np.zeros((len(nets), 2, 2))

@@ -34,6 +34,7 @@ def found(nets: Array) -> Comparison:
     return compare(nets, processes=2)
 
 
+@pytest.mark.slow
 def test_what_is_found_does_not_depend_on_the_number_of_processes(
     nets: Array, found: Comparison
 ) -> None:

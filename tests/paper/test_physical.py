@@ -61,6 +61,7 @@ def test_on_a_cylinder_distances_are_those_of_the_unrolled_plane() -> None:
     assert (measured.uncertainty < 5e-4 * measured.length).all()
 
 
+@pytest.mark.slow
 def test_workers_measure_the_same() -> None:
     paths = np.stack([line(*ends) for ends in LINES[:2]])
     here = physical_lengths(SURFACE, paths, paths[:, [0, -1]])

@@ -95,7 +95,7 @@ def test_the_strain_of_small_caps_has_a_closed_form() -> None:
     assert cap_strain(0.05) == pytest.approx(np.sqrt(42.0) / 48.0 * 0.05**2, rel=2e-3)
 
 
-@pytest.mark.parametrize("angle", [0.3, 0.4])
+@pytest.mark.parametrize("angle", [0.3, pytest.param(0.4, marks=pytest.mark.slow)])
 def test_the_strain_of_a_spherical_cap_is_that_of_theory(angle: float) -> None:
     radius = 0.4
 
@@ -183,6 +183,7 @@ def back_of(
     return make_pattern(body, only, step=step).pieces[0]
 
 
+@pytest.mark.slow
 def test_the_unit_and_a_move_change_nothing(skirt: Piece) -> None:
     body = load_sample("female_average")
     points = 100.0 * (body.points + np.array([0.7, -0.3, 0.0]))
@@ -200,6 +201,7 @@ def test_the_other_side_is_the_mirror_image(skirt: Piece) -> None:
     np.testing.assert_allclose(corners_of(mirrored) * [-1.0, 1.0], corners_of(skirt), atol=2e-4)
 
 
+@pytest.mark.slow
 def test_a_finer_mesh_changes_no_seam_and_hardly_the_strain(skirt: Piece) -> None:
     fine = back_of(load_sample("female_average"), step=0.004)
     for edge in fine.edges:

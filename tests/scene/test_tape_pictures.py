@@ -62,6 +62,7 @@ def test_tapes_are_drawn_where_they_are_seen(
             assert blue[row, column].mean() > 0.95
 
 
+@pytest.mark.slow
 def test_contact_taut_and_straight_look_different(
     scene: TapeScene, sides: Mapping[str, Sight], draw: Draw
 ) -> None:
@@ -132,6 +133,7 @@ def test_labels_are_clear_of_the_silhouette_and_of_each_other(
                 assert apart
 
 
+@pytest.mark.slow
 def test_all_pictures_of_a_chart(chart: Chart, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("bodymeasure.scene.tapes.gallery.BODY_PIXELS", 300)
     drawn_names: list[str] = []

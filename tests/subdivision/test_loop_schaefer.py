@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from helpers.bodies import BODIES
+from helpers.bodies import BODIES, ONE_QUICKLY
 from helpers.surfaces.quad_grids import grid_mesh, hilly_net, spline_atlas
 
 from bodymeasure import InputError
@@ -98,7 +98,7 @@ def test_on_the_boundary_the_patches_are_the_spline_surface_of_reflected_points(
     np.testing.assert_allclose(patches, spline.control_points, rtol=0, atol=1e-14)
 
 
-@pytest.mark.parametrize("body", BODIES)
+@pytest.mark.parametrize("body", ONE_QUICKLY)
 def test_on_a_body_regular_patches_are_the_limit_surface(body: str) -> None:
     mesh = sample(body)
     whole = polygons(mesh)

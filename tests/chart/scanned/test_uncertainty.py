@@ -33,6 +33,7 @@ def charted(atlas: Atlas, *keys: str) -> Chart:
     return measure_chart(atlas, only=keys)
 
 
+@pytest.mark.slow
 def test_a_tape_between_carried_landmarks_is_as_good_as_they_are() -> None:
     span = charted(WHOLE, "bust_span")["bust_span"]
     assert span.error_estimate < 1e-7

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from helpers.command_line import Run
+from helpers.command_line import Run, part_of_a_body
 
 import bodymeasure as bm
 
@@ -42,8 +42,9 @@ def test_a_file_that_cannot_be_written_is_refused_first(run: Run, tmp_path: Path
 
 def test_lengths_are_shown_in_the_unit_of_the_file(run: Run, tmp_path: Path) -> None:
     bm.write_atlas(bm.load_sample("female_average").converted("inch"), tmp_path / "body.atlas")
-    by_file = run("diagonals", tmp_path / "body.atlas", "--unit", "file", "--format", "json")
-    by_name = run("diagonals", tmp_path / "body.atlas", "--unit", "inch", "--format", "json")
+    bm.write_atlas(part_of_a_body(100, 102).converted("inch"), tmp_path / "part.atlas")
+    by_file = run("diagonals", tmp_path / "part.atlas", "--unit", "file", "--format", "json")
+    by_name = run("diagonals", tmp_path / "part.atlas", "--unit", "inch", "--format", "json")
     found, expected = json.loads(by_file.out), json.loads(by_name.out)
     assert found["unit"] == "inch"
     assert found["measurements"] == expected["measurements"]

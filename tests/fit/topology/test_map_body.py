@@ -37,6 +37,7 @@ def test_hm08_is_recognized_and_not_fitted(tmp_path: Path) -> None:
     assert sides[0][0] > 0.03 > -0.03 > sides[1][0]
 
 
+@pytest.mark.slow
 def test_a_stored_topology_maps_other_bodies(tmp_path: Path) -> None:
     file = tmp_path / "model.npz"
     mean = (limit_matrix() @ body_model().mean, body_model().quads)
@@ -68,6 +69,7 @@ def test_the_distance_from_the_faces_is_that_of_libigl() -> None:
     assert body.atlas.given["head_girth"].uncertainty > 0.3e-3
 
 
+@pytest.mark.slow
 def test_a_hand_that_the_mesh_lacks_has_no_length() -> None:
     """A stored correspondence gives points there, too, by the affine map of the wrist."""
     mean = body_model().mean
@@ -83,6 +85,7 @@ def test_a_hand_that_the_mesh_lacks_has_no_length() -> None:
     assert np.isnan(body.distance[np.isin(places().region, HANDS["left"])]).mean() > 0.9
 
 
+@pytest.mark.slow
 def test_a_mapped_body_has_what_a_fit_has_besides() -> None:
     mesh = (body_in_pose(5)[0], body_model().quads)
     mapped, fitted = bm.map_body(mesh, file_unit="m"), bm.fit_body(mesh, file_unit="m")

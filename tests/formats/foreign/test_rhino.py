@@ -123,7 +123,7 @@ def test_bad_files_and_units_are_refused(tmp_path: Path) -> None:
 def test_files_that_were_cut_off_do_no_harm(tmp_path: Path, rng: np.random.Generator) -> None:
     content = written(tmp_path / "a.3dm", sphere(1.0), free_form(rng)).read_bytes()
     path = tmp_path / "b.3dm"
-    for length in np.linspace(0, len(content) - 1, 6).astype(int):
+    for length in np.linspace(len(content) // 3, len(content) - 1, 3).astype(int):
         path.write_bytes(content[:length])
         try:
             atlas = bm.read_atlas(path)

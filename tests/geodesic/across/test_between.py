@@ -35,9 +35,16 @@ CUTS: dict[str, tuple[tuple[float, ...], tuple[float, ...]]] = {
     "in nine": ((0.3, 0.65), (0.2, 0.7)),
     "in sixty-four": (tuple(np.arange(1, 8) / 8), tuple(np.arange(1, 8) / 8)),
 }
+MANY_CUTS = ("in two", "in sixty-four")
 
 
-@pytest.mark.parametrize("cuts", CUTS.values(), ids=CUTS)
+@pytest.mark.parametrize(
+    "cuts",
+    [
+        pytest.param(cuts, id=name, marks=pytest.mark.slow if name in MANY_CUTS else ())
+        for name, cuts in CUTS.items()
+    ],
+)
 @pytest.mark.parametrize("surface", SURFACES, ids=lambda surface: surface.name)
 def test_cutting_a_surface_changes_no_length(
     surface: Surface, cuts: tuple[tuple[float, ...], tuple[float, ...]]
@@ -65,7 +72,7 @@ def test_turned_patches_change_nothing(surface: Surface) -> None:
 def test_lines_on_a_plane_with_curved_kinked_seams(rng: np.random.Generator) -> None:
     atlas = wavy_plane(rng)
     crossed = 0
-    for _ in range(25):
+    for _ in range(12):
         start, end = random_point(rng, atlas), random_point(rng, atlas)
         chord = np.linalg.norm(atlas.position(end) - atlas.position(start))
         path = bm.geodesic_between(atlas, start, end)
@@ -76,7 +83,7 @@ def test_lines_on_a_plane_with_curved_kinked_seams(rng: np.random.Generator) -> 
         t = np.linspace(0.0, 1.0, 21)[:, None]
         line = (1.0 - t) * atlas.position(start) + t * atlas.position(end)
         np.testing.assert_allclose(path.position(t[:, 0]), line, atol=2e-4)
-    assert crossed > 25
+    assert crossed > 12
 
 
 def test_helices_on_a_cylinder_with_curved_seams(rng: np.random.Generator) -> None:
@@ -101,7 +108,7 @@ def test_cutting_along_curves_that_meet_at_kinks_changes_no_length(
     net: Array, rng: np.random.Generator
 ) -> None:
     compared = 0
-    for _ in range(8):
+    for _ in range(4):
         atlas, corners = slant_cut(net, rng)
         start, end = random_point(rng, atlas), random_point(rng, atlas)
         ends = [on_part(corners[point.patch], point.u, point.v).tolist() for point in (start, end)]
@@ -110,7 +117,7 @@ def test_cutting_along_curves_that_meet_at_kinks_changes_no_length(
         assert path.status is whole.status
         compared += int(whole.status is bm.Status.CONVERGED)
         assert path.length == pytest.approx(whole.length, rel=1e-9)
-    assert compared >= 4
+    assert compared >= 2
 
 
 def rotation(rng: np.random.Generator) -> np.ndarray:

@@ -196,7 +196,14 @@ def test_what_changes_nothing(rng: np.random.Generator) -> None:
     assert again.kind is path.kind
 
 
-@pytest.mark.parametrize(("us", "vs"), [((0.4,), ()), ((), (0.45,)), ((0.3, 0.7), (0.2, 0.5, 0.8))])
+@pytest.mark.parametrize(
+    ("us", "vs"),
+    [
+        ((0.4,), ()),
+        ((), (0.45,)),
+        pytest.param((0.3, 0.7), (0.2, 0.5, 0.8), marks=pytest.mark.slow),
+    ],
+)
 def test_splits_change_nothing(
     us: tuple[float, ...], vs: tuple[float, ...], rng: np.random.Generator
 ) -> None:

@@ -88,7 +88,13 @@ CONTRADICTED = (
 )
 
 
-@pytest.mark.parametrize(("name", "first", "second", "third"), CONTRADICTED)
+@pytest.mark.parametrize(
+    ("name", "first", "second", "third"),
+    [
+        pytest.param(*each, marks=pytest.mark.slow if each[0] in bm.sample_names() else ())
+        for each in CONTRADICTED
+    ],
+)
 def test_paths_that_contradicted_each_other_agree(
     name: str,
     first: tuple[int, float, float],

@@ -19,7 +19,7 @@ from bodymeasure.geodesic.across.search.ends import checked_points
 from bodymeasure.geodesic.across.search.leg import first_routes
 
 # The quick tests take some of them, the slow ones the others.
-QUICK = (-16.0, -12.0, -9.0, -7.0)
+QUICK = (-16.0, -9.0)
 EXPONENTS = [
     pytest.param(exponent, marks=() if exponent in QUICK else pytest.mark.slow)
     for exponent in np.arange(-16.0, -5.0).tolist()
@@ -44,7 +44,13 @@ def assert_triangle(atlas: Atlas, points: tuple[AtlasPoint, AtlasPoint, AtlasPoi
 
 @pytest.mark.parametrize("exponent", EXPONENTS)
 @pytest.mark.parametrize(
-    ("patch", "edge", "along"), [(25, 0.0, 0.25), (13, 1.0, 0.4), (60, 1.0, 0.7), (200, 0.0, 0.1)]
+    ("patch", "edge", "along"),
+    [
+        (25, 0.0, 0.25),
+        (13, 1.0, 0.4),
+        pytest.param(60, 1.0, 0.7, marks=pytest.mark.slow),
+        pytest.param(200, 0.0, 0.1, marks=pytest.mark.slow),
+    ],
 )
 def test_a_hair_off_a_seam_is_as_far_as_the_seam(
     patch: int, edge: float, along: float, exponent: float
@@ -104,7 +110,9 @@ def test_great_circles_that_begin_a_hair_off_a_seam(exponent: float) -> None:
             assert abs(path.length - exact) <= path.error_estimate
 
 
-@pytest.mark.parametrize("away", [3e-11, 1e-9, 1e-7])
+@pytest.mark.parametrize(
+    "away", [3e-11, *(pytest.param(away, marks=pytest.mark.slow) for away in (1e-9, 1e-7))]
+)
 def test_a_mesh_path_that_leaves_out_the_piece_before_a_seam(away: float) -> None:
     ends = AtlasPoint(6, 1.0 - away, 0.118), AtlasPoint(3, 1.0, 0.405)
     for start, end in (ends, ends[::-1]):
@@ -167,6 +175,7 @@ def test_triangles_of_random_points_near_boundaries(rng: np.random.Generator) ->
         assert_triangle(torus(), (first, second, third))
 
 
+@pytest.mark.slow
 @settings(max_examples=10)
 @given(st.tuples(*[near_points(torus())] * 3))
 def test_triangles_of_any_points_near_boundaries(

@@ -91,7 +91,7 @@ def lengths(result: MethodResult, count: int) -> Array:
 
 
 def test_mild_patches_are_its_business(rng: np.random.Generator) -> None:
-    nets = reference.mild_patches(rng, 700, 0.3)
+    nets = reference.mild_patches(rng, 300, 0.3)
     problems = reference.first_diagonals(nets)
     known = reference.geodesics(problems).length
     length = lengths(solved(nets, problems.start, problems.end), len(nets))

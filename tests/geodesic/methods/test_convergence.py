@@ -52,8 +52,8 @@ def order(counts: tuple[int, ...], error: np.ndarray) -> float:
         # than algebraically still.
         (WU_C2, (12, 16, 20, 24), 1.7, 2.5),
         (WU_C4, (8, 12, 16, 20), 5.0, 9.0),
-        (WU_C6, (8, 12, 16, 20), 5.0, 10.0),
-        (WU_C10, (8, 12, 16, 20), 6.0, 12.0),
+        pytest.param(WU_C6, (8, 12, 16, 20), 5.0, 10.0, marks=pytest.mark.slow),
+        pytest.param(WU_C10, (8, 12, 16, 20), 6.0, 12.0, marks=pytest.mark.slow),
     ],
     ids=lambda value: value.name if isinstance(value, Kernel) else None,
 )

@@ -47,6 +47,7 @@ def test_colors_tell_inside_from_outside_and_from_no_scan() -> None:
     assert half == pytest.approx((SCALE[1] + SCALE[2]) / 2.0)
 
 
+@pytest.mark.slow
 def test_the_pictures_show_body_and_scan() -> None:
     mesh = tessellate(SAMPLE, 2)
     body = Triangles(mesh.vertices, mesh.faces)

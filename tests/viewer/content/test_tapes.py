@@ -23,7 +23,7 @@ def asked(bodies: Bodies, request: Any) -> dict[str, Any]:
     return decoded
 
 
-@pytest.mark.parametrize("name", ["0", "1", "2"])
+@pytest.mark.parametrize("name", ["0", pytest.param("1", marks=pytest.mark.slow), "2"])
 def test_lengths_are_the_librarys(bodies: Bodies, rng: np.random.Generator, name: str) -> None:
     atlas = bodies[name].atlas
     for _ in range(5):

@@ -72,6 +72,7 @@ def test_the_page_loads_nothing_and_runs_nothing_else(page: Exported) -> None:
     assert "three-mesh-bvh" in page._of('id="licenses"')
 
 
+@pytest.mark.slow
 def test_a_body_with_a_full_chart_is_small_enough_to_mail(body: bm.Atlas) -> None:
     keys = ("bust_girth", "waist_girth", "stature")
     chart = bm.measure_chart(body, only=keys)

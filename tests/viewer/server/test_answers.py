@@ -144,6 +144,7 @@ def test_a_file_that_changes_is_read_again(tmp_path: Path) -> None:
         assert found.status_code == 200
 
 
+@pytest.mark.slow
 def test_a_preset_a_file_and_an_atlas_after_chart_are_told_apart(tmp_path: Path) -> None:
     from bodymeasure.chart import default_set
 

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 from bodymeasure.viewer.content.wire import unpacked
-from helpers.command_line import folded_part_of_a_body, part_of_a_body, run_apart
+from helpers.command_line import folded_part_of_a_body, part_of_a_body, run_here
 from helpers.viewer_server import Viewer, viewer
 from msgspec import json
 
@@ -78,20 +78,28 @@ def test_a_chart_of_a_few_is_shown_as_it_was_asked_for(tmp_path: Path) -> None:
     ],
 )
 def test_a_folder_that_is_no_report_of_the_body_is_told(
-    report: Path, tmp_path: Path, arguments: tuple[object, ...], words: str
+    report: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: tuple[object, ...],
+    words: str,
 ) -> None:
+    monkeypatch.chdir(tmp_path)
     named = [report if each == "REPORT" else each for each in arguments]
-    ran = run_apart("view", "--no-browser", *named, cwd=tmp_path)
+    ran = run_here(capsys, "view", "--no-browser", *named)
     assert (ran.code, ran.out) == (2, "")
     assert words in ran.err
     assert "Traceback" not in ran.err
 
 
-def test_a_report_without_its_body_asks_for_it(report: Path, tmp_path: Path) -> None:
+def test_a_report_without_its_body_asks_for_it(
+    report: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     alone = tmp_path / "alone"
     alone.mkdir()
     (alone / "measurements.json").write_bytes((report / "measurements.json").read_bytes())
-    ran = run_apart("view", "--no-browser", "--report", alone)
+    ran = run_here(capsys, "view", "--no-browser", "--report", alone)
     assert (ran.code, ran.out) == (2, "")
     assert "name the atlas that was measured (Part of a body) before --report" in ran.err
 
@@ -139,7 +147,7 @@ def test_a_scan_is_fitted_first() -> None:
         assert 0.1 < found["length"] < 0.4
 
 
-def test_a_scan_of_no_unit_is_told() -> None:
-    ran = run_apart("view", "--no-browser", DATA / "scans" / "coarse.ply")
+def test_a_scan_of_no_unit_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    ran = run_here(capsys, "view", "--no-browser", DATA / "scans" / "coarse.ply")
     assert (ran.code, ran.out) == (2, "")
     assert "--file-unit" in ran.err

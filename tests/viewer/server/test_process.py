@@ -2,13 +2,14 @@
 
 import os
 import signal
+import socket
 import threading
 from pathlib import Path
 
 import httpx
 import psutil
 import pytest
-from helpers.command_line import run_apart
+from helpers.command_line import run_apart, run_here
 from helpers.viewer_server import PATIENCE, POSIX, Viewer, gone, viewer
 
 pytestmark = pytest.mark.skipif(not POSIX, reason="signals of POSIX")
@@ -45,8 +46,10 @@ class Listening:
 
 @pytest.mark.parametrize(
     ("sent", "code", "words"),
-    [(signal.SIGINT, 130, "Interrupted"), (signal.SIGTERM, 143, "Terminated")],
-    ids=["Ctrl-C", "SIGTERM"],
+    [
+        pytest.param(signal.SIGINT, 130, "Interrupted", id="Ctrl-C"),
+        pytest.param(signal.SIGTERM, 143, "Terminated", id="SIGTERM", marks=pytest.mark.slow),
+    ],
 )
 def test_an_end_is_clean_although_a_page_listens(sent: int, code: int, words: str) -> None:
     with viewer("paraboloid") as server:
@@ -66,6 +69,7 @@ def test_an_end_is_clean_although_a_page_listens(sent: int, code: int, words: st
         assert not page.failed
 
 
+@pytest.mark.slow
 def test_an_end_is_clean_although_something_is_measured() -> None:
     with viewer("female_average") as server:
         page = Listening(server)
@@ -126,10 +130,11 @@ def test_a_worker_that_dies_is_replaced_and_the_page_is_told() -> None:
 
 
 def test_a_port_that_is_taken_is_told() -> None:
-    with viewer("paraboloid") as server:
-        ran = run_apart("view", "paraboloid", "--no-browser", "--port", server.port)
+    with socket.create_server(("127.0.0.1", 0)) as other:
+        port = other.getsockname()[1]
+        ran = run_apart("view", "paraboloid", "--no-browser", "--port", port)
         assert (ran.code, ran.out) == (2, "")
-        assert f"cannot listen at 127.0.0.1, port {server.port}" in ran.err
+        assert f"cannot listen at 127.0.0.1, port {port}" in ran.err
         assert "choose another --port" in ran.err
         assert "Traceback" not in ran.err
 
@@ -141,6 +146,7 @@ def test_an_address_that_is_not_ours_is_told() -> None:
     assert "Traceback" not in ran.err
 
 
+@pytest.mark.slow
 def test_a_port_that_was_given_is_taken_again_at_once() -> None:
     with viewer("paraboloid") as server:
         port = server.port
@@ -151,18 +157,21 @@ def test_a_port_that_was_given_is_taken_again_at_once() -> None:
         assert server.get("/api/body").status_code == 200
 
 
-def test_a_token_may_be_given_but_none_that_can_be_guessed() -> None:
+def test_a_token_may_be_given_but_none_that_can_be_guessed(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     token = "a_token-of_20_letters_and_more"
     with viewer("paraboloid", env={**os.environ, "BODYMEASURE_VIEW_TOKEN": token}) as server:
         assert server.token == token
         assert server.get("/api/body").status_code == 200
     for bad in ("", "short", "x" * 19, "a token of 20 letters and more", "x" * 30 + "#"):
-        environment = {**os.environ, "BODYMEASURE_VIEW_TOKEN": bad}
-        ran = run_apart("view", "paraboloid", "--no-browser", env=environment)
+        monkeypatch.setenv("BODYMEASURE_VIEW_TOKEN", bad)
+        ran = run_here(capsys, "view", "paraboloid", "--no-browser")
         assert (ran.code, ran.out) == (2, "")
         assert "expected 20 to 200 letters, digits" in ran.err
 
 
+@pytest.mark.slow
 def test_another_address_says_what_it_means() -> None:
     with viewer("paraboloid", "--host", "0.0.0.0") as server:
         server.address = f"http://127.0.0.1:{server.port}"

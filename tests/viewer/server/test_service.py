@@ -93,6 +93,7 @@ def test_the_message_of_the_main_body_is_made_once() -> None:
     with_service(body, test)
 
 
+@pytest.mark.slow
 def test_a_chart_and_a_comparison_start_a_process_of_their_own() -> None:
     body = ShownBody("0", part_of_a_body(100, 106), "Part")
 

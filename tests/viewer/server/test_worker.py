@@ -69,6 +69,7 @@ def test_a_worker_that_was_killed_is_replaced() -> None:
     with_worker(test)
 
 
+@pytest.mark.slow
 def test_a_request_under_way_is_told_that_its_worker_died() -> None:
     async def test(worker: Worker, bodies: dict[str, ShownBody]) -> None:
         begun = asyncio.Event()
