@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from helpers.command_line import Run, run_apart, start
+from helpers.speed import quick
 
 from bodymeasure import read_atlas, sample_names
 from bodymeasure.cli.commands import COMMANDS
@@ -159,14 +160,14 @@ def in_a_terminal(*arguments: object, setup: str = "") -> tuple[int, str]:
         pass
     finally:
         os.close(controller)
-    return process.wait(timeout=60), printed.decode()
+    return process.wait(timeout=180), printed.decode()
 
 
 needs_terminal = pytest.mark.skipif(sys.platform == "win32", reason="pseudo terminals of POSIX")
 
 
 @needs_terminal
-@pytest.mark.parametrize("no_color", [False, True])
+@pytest.mark.parametrize("no_color", quick([False, True]))
 def test_a_terminal_gets_colors_unless_they_are_unwanted(no_color: bool) -> None:
     setup = f"import os\nos.environ.update(TERM='xterm', {'NO_COLOR=1' if no_color else ''})"
     setup = setup.replace("NO_COLOR=1", "NO_COLOR='1'")

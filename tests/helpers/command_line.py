@@ -107,7 +107,7 @@ def start(*arguments: object, setup: str = "", **options: Any) -> subprocess.Pop
 def run_apart(*arguments: object, setup: str = "", **options: Any) -> Ran:
     """Run the command line in a process of its own."""
     with start(*arguments, setup=setup, **options) as process:
-        out, err = process.communicate(timeout=120)
+        out, err = process.communicate(timeout=180)
     return Ran(process.returncode, out or "", err or "")
 
 

@@ -64,6 +64,6 @@ def loaded_by(script: str) -> set[str]:
     """Run a script in a new process and return the names of the modules that it loaded."""
     script = f"import sys, bodymeasure as bm; {script}; print('\\n'.join(sys.modules))"
     run = subprocess.run(
-        [sys.executable, "-c", script], capture_output=True, text=True, check=True, timeout=60
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True, timeout=180
     )
     return set(run.stdout.split())

@@ -13,7 +13,7 @@ import psutil
 from helpers.command_line import start
 
 # Machines that run tests stall; what takes longer than this will not come.
-PATIENCE = 120.0
+PATIENCE = 180.0
 
 
 class Viewer:

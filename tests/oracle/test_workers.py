@@ -18,6 +18,7 @@ def test_results_come_in_order(processes: int) -> None:
     assert told == [1, 2, 3, 4, 5]
 
 
+@pytest.mark.slow
 def test_errors_reach_the_caller() -> None:
     with pytest.raises(ValueError, match="nonnegative"):
         map_in_processes(math.isqrt, [4, -1], processes=2)
@@ -47,7 +48,7 @@ INTERRUPTED = """
         # Children of a background process inherit that interrupts are ignored.
         signal.signal(signal.SIGINT, signal.default_int_handler)
         try:
-            map_in_processes(time.sleep, [0.2] * 100, processes=2, progress=interrupt)
+            map_in_processes(time.sleep, [0.2] * 3000, processes=2, progress=interrupt)
         except KeyboardInterrupt:
             print("interrupted")
 """
@@ -77,8 +78,8 @@ def test_no_worker_outlives_its_parent(
     )
     try:
         # The workers hold the pipe's other end, which closes when the last of them has ended. If
-        # nobody ended them, they would sleep for ten seconds more.
-        assert process.communicate(timeout=8)[0] == output
+        # nobody ended them, they would go on for minutes.
+        assert process.communicate(timeout=120)[0] == output
     finally:
         if process.poll() is None:
             os.killpg(process.pid, signal.SIGKILL)

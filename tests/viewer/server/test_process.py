@@ -111,7 +111,7 @@ def test_no_process_outlives_a_viewer_that_was_killed() -> None:
         server.process.send_signal(signal.SIGKILL)
         server.process.wait(PATIENCE)
         # The comparison would take minutes more; nobody waits for it.
-        assert gone(workers, patience=20.0)
+        assert gone(workers, patience=60.0)
 
 
 def test_a_worker_that_dies_is_replaced_and_the_page_is_told() -> None:

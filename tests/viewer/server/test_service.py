@@ -25,7 +25,7 @@ from helpers.command_line import part_of_a_body
 import bodymeasure as bm
 from bodymeasure.samples import sample_path
 
-PATIENCE = 60.0
+PATIENCE = 180.0
 
 
 def with_service(
@@ -83,6 +83,7 @@ def test_a_file_is_watched_on_after_it_could_not_be_read(
     with_service(body, test)
 
 
+@pytest.mark.slow
 def test_the_message_of_the_main_body_is_made_once() -> None:
     body = ShownBody("0", part_of_a_body(100, 106), "Part")
 

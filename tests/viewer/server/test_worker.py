@@ -14,7 +14,7 @@ from msgspec import json
 
 from bodymeasure import load_sample
 
-LONG = 60.0
+LONG = 180.0
 
 
 def with_worker(test: Callable[[Worker, dict[str, ShownBody]], Awaitable[None]]) -> None:
@@ -56,6 +56,7 @@ def test_bodies_come_and_go_with_the_requests() -> None:
     with_worker(test)
 
 
+@pytest.mark.slow
 def test_a_worker_that_was_killed_is_replaced() -> None:
     async def test(worker: Worker, bodies: dict[str, ShownBody]) -> None:
         first = await point(worker, bodies)
@@ -86,6 +87,7 @@ def test_a_request_under_way_is_told_that_its_worker_died() -> None:
     with_worker(test)
 
 
+@pytest.mark.slow
 def test_what_takes_too_long_is_ended_with_its_process() -> None:
     async def test(worker: Worker, bodies: dict[str, ShownBody]) -> None:
         await point(worker, bodies)
