@@ -106,13 +106,13 @@ def test_every_table_and_the_page(
 @pytest.mark.slow
 def test_one_seed_gives_the_same_tables_timings_aside(run: Run, tmp_path: Path) -> None:
     contents = []
-    for name, processes, seed in (("a", 1, 3), ("b", 2, 3), ("c", 2, 4)):
+    # That another seed gives other patches is tried where they are made.
+    for name, processes, seed in (("a", 1, 3), ("b", 2, 3)):
         folder = tmp_path / name
         ran = run("paper", "-o", folder, "--quick", "--seed", seed, "--processes", processes)
         assert ran.code == 0
         contents.append(untimed(json.loads((folder / "tables.json").read_bytes())))
     assert contents[0] == contents[1]
-    assert contents[0] != contents[2]
 
 
 def test_a_file_in_the_folders_place_is_bad_input(run: Run, tmp_path: Path) -> None:

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from helpers.bodies import BODIES
+from helpers.bodies import BODIES, ONE_QUICKLY
 from helpers.surfaces.tubes import joined, ring_length, tube
 from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
@@ -121,8 +121,8 @@ def test_units_carry_through() -> None:
         # Values in centimeters from another program, which placed its planes by itself: a
         # quarter of a millimeter of height is 0.04 cm of girth at the waist and the bust.
         ("bust point left", 84.30, 83.47),
-        ("front waist point", 71.07, 71.06),
-        ("side hip point left", 92.65, 92.52),
+        pytest.param("front waist point", 71.07, 71.06, marks=pytest.mark.slow),
+        pytest.param("side hip point left", 92.65, 92.52, marks=pytest.mark.slow),
     ],
 )
 def test_girths_of_the_average_female(landmark: str, contact: float, taut: float) -> None:
@@ -145,7 +145,7 @@ def test_taut_does_not_depend_on_where_it_is_sampled(monkeypatch: pytest.MonkeyP
         assert convex_hull(loop).length == pytest.approx(known.length, rel=1e-13)
 
 
-@pytest.mark.parametrize("name", BODIES)
+@pytest.mark.parametrize("name", ONE_QUICKLY)
 def test_left_and_right_limbs_agree(name: str) -> None:
     atlas = load_sample(name)
     for start, end in (("shoulder point", "elbow point"), ("side hip point", "patella point")):
@@ -162,7 +162,7 @@ def test_left_and_right_limbs_agree(name: str) -> None:
 def test_taut_is_the_hull(name: str, rng: np.random.Generator) -> None:
     atlas = load_sample(name)
     compared = 0
-    for _ in range(40):
+    for _ in range(20):
         point = atlas.points[rng.integers(len(atlas.points))]
         normal = atlas.axes.up_vector + 0.3 * rng.normal(size=3)
         try:
@@ -173,7 +173,7 @@ def test_taut_is_the_hull(name: str, rng: np.random.Generator) -> None:
         assert girth.taut <= girth.contact
         assert girth.taut == pytest.approx(dense_hull(girth), rel=1e-9)
         compared += 1
-    assert compared >= 20
+    assert compared >= 10
 
 
 def test_arms_beside_the_waist_are_left_out() -> None:
@@ -190,7 +190,7 @@ def test_a_trunk_that_touches_patches_of_the_arm_is_no_merger() -> None:
     assert girth.contact < 1.0
 
 
-@pytest.mark.parametrize("name", BODIES)
+@pytest.mark.parametrize("name", ONE_QUICKLY)
 def test_a_loop_that_merges_trunk_and_arms_is_refused(name: str) -> None:
     atlas = load_sample(name)
     z = height(atlas, "shoulder point left") - 0.06

@@ -1,5 +1,6 @@
 import numpy as np
 import pytest
+from helpers.command_line import part_of_a_body
 from helpers.surfaces.quad_grids import arc_net, grid_mesh, hilly_net, spline_atlas
 
 from bodymeasure.atlas import Unit
@@ -7,6 +8,7 @@ from bodymeasure.errors import InputError
 from bodymeasure.geodesic import WU_C2, RBFCollocation
 from bodymeasure.measure import boundary_lengths, diagonals
 from bodymeasure.paper.data import published
+from bodymeasure.paper.surface.source_mesh import load_source_mesh
 from bodymeasure.paper.surface.surface_comparison import Comparison
 from bodymeasure.paper.surface.table5 import Table5, compare_with_surface, table5
 from bodymeasure.samples import load_sample
@@ -132,15 +134,17 @@ def test_a_quick_look_at_a_mannequin() -> None:
 
 
 @pytest.mark.slow
-def test_the_average_females_diagonals_are_right_to_a_five_hundredth() -> None:
-    table = table5("female_average", processes=2)
+def test_diagonals_of_half_a_trunk_and_an_arm_are_right_to_a_five_hundredth() -> None:
+    # `bodymeasure paper` prints the same of the whole body.
+    part, (mesh, _) = part_of_a_body(0, 90), load_source_mesh("female_average")
+    table = compare_with_surface(part, mesh, processes=2)
     spread, boundary = table.distributions()
-    assert (spread.count, spread.without_length) == (752, 0)
+    assert (spread.count, spread.without_length) == (180, 0)
     assert spread.mean_absolute < 0.002
     # The meshes give lengths a hundred times more accurately than the atlas.
     assert spread.uncertainty < 0.01 * spread.mean_absolute
     assert (table.diagonals.uncertainty < 5e-4 * table.diagonals.physical).all()
     assert spread.largest is not None
     assert abs(spread.largest.relative_error) < 0.01
-    assert boundary.count == 768
+    assert boundary.count > 180
     assert boundary.mean_absolute < 0.002

@@ -8,7 +8,7 @@ from bodymeasure.errors import InputError
 from bodymeasure.samples import load_sample
 from bodymeasure.section import Plane, convex_hull, plane_section
 
-PLANES = 160
+PLANES = 100
 
 
 @pytest.mark.slow

@@ -4,6 +4,7 @@ from itertools import combinations, pairwise
 import numpy as np
 import pytest
 from helpers.oracles.profiles import profile_hull
+from helpers.speed import quick
 from helpers.surfaces.extruded_surfaces import CUBIC, RIDGE, at, row_of
 
 import bodymeasure as bm
@@ -42,6 +43,7 @@ def test_from_bust_to_bust_it_bridges_the_hollow(body: bm.Atlas) -> None:
         np.testing.assert_allclose(tape.points[place], body.position(body.landmarks[name]))
 
 
+@pytest.mark.slow
 def test_the_polygon_is_nearly_as_long_and_never_inside_the_body(body: bm.Atlas) -> None:
     tape = between(body, "back neck point", "front waist point")
     chords = np.linalg.norm(np.diff(tape.points, axis=0), axis=1)
@@ -56,7 +58,7 @@ def test_the_polygon_is_nearly_as_long_and_never_inside_the_body(body: bm.Atlas)
 @pytest.mark.parametrize("name", ["female_full_bust", "male_average"])
 def test_it_is_between_chord_and_contact_for_all_landmarks(name: str) -> None:
     body = bm.load_sample(name)
-    for start, end in combinations(list(body.landmarks.values())[:13], 2):
+    for start, end in combinations(list(body.landmarks.values())[:10], 2):
         tape = bm.taut_tape(body, start, end, on_failure="status")
         assert tape.converged
         path = tape.contact
@@ -69,7 +71,8 @@ def test_it_is_between_chord_and_contact_for_all_landmarks(name: str) -> None:
     "name", ["female_average", pytest.param("male_average", marks=pytest.mark.slow)]
 )
 @pytest.mark.parametrize(
-    "ends", [("back neck point", "back waist point"), ("front neck point", "front waist point")]
+    "ends",
+    quick([("front neck point", "front waist point"), ("back neck point", "back waist point")]),
 )
 def test_on_the_center_lines_it_is_the_hull_of_the_profile(
     name: str, ends: tuple[str, str]
@@ -84,7 +87,10 @@ def test_on_the_center_lines_it_is_the_hull_of_the_profile(
 
 @pytest.mark.parametrize(
     "ends",
-    [("back neck point", "bust point left"), ("shoulder point left", "elbow point left")],
+    [
+        pytest.param(("back neck point", "bust point left"), marks=pytest.mark.slow),
+        ("shoulder point left", "elbow point left"),
+    ],
 )
 def test_mirror_images_are_equal(body: bm.Atlas, ends: tuple[str, str]) -> None:
     names = [[name.replace("left", side) for name in ends] for side in SIDES]
@@ -92,7 +98,7 @@ def test_mirror_images_are_equal(body: bm.Atlas, ends: tuple[str, str]) -> None:
     assert one == pytest.approx(other, rel=1e-9)
 
 
-@pytest.mark.parametrize("far", [-1e-4, 0.02])
+@pytest.mark.parametrize("far", [pytest.param(-1e-4, marks=pytest.mark.slow), 0.02])
 def test_where_the_string_starts_does_not_matter(body: bm.Atlas, far: float) -> None:
     tape = between(body, "back neck point", "front waist point")
     skin = skin_of(body, "determined")
@@ -101,6 +107,7 @@ def test_where_the_string_starts_does_not_matter(body: bm.Atlas, far: float) -> 
     assert draw_taut(skin, nodes).length == pytest.approx(tape.length, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_swapped_ends(body: bm.Atlas) -> None:
     there = between(body, "bust point left", "side waist point right")
     back = between(body, "side waist point right", "bust point left")
@@ -129,6 +136,7 @@ def test_patches_that_face_inwards_change_nothing(body: bm.Atlas) -> None:
     assert tape.length == pytest.approx(known, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_through_points_between(body: bm.Atlas) -> None:
     names = ("back neck point", "shoulder point left", "elbow point left")
     tape = between(body, *names)

@@ -11,9 +11,8 @@ from bodymeasure.atlas import Severity, check_atlas
 from bodymeasure.chart import Chart, Outcome, measure_chart
 from bodymeasure.samples import load_sample
 
-# Among them are bodies with armpits at unequal heights, a fold below the breast, no breast at all,
-# a neck that leans far forward, and a path along the natal cleft.
-NUMBERS = (0, 2, 3, 10, 15, 16, 22, 24, 37, 38, 39, 40)
+# Of the first bodies, those whose charts take longest, since their paths are hardest to find.
+NUMBERS = (0, 10, 15, 16, 22, 24, 37, 39)
 # Lengths of which the first is the larger one, on whatever body.
 LARGER = (
     ("waist_girth", "natural_waist_girth"),
