@@ -18,7 +18,7 @@ sys.dont_write_bytecode = False
 # There are no deadlines, since shared machines stall. In CI the examples are the same each time, so
 # that a failure means a change; on a developer's machine they differ from run to run.
 settings.register_profile(
-    "local", deadline=None, max_examples=50, suppress_health_check=[HealthCheck.too_slow]
+    "local", deadline=None, max_examples=30, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.register_profile("ci", settings.get_profile("local"), derandomize=True, print_blob=True)
 # Its tests are all marked `browser`.

@@ -3,6 +3,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from helpers.speed import quick
 
 import bodymeasure as bm
 from bodymeasure import Atlas, AtlasPoint, Axes, Finding, FindingKind, Severity
@@ -19,7 +20,7 @@ OTHER_AXES = [
 SIDES = {"left": "right", "right": "left"}
 
 
-@pytest.fixture(params=BODIES)
+@pytest.fixture(params=quick(BODIES, first=2))
 def body(request: pytest.FixtureRequest) -> Atlas:
     return bm.load_sample(request.param)
 

@@ -27,6 +27,7 @@ def test_closed_forms(atlas: Atlas, size, rng: np.random.Generator) -> None:  # 
     assert (found <= size(along) * (1.0 + 1e-14)).all()
 
 
+@pytest.mark.slow
 def test_a_body_is_as_high_as_a_fine_mesh_of_it() -> None:
     body = load_sample("female_average")
     summary = summarize(body)

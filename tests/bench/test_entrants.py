@@ -37,7 +37,13 @@ def limit(entrant: Entrant) -> float:
     return BVP_ERRORS[entrant.setting] if entrant.family == "scipy" else 1e-10
 
 
-@pytest.mark.parametrize("entrant", ENTRANTS.values(), ids=ENTRANTS)
+@pytest.mark.parametrize(
+    "entrant",
+    [
+        pytest.param(each, id=name, marks=pytest.mark.slow if "65 points" in name else ())
+        for name, each in ENTRANTS.items()
+    ],
+)
 def test_lengths_in_closed_form(entrant: Entrant) -> None:
     known = [s for s in SURFACES if (s.start, s.end) == ((0.0, 0.0), (1.0, 1.0))]
     problems = Problems(

@@ -1,11 +1,11 @@
 """Parts of girths: halves of rings, hollows at their ends, and mistakes."""
 
 from dataclasses import replace
-from functools import cache
 from typing import Literal
 
 import numpy as np
 import pytest
+from helpers.speed import quick
 from helpers.surfaces.tubes import joined, ring_length, tube
 from msgspec.structs import replace as replaced
 
@@ -149,10 +149,8 @@ DEFAULT = load_definitions()
 PAIRS = {"bust": "bust_girth", "waist": "waist_girth", "hip": "hip_girth"}
 
 
-@cache
-def chart_of(tape: Literal["contact", "taut"]) -> Chart:
-    arcs = {f"{part}_{side}_arc" for part in PAIRS for side in SIDES}
-    keys = arcs | set(PAIRS.values())
+def chart_of(part: str, tape: Literal["contact", "taut"]) -> Chart:
+    keys = {*(f"{part}_{side}_arc" for side in SIDES), PAIRS[part]}
     kept: list[MeasurementDefinition] = []
     for one in DEFAULT.measurement:
         if isinstance(one, GirthArcMeasure | GirthMeasure) and one.key in keys:
@@ -165,13 +163,14 @@ def chart_of(tape: Literal["contact", "taut"]) -> Chart:
         landmark=DEFAULT.landmark,
         measurement=tuple(kept),
     )
-    return measure_chart(load_sample("female_average"), definitions)
+    # Asked for by name, they have only the landmarks found that they need.
+    return measure_chart(load_sample("female_average"), definitions, only=sorted(keys))
 
 
 @pytest.mark.parametrize("tape", [pytest.param("contact", marks=pytest.mark.slow), "taut"])
-@pytest.mark.parametrize("part", PAIRS)
+@pytest.mark.parametrize("part", quick(["waist", "bust", "hip"]))
 def test_front_and_back_are_the_girth(part: str, tape: Literal["contact", "taut"]) -> None:
-    chart = chart_of(tape)
+    chart = chart_of(part, tape)
     front, back, girth = (
         chart[key] for key in (f"{part}_front_arc", f"{part}_back_arc", PAIRS[part])
     )

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 from helpers.command_line import Run
+from helpers.speed import quick
 from helpers.surfaces.solids import CUBE, icosphere, obj_text
 
 from bodymeasure import Axes, InputError, load_sample, read_atlas, write_atlas
@@ -165,7 +166,7 @@ def test_convert_reads_one_unit_and_writes_another(run: Run, teapot: Path) -> No
     assert written.points == pytest.approx(10.0 * read.points, rel=1e-15)
 
 
-@pytest.mark.parametrize("command", ["info", "check", "diagonals"])
+@pytest.mark.parametrize("command", quick(["info", "check", "diagonals"], first=2))
 def test_all_that_read_an_atlas_take_its_axes(run: Run, teapot: Path, command: str) -> None:
     options = ("--file-unit", "cm", "--up", "+y", "--front", "+z")
     ran = run(command, teapot, *options)

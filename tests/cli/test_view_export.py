@@ -11,9 +11,10 @@ from bodymeasure.samples import load_sample
 
 def test_a_page_is_written_with_the_chart_that_is_asked_for(run: Run, tmp_path: Path) -> None:
     write_atlas(load_sample("female_average"), tmp_path / "anna.atlas")
-    for chart, holds in (((), False), (("--chart", "trousers"), True)):
+    write_atlas(load_sample("paraboloid"), tmp_path / "dish.atlas")
+    for name, chart, holds in (("dish", (), False), ("anna", ("--chart", "trousers"), True)):
         path = tmp_path / f"page{holds}.html"
-        ran = run("view", tmp_path / "anna.atlas", *chart, "--export", path)
+        ran = run("view", tmp_path / f"{name}.atlas", *chart, "--export", path)
         assert (ran.code, ran.out) == (0, f"{path}\n")
         page = path.read_bytes()
         assert (b'"chart": "' in page) == holds

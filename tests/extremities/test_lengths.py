@@ -90,6 +90,7 @@ def test_turning_and_scaling_change_nothing_else() -> None:
         assert moved[key].value == pytest.approx(1000.0 * length.value, rel=1e-5), key
 
 
+@pytest.mark.slow
 def test_both_sides_of_a_mirrored_body_change_places() -> None:
     mean = body_model().mean
     found = extremity_lengths(mean, QUADS)

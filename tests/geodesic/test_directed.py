@@ -123,6 +123,7 @@ def test_back_again_on_a_body(length: float, rng: np.random.Generator) -> None:
         assert path.position(crossing.t) == pytest.approx(here[0], abs=1e-11)
 
 
+@pytest.mark.slow
 def test_the_shortest_path_is_found_again_from_its_direction() -> None:
     body = bm.load_sample("female_average")
     shortest = bm.geodesic_between(body, "shoulder point left", "elbow point left")

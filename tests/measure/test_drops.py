@@ -6,6 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 from helpers.bodies import ONE_QUICKLY, armpits
+from helpers.speed import quick
 from helpers.surfaces.tubes import tube
 from scipy.spatial import ConvexHull
 
@@ -55,7 +56,7 @@ def chain(points: Array) -> float:
 
 
 @pytest.mark.parametrize("plane", ["median", "side"])
-@pytest.mark.parametrize("facing", [1.0, -1.0])
+@pytest.mark.parametrize("facing", quick([1.0, -1.0]))
 @pytest.mark.parametrize(("start", "level"), [(2.7, 0.4), (0.4, 2.7)])
 @pytest.mark.parametrize(
     "radii",

@@ -94,6 +94,7 @@ def test_files_hold_every_curve_and_the_chart_every_error() -> None:
     assert shown["boundary curves"]["quantile_0"] == pytest.approx(0.003)
 
 
+@pytest.mark.slow
 def test_two_functions_are_exact_on_plane_patches_along_both_diagonals() -> None:
     """The path is straight whatever its speed; the patches are sheared, so diagonals differ."""
 

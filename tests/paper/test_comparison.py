@@ -51,6 +51,7 @@ def test_what_is_found_does_not_depend_on_the_number_of_processes(
             assert (here > 0.0).all()
 
 
+@pytest.mark.slow
 def test_it_is_what_the_methods_find(nets: Array, found: Comparison) -> None:
     inside, every = (solve_two_functions(nets, rule) for rule in ("inside", "all"))
     np.testing.assert_allclose(found.inside_length, inside.length, rtol=1e-9)

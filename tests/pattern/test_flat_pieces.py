@@ -192,6 +192,7 @@ def test_the_unit_and_a_move_change_nothing(skirt: Piece) -> None:
     np.testing.assert_allclose(corners_of(moved) / 100.0, corners_of(skirt), atol=2e-6)
 
 
+@pytest.mark.slow
 def test_the_other_side_is_the_mirror_image(skirt: Piece) -> None:
     mirrored = back_of(load_sample("female_average"), on_the_right(load_pattern("skirt")))
     assert mirrored.rms_strain == pytest.approx(skirt.rms_strain, rel=5e-3)

@@ -3,6 +3,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from helpers.speed import quick
 
 from bodymeasure import Atlas, load_sample, unfold_patches
 from bodymeasure._typing import Array
@@ -65,7 +66,7 @@ def test_misfits_of_small_spherical_squares_are_those_of_theory(half: float) -> 
     assert found == pytest.approx(-Q * integral[0], rel=1.5 * half**2 + 2e-5)
 
 
-@pytest.mark.parametrize("name", BODIES)
+@pytest.mark.parametrize("name", quick(BODIES))
 def test_misfits_follow_the_integral_of_gaussian_curvature(name: str) -> None:
     atlas = load_sample(name)
     unfolded = unfold_patches(atlas)

@@ -44,7 +44,7 @@ def cross(one: Array, other: Array) -> bool:
     )
 
 
-@settings(deadline=None, max_examples=150)
+@settings(deadline=None, max_examples=50)
 @given(things)
 def test_leaders_do_not_cross(drawn: list[tuple[float, float, float, float]]) -> None:
     _, layout = placed(drawn)
@@ -52,7 +52,7 @@ def test_leaders_do_not_cross(drawn: list[tuple[float, float, float, float]]) ->
         assert not cross(one, other)
 
 
-@settings(deadline=None, max_examples=150)
+@settings(deadline=None, max_examples=50)
 @given(things)
 def test_labels_do_not_overlap_and_stay_inside(
     drawn: list[tuple[float, float, float, float]],
@@ -65,7 +65,7 @@ def test_labels_do_not_overlap_and_stay_inside(
         assert (y <= COLUMNS.bottom - layout.label_height / 2).all()
 
 
-@settings(deadline=None, max_examples=100)
+@settings(deadline=None, max_examples=50)
 @given(things)
 def test_each_label_is_led_to_its_own_thing(
     drawn: list[tuple[float, float, float, float]],

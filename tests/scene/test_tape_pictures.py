@@ -153,6 +153,7 @@ def test_all_pictures_of_a_chart(chart: Chart, monkeypatch: pytest.MonkeyPatch) 
     assert heights == {300}
 
 
+@pytest.mark.slow
 def test_few_pictures_number_every_measurement_once(
     chart: Chart, scene: TapeScene, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -2,6 +2,7 @@ import math
 
 import numpy as np
 import pytest
+from helpers.speed import quick
 from helpers.surfaces.cut_atlases import cut
 from helpers.surfaces.extruded_surfaces import CUBIC, HILL, RIDGE, ROOF, at, parabola_arc, row_of
 from helpers.surfaces.quadrics import sphere_nets
@@ -15,7 +16,7 @@ from bodymeasure.bezier import elevate, project
 from bodymeasure.taut import TautStatus
 
 # The distance along y from start to end.
-WAYS = pytest.mark.parametrize("along", [0.0, 0.3, 2.2])
+WAYS = pytest.mark.parametrize("along", quick([0.3, 0.0, 2.2]))
 # Estimates hold down to this: below it, rounding and the steps of the takeoffs dominate.
 SMALL = 2e-6
 
@@ -55,7 +56,7 @@ def test_across_a_valley_the_taut_tape_is_the_chord(along: float) -> None:
 
 
 @WAYS
-@pytest.mark.parametrize("cuts", [(), (0.3, 0.55)], ids=["whole", "cut"])
+@pytest.mark.parametrize("cuts", quick([(0.3, 0.55), ()]), ids=["cut", "whole"])
 def test_from_a_hollow_onto_a_ridge_line_and_arc_meet_tangentially(
     along: float, cuts: tuple[float, ...]
 ) -> None:
@@ -119,7 +120,7 @@ def test_along_a_sharp_valley_that_arches() -> None:
     assert tape.touching.all()
 
 
-@pytest.mark.parametrize("degree", [3, 5])
+@pytest.mark.parametrize("degree", quick([5, 3]))
 def test_round_a_rational_sphere_the_taut_tape_is_a_great_circle(degree: int) -> None:
     nets = elevate(sphere_nets(), degree, degree)
     points, index = weld(project(nets), weights=nets[..., 3])

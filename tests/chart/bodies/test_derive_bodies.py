@@ -146,6 +146,7 @@ def test_rules_give_what_dense_samples_give(name: str) -> None:
     assert found["waist back"][0] == pytest.approx(0.0, abs=1e-15)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["female_old"])
 def test_picked_and_derived_landmarks_are_near_each_other(name: str) -> None:
     atlas = load_sample(name)

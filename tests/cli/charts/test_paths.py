@@ -48,7 +48,9 @@ def test_lengths_are_shown_in_the_unit_of_the_file(run: Run, tmp_path: Path) -> 
     found, expected = json.loads(by_file.out), json.loads(by_name.out)
     assert found["unit"] == "inch"
     assert found["measurements"] == expected["measurements"]
-    for command in ("chart", "landmarks"):
-        options = ("--only", "knee_height") if command == "chart" else ()
-        ran = run(command, tmp_path / "body.atlas", *options, "--unit", "file", "--format", "json")
+    for command in (
+        ("chart", tmp_path / "body.atlas", "--only", "knee_height"),
+        ("landmarks", tmp_path / "part.atlas"),
+    ):
+        ran = run(*command, "--unit", "file", "--format", "json")
         assert json.loads(ran.out)["unit"] == "inch"

@@ -56,6 +56,7 @@ def test_a_stored_topology_maps_other_bodies(tmp_path: Path) -> None:
     assert abs(body.scores.stature - stature) < 0.02
 
 
+@pytest.mark.slow
 def test_the_distance_from_the_faces_is_that_of_libigl() -> None:
     quads = body_model().quads
     body = bm.map_body((body_in_pose(2)[0], quads), "hm08 faces", file_unit="m")

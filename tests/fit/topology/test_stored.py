@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from helpers.bodies_in_poses import body_in_pose
 from helpers.foreign_body import foreign_triangles, foreign_vertices
+from helpers.speed import quick
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import tessellate
@@ -26,7 +27,7 @@ from bodymeasure.fit.topology import (
 )
 
 
-@pytest.mark.parametrize("number", [0, 1, 2])
+@pytest.mark.parametrize("number", quick([0, 1, 2]))
 def test_other_bodies_lie_on_their_meshes(number: int) -> None:
     """The facets are chords of 2 cm that lie up to 2 mm within the surface."""
     exact = body_in_pose(number)[0]

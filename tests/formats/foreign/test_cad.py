@@ -1,35 +1,24 @@
 """STEP and IGES files, written by Open CASCADE."""
 
-import subprocess
 import warnings
 from importlib.util import find_spec
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
+from helpers.speed import quick
 
 import bodymeasure as bm
 from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import ReadWarning
-from bodymeasure.formats.foreign import cad_worker, process
+from bodymeasure.formats.foreign import cad_worker
 
 # It takes a second to load, which is spent where these tests run and not where they are listed.
 pytestmark = pytest.mark.skipif(find_spec("OCP") is None, reason="needs Open CASCADE")
 
 KINDS = ("step", "iges")
-
-
-@pytest.fixture
-def _in_this_process(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Read sound files in this process, since another takes a second to load Open CASCADE."""
-
-    def run(command: list[str], **_: object) -> "subprocess.CompletedProcess[bytes]":
-        return subprocess.CompletedProcess(command, cad_worker.main(*command[-2:]))
-
-    monkeypatch.setattr(process, "subprocess", SimpleNamespace(run=run))
 
 
 def written(path: Path, shape: Any) -> Path:
@@ -86,7 +75,7 @@ def free_form(rng: np.random.Generator) -> tuple[Any, Any]:
     return BRepBuilderAPI_MakeFace(surface, 1e-6).Face(), surface
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", quick(KINDS))
 def test_a_sphere_has_diagonals_of_great_circles(kind: str, tmp_path: Path) -> None:
     atlas = bm.read_atlas(written(tmp_path / f"a.{kind}", sphere()))
     assert (atlas.unit, atlas.is_rational) == (bm.Unit.MM, True)
@@ -257,7 +246,7 @@ def test_a_face_that_cannot_be_converted_is_named_and_left_out(tmp_path: Path) -
         assert len(bm.read_atlas(path)) == 1
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", quick(KINDS))
 @pytest.mark.parametrize(
     "content",
     [

@@ -37,7 +37,11 @@ def arc_length(profile: Array, first: float, last: float) -> float:
 
 @pytest.mark.parametrize(
     ("start", "end"),
-    [((0.05, 0.1), (0.9, 0.7)), ((0.3, 0.9), (0.2, 0.1)), ((0.0, 0.5), (1.0, 0.0))],
+    [
+        ((0.05, 0.1), (0.9, 0.7)),
+        ((0.3, 0.9), (0.2, 0.1)),
+        pytest.param((0.0, 0.5), (1.0, 0.0), marks=pytest.mark.slow),
+    ],
 )
 def test_paths_over_folds_are_as_long_as_on_the_flat_sheet(
     start: tuple[float, float], end: tuple[float, float]

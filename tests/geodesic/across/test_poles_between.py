@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from helpers.speed import quick
 from helpers.surfaces.cut_atlases import random_point
 from helpers.surfaces.tubes import cone
 
@@ -13,7 +14,7 @@ from bodymeasure.atlas.topology.neighbors import Neighbors
 def test_chords_of_a_flat_disc_of_four_patches_about_a_pole(rng: np.random.Generator) -> None:
     disc = cone(0.0)
     good = 0
-    for _ in range(15):
+    for _ in range(8):
         start, end = random_point(rng, disc), random_point(rng, disc)
         chord = np.linalg.norm(disc.position(end) - disc.position(start))
         path = bm.geodesic_between(disc, start, end, on_failure="status")
@@ -23,10 +24,10 @@ def test_chords_of_a_flat_disc_of_four_patches_about_a_pole(rng: np.random.Gener
             good += 1
             assert path.length == pytest.approx(chord, rel=1e-9)
             assert abs(path.length - chord) <= path.error_estimate
-    assert good >= 13
+    assert good >= 7
 
 
-@pytest.mark.parametrize("height", [0.0, 0.5, -2.0])
+@pytest.mark.parametrize("height", quick([0.5, 0.0, -2.0]))
 def test_rulings_of_a_cone_from_its_tip(height: float, rng: np.random.Generator) -> None:
     atlas = cone(height)
     for _ in range(6):

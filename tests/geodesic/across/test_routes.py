@@ -61,6 +61,7 @@ def test_beside_a_tip_a_face_is_a_whole_cell() -> None:
     assert share @ others / share.sum() == pytest.approx(0.3, abs=1e-15)
 
 
+@pytest.mark.slow
 def test_ways_over_the_mesh_of_a_plane_are_straight(rng: np.random.Generator) -> None:
     atlas = wavy_plane(rng)
     surface = patch_graph(atlas).mesh.surface

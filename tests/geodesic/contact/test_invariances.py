@@ -4,6 +4,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from helpers.speed import quick
 from scipy.spatial.transform import Rotation
 
 import bodymeasure as bm
@@ -70,7 +71,7 @@ def test_swapping_u_and_v(name: str) -> None:
     agrees(found, name, [(1 - axis, *rest) for axis, *rest in arcs(known(name))])  # type: ignore[misc]
 
 
-@pytest.mark.parametrize("turned", [(0,), (1,), (0, 1)])
+@pytest.mark.parametrize("turned", quick([(0, 1), (0,), (1,)]))
 @pytest.mark.parametrize("name", LEVELS)
 def test_turning_parameters_round(name: str, turned: tuple[int, ...]) -> None:
     start = np.array([float(axis in turned) for axis in (0, 1)])
@@ -83,7 +84,7 @@ def test_turning_parameters_round(name: str, turned: tuple[int, ...]) -> None:
     agrees(found, name, moved)
 
 
-@pytest.mark.parametrize("scale", [1e-3, 1e6])
+@pytest.mark.parametrize("scale", quick([1e6, 1e-3]))
 @pytest.mark.parametrize("name", LEVELS)
 def test_scale(name: str, scale: float) -> None:
     found = bm.solve_geodesic(scale * patch(name), (0.0, 0.0), (1.0, 1.0))

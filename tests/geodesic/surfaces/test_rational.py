@@ -249,6 +249,7 @@ def test_patches_of_degree_five_measure_as_the_same_ones_of_degree_three() -> No
     assert bm.check_atlas(higher) == ()
 
 
+@pytest.mark.slow
 def test_the_mesh_agrees_with_rational_diagonals() -> None:
     pytest.importorskip("igl")
     survey = bm.measure_atlas(joined(torus_nets(3.0, 1.0)))

@@ -123,6 +123,7 @@ def test_a_girth_that_merges_the_arms_is_told(bodies: Bodies) -> None:
         answer(bodies, MeasureGirth(location=(27, 0.5, 0.5)))
 
 
+@pytest.mark.slow
 def test_a_closed_geodesic_has_the_librarys_length(bodies: Bodies) -> None:
     found = asked(bodies, MeasureClosed(location="front waist point"))
     loop = bm.closed_geodesic(bodies["0"].atlas, "front waist point")

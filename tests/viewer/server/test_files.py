@@ -50,6 +50,7 @@ def test_a_report_brings_its_body_and_its_differences(report: Path) -> None:
     assert all(expected)
 
 
+@pytest.mark.slow
 def test_a_chart_of_a_few_is_shown_as_it_was_asked_for(tmp_path: Path) -> None:
     atlas = bm.load_sample("female_average")
     asked = ["hip_girth", "knee_girth"]

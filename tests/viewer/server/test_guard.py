@@ -243,6 +243,7 @@ def test_a_size_that_is_none_is_refused(server: Viewer) -> None:
     assert raw(server, asked).split()[1] in ("400", "413")
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "darwin", reason="there 127.0.0.1 is the only one")
 def test_the_address_that_was_asked_for_is_answered() -> None:
     with viewer("paraboloid", "--host", "127.0.0.2") as server:
