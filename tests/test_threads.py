@@ -110,7 +110,7 @@ def test_an_error_leaves_the_old_number() -> None:
 
 
 def test_the_last_of_several_threads_puts_the_old_number_back() -> None:
-    entered, left = Barrier(2, timeout=10.0), Barrier(2, timeout=10.0)
+    entered, left = Barrier(2, timeout=120.0), Barrier(2, timeout=120.0)
 
     def early() -> set[int]:
         with one_blas_thread():

@@ -78,10 +78,21 @@ def test_full_and_small_differ_in_size_alone() -> None:
 def test_libraries_are_held_to_one_thread_and_let_go() -> None:
     with threadpool_limits(limits=2):
         before = [pool["num_threads"] for pool in threadpool_info()]
-        # A new thread keeps its processor busy for a while before it sleeps.
-        time.sleep(0.5)
+        _wait_until_idle()
         _use_one_thread()
         assert [pool["num_threads"] for pool in threadpool_info()] == before
+
+
+def _wait_until_idle() -> None:
+    """Wait for new threads, each of which keeps its processor busy for a while before it sleeps."""
+    idle = 0
+    for _ in range(600):
+        begin = time.process_time()
+        time.sleep(0.1)
+        # One that waits for a busy processor looks as if it slept, but not several times over.
+        idle = idle + 1 if time.process_time() - begin < 0.005 else 0
+        if idle == 5:
+            return
 
 
 def _use_one_thread() -> None:

@@ -1,9 +1,10 @@
 """What was deleted is given back, tabs leave nothing, and a page at rest draws nothing."""
 
+import time
 from collections.abc import Callable
 
 import psutil
-from helpers.viewer_page import Screen, Served
+from helpers.viewer_page import PATIENCE, Screen, Served
 
 START, END = (15, 0.5, 0.5), (173, 0.5, 0.5)
 TABS = 50
@@ -53,7 +54,7 @@ def test_tabs_leave_nothing_on_the_server(server: Served, screen: Screen) -> Non
     def visit() -> None:
         page = context.new_page()
         page.goto(server.link)
-        page.wait_for_selector("#bodymeasure[data-ready]", timeout=60_000)
+        page.wait_for_selector("#bodymeasure[data-ready]", timeout=PATIENCE * 1000)
         page.close()
 
     for _ in range(4):
@@ -63,7 +64,10 @@ def test_tabs_leave_nothing_on_the_server(server: Served, screen: Screen) -> Non
     memory = process.memory_info().rss
     for _ in range(TABS - 4):
         visit()
-    screen.page.wait_for_timeout(1000)
+    # A connection is let go a moment after its page.
+    patience = time.monotonic() + PATIENCE
+    while len(process.net_connections()) > connections + 2 and time.monotonic() < patience:
+        screen.page.wait_for_timeout(100)
     assert len(process.net_connections()) <= connections + 2
     assert process.memory_info().rss - memory < 20 * MEBIBYTE
     # And the page that was open all the time measures as before.
