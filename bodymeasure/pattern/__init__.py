@@ -1,6 +1,6 @@
 """Flat pieces from bodies: the paper's map of single patches, and patterns of garments."""
 
-from bodymeasure.pattern.definitions.panels import Dart, Edge, Panel, PatternDefinitions
+from bodymeasure.pattern.definitions.panels import Dart, Edge, Extend, Panel, PatternDefinitions
 from bodymeasure.pattern.definitions.read import SETS, load_pattern, set_text
 from bodymeasure.pattern.files.dxf import pattern_dxf
 from bodymeasure.pattern.files.garmentcode import pattern_garmentcode
@@ -22,6 +22,7 @@ __all__ = [
     "SETS",
     "Dart",
     "Edge",
+    "Extend",
     "Flat",
     "GradedPattern",
     "Panel",

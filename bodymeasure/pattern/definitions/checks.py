@@ -3,13 +3,15 @@
 from collections import Counter
 from collections.abc import Iterator
 
-from bodymeasure.pattern.definitions.panels import Dart, Edge, Panel
+from bodymeasure.pattern.definitions.panels import Dart, Edge, Extend, Panel
 from bodymeasure.wording import hint
 
 # In meters: a hem has some centimeters.
 MOST_ALLOWANCE = 0.2
 
 
+# In meters: the longest paper beyond an edge.
+LONGEST = 3.0
 # In meters: the most that is gathered into a seam.
 MOST_EASE = 1.0
 
@@ -41,6 +43,8 @@ def panel_faults(panel: Panel) -> Iterator[str]:
     for edge in panel.edge:
         if edge.ease and edge.name == panel.fold:
             yield f"edge {edge.name!r} has ease, but is the fold, which is no seam"
+    if panel.extend is not None:
+        yield from _extend_faults(panel, panel.extend)
     for dart in panel.dart:
         yield from _dart_faults(dart, names, panel.fold)
 
@@ -62,6 +66,27 @@ def _allowance_faults(panel: Panel) -> Iterator[str]:
                     f"edge {edge.name!r} has a notch at {place}; expected a part of its length "
                     "between 0 and 1"
                 )
+
+
+def _extend_faults(panel: Panel, extend: Extend) -> Iterator[str]:
+    names = [edge.name for edge in panel.edge]
+    if extend.edge not in names:
+        yield f"extends the edge {extend.edge!r}, which it lacks; {hint(extend.edge, names)}"
+        return
+    if extend.edge == panel.fold:
+        yield "extends its fold, which ends the piece; choose another edge"
+    if next(edge.seam for edge in panel.edge if edge.name == extend.edge):
+        yield (
+            f"extends the edge {extend.edge!r}, which is sewn to another there; extend a hem, or "
+            "leave out its seam"
+        )
+    if not panel.fold and not panel.grain:
+        yield "is extended along its grain, but has none; name the edge of its grain"
+    if not 0.0 < extend.length <= LONGEST or not abs(extend.flare) <= extend.length:
+        yield (
+            f"is extended by {extend.length} and flared by {extend.flare}; expected lengths in "
+            f"meters, up to {LONGEST}, and the flare no more than the length"
+        )
 
 
 def _edge_faults(edge: Edge) -> Iterator[str]:

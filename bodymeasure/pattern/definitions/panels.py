@@ -90,6 +90,24 @@ class Dart(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     drill: float = 0.01
 
 
+class Extend(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Paper that is added beyond an edge, where the skin is no guide, as below the hip of a skirt.
+
+    Parameters
+    ----------
+    edge : str
+        The edge, which moves to the far end of the paper.
+    length : float
+        Along the grain, in meters.
+    flare : float
+        By how much the piece is wider at the far end, in meters, on each side but a fold.
+    """
+
+    edge: str
+    length: float
+    flare: float = 0.0
+
+
 class Panel(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A panel: the part of the skin inside its edges.
 
@@ -113,6 +131,8 @@ class Panel(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         the user asks for.
     notch : {"single", "double"}
         How its edges are notched: by custom once in front, twice behind.
+    extend : Extend, optional
+        Paper beyond an edge.
     """
 
     name: str
@@ -125,6 +145,7 @@ class Panel(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     words: str = ""
     allowance: float | None = None
     notch: Literal["single", "double"] = "single"
+    extend: Extend | None = None
 
 
 class PatternDefinitions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

@@ -20,6 +20,7 @@ from bodymeasure.pattern.flat.remesh import Outline, remeshed
 from bodymeasure.pattern.flat.slit import slit
 from bodymeasure.pattern.flat.triangles import side_lengths
 from bodymeasure.pattern.pieces.edges import EdgeCurves, dart_curve
+from bodymeasure.pattern.pieces.extended import extended
 from bodymeasure.pattern.pieces.piece import (
     Piece,
     PieceDart,
@@ -124,7 +125,8 @@ def _piece_of(curves: EdgeCurves, panel: Panel, step: float) -> Piece:
         )
         for placed, leg in zip(_in_order(darts, region, backwards), flat.mesh.darts, strict=True)
     )
-    piece = Piece(panel, flat, positions, edges, cuts, outline_of(positions, flat), ())
+    edges = extended(edges, panel, atlas.unit.meters)
+    piece = Piece(panel, flat, positions, edges, cuts, outline_of(edges, cuts), ())
     warnings += _remarks(piece, atlas)
     return Piece(panel, flat, positions, edges, cuts, piece.outline, tuple(warnings))
 

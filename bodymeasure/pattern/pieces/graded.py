@@ -105,7 +105,7 @@ def grade_pattern(
     >>> bodies = {"36": bm.load_sample("female_average"), "46": bm.load_sample("female_heavy")}
     >>> graded = bm.grade_pattern(bodies, "skirt")
     >>> graded
-    <GradedPattern 'Fitted skirt, to the hip': 2 pieces in 2 sizes>
+    <GradedPattern 'Straight skirt': 2 pieces in 2 sizes>
     >>> small, large = (each["skirt back"].edge("waist") for each in graded.patterns.values())
     >>> large.length > 1.2 * small.length
     True

@@ -73,7 +73,7 @@ def make_pattern(
     >>> import bodymeasure as bm
     >>> pattern = bm.make_pattern(bm.load_sample("female_average"), "skirt")
     >>> pattern
-    <Pattern 'Fitted skirt, to the hip' of 'Average female body, 160.5 cm': 2 pieces, 1 seam>
+    <Pattern 'Straight skirt' of 'Average female body, 160.5 cm': 2 pieces, 1 seam>
     >>> abs(pattern.seams[0].difference) < 1e-9
     True
     """

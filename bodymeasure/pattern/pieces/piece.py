@@ -7,7 +7,6 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.pattern.definitions.panels import Panel
 from bodymeasure.pattern.flat.flatten import Flat
-from bodymeasure.pattern.flat.mesh import Leg
 from bodymeasure.pattern.planar import shapely
 
 
@@ -25,8 +24,8 @@ class PieceEdge:
     skin_length : float
         Its length on the skin.
     cloth_length : float
-        Its length on the cloth above the skin, which it has to have in the piece; that on the skin
-        where there is no ease.
+        Its length on the cloth above the skin, with the paper that is added beyond it, which it has
+        to have in the piece; that on the skin where there is neither ease nor such paper.
     ease : float
         By how much it is longer than the curve, to be eased or gathered into the seam.
     """
@@ -147,14 +146,13 @@ class Piece:
         return f"<Piece {self.name!r}: strain {100.0 * self.rms_strain:.2f} %>"
 
 
-def outline_of(positions: Array, flat: Flat) -> Array:
-    """Return the border of a piece, legs of darts included."""
-    legs: dict[int, Leg] = {int(leg.before.vertices[0]): leg for leg in flat.mesh.darts}
-    rows = []
-    for edge in flat.mesh.edges:
-        for number, chain in enumerate(edge):
-            rows.append(chain.vertices[:-1])
-            if number < len(edge) - 1:
-                leg = legs[int(chain.vertices[-1])]
-                rows += [leg.before.vertices[:-1], leg.after.vertices[:0:-1]]
-    return np.asarray(positions[np.concatenate(rows)])
+def outline_of(edges: tuple[PieceEdge, ...], darts: tuple[PieceDart, ...]) -> Array:
+    """Return the border of a piece, legs of darts included; both come in order round it."""
+    rows, left = [], iter(darts)
+    for edge in edges:
+        for number, part in enumerate(edge.parts):
+            rows.append(part[:-1])
+            if number < len(edge.parts) - 1:
+                before, after = next(left).legs
+                rows += [before[:-1], after[:0:-1]]
+    return np.concatenate(rows)
