@@ -58,7 +58,7 @@ ORDERS = {
     "paper": "method · data · surface · tables · reproduction · page",
     "pattern": "grid, planar · cloth, patches · curves, definitions · cutting · flat ·"
     " pieces · files",
-    "report": "files, serial, units · numbers · templating · landmarks · patches · body ·"
+    "report": "files, serial, units · numbers · templating · landmarks, patterns · patches · body ·"
     " population",
     "scene": "model · camera, colors · lighting · figures · drawing · diagonals · tapes",
     "section": "cells, plane, roots, through/quotient · crossings, pieces ·"

@@ -23,6 +23,7 @@ from bodymeasure.cli.options import (
     require,
     several_atlases_argument,
 )
+from bodymeasure.cli.patterns.files import FORMATS, files_of, formats, needs_of, nested_files
 from bodymeasure.cli.patterns.lengths import eases
 from bodymeasure.cli.tables import new_table
 from bodymeasure.errors import InputError
@@ -36,6 +37,8 @@ if TYPE_CHECKING:
 
 EXIT_LOOK = 1
 CUTTING = ("cutting pieces out of the skin", "shapely", "shapely", "pattern")
+# The papers of the PDF file, for the help.
+PAPERS = ("a4", "letter", "a0")
 # The sets that come along, for the help.
 NAMES = "bodice, princess, skirt, sleeve or trousers"
 
@@ -85,6 +88,20 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, name: str | None
     "waist, hip, or the height of any landmark, and between them in turn.  [default: the set's]",
 )
 @click.option(
+    "--formats",
+    "wanted",
+    callback=formats,
+    metavar="NAMES",
+    help=f"Which files to write, with commas between them: {', '.join(FORMATS)}.  [default: all]",
+)
+@click.option(
+    "--paper",
+    type=click.Choice(PAPERS),
+    default="a4",
+    show_default=True,
+    help="Paper of pattern.pdf: tiles to be glued together, or one sheet (a0).",
+)
+@click.option(
     "--print-set",
     metavar="SET",
     is_eager=True,
@@ -106,16 +123,21 @@ def pattern(
     sizes: tuple[str, ...],
     allowance: float,
     ease: dict[str, float] | None,
+    wanted: tuple[str, ...],
+    paper: str,
     patches: bool,
     despite_errors: bool,
 ) -> int:
     """Make the flat pieces of a garment from ATLAS, whose seams are as long as on the body.
 
-    ATLAS is the average female sample if not given. FOLDER gets pattern.svg, in true size,
-    strain.svg, which shows where the cloth has to give, and pattern.json with all lengths.
+    ATLAS is the average female sample if not given. FOLDER gets a page, pattern.html, which shows
+    where the cloth has to give and lists all seams; the pieces in true size as pattern.svg, as
+    pattern.pdf in tiles, and as pattern.dxf for cutting rooms; garmentcode.json, with what is sewn
+    to what; strain.svg; and pattern.json with all lengths.
 
     Several bodies are the sizes of one garment: each is cut on its own body, and its files go into
-    a folder in FOLDER by the name of the size.
+    a folder in FOLDER by the name of the size. The drawings in FOLDER itself have all sizes over
+    each other.
 
     A dart that would not open is left out, and said; the exit code is 1 only if a piece or a seam
     is not right.
@@ -125,7 +147,7 @@ def pattern(
         if len(names) > 1:
             raise click.UsageError("--patches unfolds one body; unfold them one by one.")
         return _patches(load_sound_atlas(names[0], despite_errors=despite_errors), output)
-    require(CUTTING)
+    require(CUTTING, *needs_of(wanted))
     # Slow imports, which `--help` does not need.
     from bodymeasure.pattern import grade_pattern, load_pattern, make_pattern
 
@@ -141,15 +163,19 @@ def pattern(
         with progress_bar("laying flat", len(panels.panel) * len(bodies)) as progress:
             advance: Callable[[int, int], None] = lambda done, _all: progress(done)  # noqa: E731
             if graded:
-                made = grade_pattern(bodies, panels, ease=ease, progress=advance).patterns
+                nest = grade_pattern(bodies, panels, ease=ease, progress=advance)
+                made = nest.patterns
             else:
                 made = {
                     size: make_pattern(body, panels, ease=ease, progress=advance)
                     for size, body in bodies.items()
                 }
-        files: dict[Path, bytes] = {}
+        millimeters, files = 10.0 * allowance, dict[Path, bytes]()
+        if graded:
+            files |= nested_files(nest, output, wanted, allowance=millimeters, paper=paper)
         for size, one in made.items():
-            files |= _files(one, folders[size], 10.0 * allowance)
+            folder = folders[size]
+            files |= files_of(one, folder, wanted, allowance=millimeters, paper=paper)
         write_all(files)
     for size, one in made.items():
         if graded:
@@ -179,16 +205,6 @@ def _by_size(bodies: list[Subject], sizes: tuple[str, ...]) -> dict[str, Atlas]:
                 f"{name!r} cannot name a folder; name the sizes by --sizes, in letters and digits."
             )
     return {name: subject.atlas for name, subject in zip(names, bodies, strict=True)}
-
-
-def _files(made: "Pattern", output: Path, allowance: float) -> dict[Path, bytes]:
-    from bodymeasure.pattern import pattern_json, pattern_svg, strain_svg
-
-    return {
-        output / "pattern.svg": pattern_svg(made, allowance=allowance).encode(),
-        output / "strain.svg": strain_svg(made).encode(),
-        output / "pattern.json": pattern_json(made, allowance=allowance),
-    }
 
 
 def _table(made: "Pattern") -> "Table":

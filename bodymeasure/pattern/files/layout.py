@@ -108,7 +108,7 @@ def sheet_of(
     first = next(iter(sizes.values()))
     nests = []
     x, y, deepest, widest = GAP, above + GAP, 0.0, 0.0
-    for number, panel in enumerate(first.definitions.panel):
+    for number, panel in enumerate(piece.panel for piece in first.pieces):
         drawn = tuple(
             drawn_piece(each, each.pieces[number], allowance, size) for size, each in sizes.items()
         )

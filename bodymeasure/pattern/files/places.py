@@ -50,9 +50,9 @@ def seam_places(pattern: Pattern) -> dict[tuple[str, str], Place]:
     edge as it is defined, from its first landmark to the last.
     """
     through = {
-        (panel.name, edge.name): edge.through
-        for panel in pattern.definitions.panel
-        for edge in panel.edge
+        (piece.name, edge.name): edge.through
+        for piece in pattern.pieces
+        for edge in piece.panel.edge
     }
     found: dict[tuple[str, str], Place] = {}
     for number, seam in enumerate(pattern.seams):
@@ -80,9 +80,7 @@ def notched_parts(pattern: Pattern) -> dict[tuple[str, str], tuple[float, ...]]:
     edges in a row are sewn to one, that one is notched where they meet.
     """
     places = seam_places(pattern)
-    edges = {
-        (panel.name, edge.name): edge for panel in pattern.definitions.panel for edge in panel.edge
-    }
+    edges = {(piece.name, edge.name): edge for piece in pattern.pieces for edge in piece.panel.edge}
     notched: dict[tuple[str, ...], list[float]] = {}
     for name, place in places.items():
         on_seam = notched.setdefault(place.seam, [])

@@ -167,7 +167,7 @@ def _lacks_other_side(pattern: Pattern, panel: Panel) -> bool:
     mirrored = {tuple(swapped(name) for name in through) for through in own}
     if mirrored == own or mirrored == {through[::-1] for through in own}:
         return False
-    others = [{edge.through for edge in each.edge} for each in pattern.definitions.panel]
+    others = [{edge.through for edge in each.edge} for each in (p.panel for p in pattern.pieces)]
     return mirrored not in others
 
 

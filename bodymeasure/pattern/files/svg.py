@@ -159,10 +159,10 @@ def _line(name: str, d: str, color: str, width: float, more: str = "", title: st
     )
 
 
-def path_data(points: Array) -> str:
+def path_data(points: Array, decimals: int = DECIMALS) -> str:
     """Return points as the data of a path."""
     return "M" + " L".join(
-        ",".join(f"{x:.{DECIMALS}f}" for x in point) for point in points.tolist()
+        ",".join(f"{x:.{decimals}f}" for x in point) for point in points.tolist()
     )
 
 

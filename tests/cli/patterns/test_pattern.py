@@ -10,6 +10,7 @@ name = "Small"
 extends = "skirt"
 drop = ["skirt front"]
 """
+FEW = ("--formats", "json")
 
 
 def test_pieces_are_written_into_a_folder(run: Run, tmp_path: Path) -> None:
@@ -18,14 +19,18 @@ def test_pieces_are_written_into_a_folder(run: Run, tmp_path: Path) -> None:
     ran = run("pattern", "female_average", "--set", tmp_path / "small.toml", "-o", out)
     assert (ran.code, ran.err) == (0, "")
     assert "skirt back" in ran.out
-    assert {path.name for path in out.iterdir()} == {"pattern.svg", "strain.svg", "pattern.json"}
+    names = {"pattern.html", "pattern.svg", "pattern.pdf", "pattern.dxf", "garmentcode.json"}
+    assert {path.name for path in out.iterdir()} == {*names, "strain.svg", "pattern.json"}
+    page = (out / "pattern.html").read_text()
+    assert 'href="pattern.pdf"' in page
+    assert "seen from the back, with the panels of the pattern" in page
     content = json.loads((out / "pattern.json").read_bytes())
     assert content["allowance"] == 10.0
     assert content["set"] == "Small"
 
 
 def test_a_dart_that_is_left_out_is_said_and_no_fault(run: Run, tmp_path: Path) -> None:
-    ran = run("pattern", "female_average", "--set", "skirt", "-o", tmp_path / "out")
+    ran = run("pattern", "female_average", "--set", "skirt", *FEW, "-o", tmp_path / "out")
     assert ran.code == 0
     assert "skirt front: dart 'waist dart' is left out" in ran.err
     assert "both sides differ by at most" in ran.out
@@ -72,10 +77,18 @@ def test_several_bodies_are_sizes_of_one_garment(run: Run, tmp_path: Path) -> No
     (tmp_path / "small.toml").write_text(SMALL)
     out = tmp_path / "out"
     bodies = ("female_average", "male_average")
-    ran = run("pattern", *bodies, "--sizes", "F,M", "--set", tmp_path / "small.toml", "-o", out)
+    ran = run(
+        *("pattern", *bodies, "--sizes", "F,M", "--formats", "json,dxf,svg"),
+        *("--set", tmp_path / "small.toml", "-o", out),
+    )
     assert ran.code == 0
     assert "M, skirt back: dart" in ran.err
-    assert {path.name for path in out.iterdir()} == {"F", "M"}
+    drawings = {"pattern.svg", "pattern.dxf"}
+    assert {path.name for path in out.iterdir()} == {"F", "M", *drawings}
+    assert {path.name for path in (out / "F").iterdir()} == {*drawings, "pattern.json"}
+    nested = (out / "pattern.svg").read_text()
+    assert 'id="F.skirt-back.cut"' in nested
+    assert 'id="M.skirt-back.cut"' in nested
     assert json.loads((out / "M" / "pattern.json").read_bytes())["body"].startswith("Average male")
 
 
@@ -100,7 +113,7 @@ def test_ease_is_given_with_units(run: Run, tmp_path: Path) -> None:
         out = tmp_path / "out"
         ran = run(
             *("pattern", "female_average", "--set", tmp_path / "small.toml"),
-            *("--ease", ease, "-o", out),
+            *("--ease", ease, *FEW, "-o", out),
         )
         assert ran.code == 0
         (piece,) = json.loads((out / "pattern.json").read_bytes())["pieces"]
@@ -111,4 +124,20 @@ def test_ease_is_given_with_units(run: Run, tmp_path: Path) -> None:
         ran = run("pattern", "female_average", "--ease", wrong, "-o", tmp_path / "none")
         assert ran.code == 2
         assert words in ran.err
+        assert not (tmp_path / "none").exists()
+
+
+def test_formats_and_papers_are_chosen(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "small.toml").write_text(SMALL)
+    out = tmp_path / "out"
+    few = ("--set", tmp_path / "small.toml", "--formats", "pdf", "--paper", "a0", "-o", out)
+    assert run("pattern", "female_average", *few).code == 0
+    assert [path.name for path in out.iterdir()] == ["pattern.pdf"]
+    for wrong, words in (
+        (("--formats", "dfx"), "no format is named 'dfx'; did you mean"),
+        (("--paper", "a5"), "'a5' is not one of"),
+    ):
+        ran = run("pattern", "female_average", *wrong, "-o", tmp_path / "none")
+        assert ran.code == 2
+        assert words in " ".join(ran.err.split())
         assert not (tmp_path / "none").exists()

@@ -1,5 +1,7 @@
 """Cut lines and notches, on shapes whose allowances are known."""
 
+from dataclasses import replace
+
 import msgspec
 import numpy as np
 import pytest
@@ -58,16 +60,21 @@ def test_nothing_lies_beyond_a_fold() -> None:
     assert shapely.bounds(widened(ring, allowance, fold))[0] == pytest.approx(0.0, abs=1e-9)
 
 
+def changed(pattern: bm.Pattern, name: str, **members: object) -> bm.Pattern:
+    """A pattern with other members of a panel."""
+    pieces = tuple(
+        replace(piece, panel=msgspec.structs.replace(piece.panel, **members))
+        if piece.name == name
+        else piece
+        for piece in pattern.pieces
+    )
+    return replace(pattern, pieces=pieces)
+
+
 def drawn(pattern: bm.Pattern, name: str, **members: object) -> DrawnPiece:
     """A piece of a pattern, with other members of its panel."""
-    panel = msgspec.structs.replace(pattern[name].panel, **members)
-    others = tuple(panel if one.name == name else one for one in pattern.definitions.panel)
-    definitions = msgspec.structs.replace(pattern.definitions, panel=others)
-    piece = pattern[name]
-    changed = type(piece)(**{**vars(piece), "panel": panel})
-    return drawn_piece(
-        type(pattern)(**{**vars(pattern), "definitions": definitions}), changed, 10.0, ""
-    )
+    other = changed(pattern, name, **members)
+    return drawn_piece(other, other[name], 10.0, "")
 
 
 def away(piece: DrawnPiece, name: str) -> Array:
@@ -103,13 +110,8 @@ def test_both_sides_of_a_seam_are_notched_at_the_same_lengths(bodice: bm.Pattern
         msgspec.structs.replace(edge, notches=(0.2, 0.7)) if edge.name == "side" else edge
         for edge in bodice["bodice front"].panel.edge
     )
-    front = drawn(bodice, "bodice front", edge=edges)
-    panel = front.piece.panel
-    definitions = msgspec.structs.replace(
-        bodice.definitions, panel=(panel, bodice.definitions.panel[1])
-    )
-    pattern = type(bodice)(**{**vars(bodice), "definitions": definitions})
-    back = drawn_piece(pattern, bodice["bodice back"], 10.0, "")
+    pattern = changed(bodice, "bodice front", edge=edges)
+    front, back = (drawn_piece(pattern, piece, 10.0, "") for piece in pattern.pieces)
     single, double = notched(front, "side"), notched(back, "side")
     length = 1000.0 * bodice["bodice front"].edge("side").length
     assert single == pytest.approx([0.2 * length, 0.7 * length], abs=1e-6)

@@ -1,0 +1,1 @@
+"""Pictures of a body with the panels of a pattern on it."""
