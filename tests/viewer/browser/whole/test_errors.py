@@ -71,6 +71,55 @@ def test_connected_again(open_page: Callable[..., Screen]) -> None:
         again.stop()
 
 
+def test_another_body_at_the_same_place(open_page: Callable[..., Screen]) -> None:
+    """A server that is started again with another body does not measure that one in silence."""
+    token = "a-token-of-more-than-twenty-letters"
+    served = serve("female_average", token=token)
+    screen = open_page(served.link)
+    screen.expected = ("ERR_",)
+    screen.measure(START, END)
+    served.process.kill()
+    served.stop()
+    screen.get("banner").wait_for()
+    port = served.address.rstrip("/").rpartition(":")[2]
+    again = serve("male_average", "--port", port, token=token)
+    try:
+        screen.until("state => state.body.includes('male body, 174')")
+        screen.page.get_by_text("in another form now").wait_for()
+        # The tapes of the body before are not those of this one, and come back with it.
+        assert not screen.settle()["tapes"]
+        kept = screen.page.evaluate("() => Object.keys(sessionStorage)")
+        assert sum(key.startswith("bodymeasure-sheet") for key in kept) == 2
+    finally:
+        again.stop()
+
+
+def test_a_server_that_falls_silent(server: Served, screen: Screen) -> None:
+    """One that is stopped, or out of reach, closes no connection; its ticks are missed."""
+    screen.expected = ("ERR_",)
+    process = psutil.Process(server.process.pid)
+    process.suspend()
+    try:
+        screen.get("banner").wait_for(timeout=60_000)
+        screen.click(START)
+        screen.click(END)
+    finally:
+        process.resume()
+    screen.get("banner").wait_for(state="hidden", timeout=60_000)
+    assert screen.settle()["tapes"][0]["result"]["length"] > 0.1
+
+
+def test_a_chart_is_stopped(screen: Screen) -> None:
+    screen.expected = ("409",)
+    screen.get("set").select_option("default")
+    screen.get("take-chart").click()
+    screen.get("stop").click()
+    assert screen.message() == "this was stopped before it was finished"
+    screen.get("progress").wait_for(state="hidden")
+    assert screen.state()["chart"] == 0
+    screen.take_chart()
+
+
 def test_the_new_link_in_the_old_tab(own: Served, open_page: Callable[..., Screen]) -> None:
     """Without a token that both know, the page needs the new link, and has its tapes by it."""
     screen = open_page(own.link)
@@ -139,6 +188,28 @@ def test_no_webgl(
     screen.get("between-measure").click()
     screen.until("state => state.tapes.length === 1")
     assert screen.settle()["tapes"][0]["result"]["length"] > 0.05
+    # So do the keys, as far as they are not of the scene.
+    screen.page.keyboard.press("Control+z")
+    assert not screen.state()["tapes"]
+    screen.page.keyboard.press("Control+Shift+z")
+    screen.page.keyboard.press("h")
+    assert not screen.state()["tapes"][0]["visible"]
+    for key in ("1", "t", "o", "Home", "f", "Escape", "ArrowLeft"):
+        screen.page.keyboard.press(key)
+    screen.get("scene").focus()
+    for key in ("w", "Enter", "ArrowLeft", "Shift+ArrowUp"):
+        screen.page.keyboard.press(key)
+    screen.page.keyboard.press("?")
+    screen.page.get_by_role("dialog").wait_for()
+    screen.page.keyboard.press("Escape")
+    screen.page.keyboard.press("/")
+    screen.page.keyboard.type("bust girth")
+    screen.until("() => document.activeElement.type === 'search'")
+    assert "Bust girth" in screen.get("list").inner_text()
+    # Nothing is offered that needs a click on the body.
+    screen.get("tab-landmarks").click()
+    assert screen.get("add-landmark").count() == 0
+    screen.get("landmarks").get_by_text("crotch point").click()
 
 
 def test_context_lost_and_restored(screen: Screen) -> None:

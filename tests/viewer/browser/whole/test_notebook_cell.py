@@ -16,12 +16,15 @@ RENDER = """async ({ program, style, height, options }) => {
   document.head.append(Object.assign(document.createElement("style"), { textContent: style }));
   const address = URL.createObjectURL(new Blob([program], { type: "text/javascript" }));
   const { default: widget } = await import(address);
-  let listener = null;
+  const listeners = {};
   const values = { height, options };
+  // What a notebook tells of a kernel that was started anew.
+  window.end = () => listeners["comm_live_update"]();
+  window.listening = () => Object.keys(listeners);
   const model = {
     get: (name) => values[name],
-    on: (name, heard) => { if (name === "msg:custom") listener = heard; },
-    off: () => { listener = null; },
+    on: (name, heard) => { listeners[name] = heard; },
+    off: (name) => { delete listeners[name]; },
     send: async (message) => {
       const { buffers, ...content } = await window.kernel(message);
       const views = buffers.map((text) => {
@@ -29,7 +32,7 @@ RENDER = """async ({ program, style, height, options }) => {
         const bytes = Uint8Array.from("abc" + atob(text), (letter) => letter.charCodeAt(0));
         return new DataView(bytes.buffer, 3);
       });
-      listener?.(content, views);
+      listeners["msg:custom"]?.(content, views);
     },
   };
   window.leave = widget.render({ model, el: document.querySelector("#cell") });
@@ -54,7 +57,9 @@ def shown(browser: Browser, kept: list[Cell]) -> Iterator[Shown]:
         page = context.new_page()
         screen = Screen.on(page)
         screens.append(screen)
-        page.set_content('<!doctype html><p>above</p><div id="cell"></div><p>below</p>')
+        page.set_content(
+            '<!doctype html><p>above</p><div id="cell"></div><p>below</p><div id="other"></div>'
+        )
         cell = Cell(view)
         kept.append(cell)
 
@@ -123,6 +128,32 @@ def test_a_cell_that_is_closed_leaves_nothing(shown: Shown, body: bm.Atlas) -> N
     screen.page.evaluate("() => window.leave()")
     assert screen.page.locator("#cell canvas").count() == 0
     assert screen.page.locator("#cell [data-testid]").count() == 0
+    assert screen.page.evaluate("() => window.listening()") == []
+
+
+def test_a_kernel_that_has_ended_is_said(shown: Shown, body: bm.Atlas) -> None:
+    screen = shown(bm.show(body))
+    screen.page.evaluate("() => window.end()")
+    banner = screen.get("banner")
+    banner.wait_for()
+    assert "kernel has ended" in banner.inner_text()
+    assert "run the cell again" in banner.inner_text()
+
+
+def test_two_cells_share_no_id(shown: Shown, body: bm.Atlas) -> None:
+    """A notebook holds several viewers, each of which has loaded the program for itself."""
+    view = bm.show(body)
+    screen = shown(view)
+    # Which is what three.js finds worth a warning.
+    screen.expected = ("Multiple instances",)
+    members = {"height": view.height, "options": view.options}
+    render = RENDER.replace('querySelector("#cell")', 'querySelector("#other")')
+    screen.page.evaluate(render, {"program": view._esm, "style": view._css, **members})
+    screen.page.wait_for_selector("#other [data-ready]", timeout=PATIENCE * 1000)
+    ids = screen.page.evaluate("() => [...document.querySelectorAll('[id]')].map((one) => one.id)")
+    assert len(ids) > 10
+    assert len(set(ids)) == len(ids)
+    assert view.options["key"] != bm.show(body).options["key"]
 
 
 def test_what_the_kernel_refuses_is_said_in_the_cell(
