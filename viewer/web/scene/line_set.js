@@ -4,6 +4,38 @@
 import { Color } from "three";
 import { fatLine, fatSegments, release, segmentsOf, thinSegments } from "./lines.js";
 
+// While the view moves, every so many points of the many lines are drawn: some 2 cm apart on a body.
+const COARSE = 4;
+
+/** Segments and colors of several lines, one after the other, with every `step`-th of their points. */
+function joined(lines, step) {
+  const parts = lines.map(({ points }) => {
+    const few = every(points, step);
+    return segmentsOf(few, 1, few.length / 3);
+  });
+  const total = parts.reduce((sum, part) => sum + part.length, 0);
+  const segments = new Float32Array(total);
+  const colors = new Float32Array(total);
+  let at = 0;
+  parts.forEach((part, n) => {
+    segments.set(part, at);
+    const color = new Color(lines[n].color).toArray();
+    for (let i = 0; i < part.length; i++) colors[at + i] = color[i % 3];
+    at += part.length;
+  });
+  return { segments, colors };
+}
+
+/** Every so many points of a line, and its last, so that a closed one stays closed. */
+function every(points, step) {
+  const count = points.length / 3;
+  if (step === 1 || count <= 2 * step) return points;
+  const kept = [];
+  for (let n = 0; n < count - 1; n += step) kept.push(...points.subarray(3 * n, 3 * n + 3));
+  kept.push(...points.subarray(-3));
+  return new Float32Array(kept);
+}
+
 export class Lines {
   #drawn = new Map();
   #batch = { signature: "", ids: [], fat: null, thin: null };
@@ -14,7 +46,7 @@ export class Lines {
     this.stage = stage;
   }
 
-  /** Draw exactly these: {id, points (flat), color, width, dashed, through, batched}. */
+  /** Draw exactly these: {id, points (flat), color, width, dashed, through, batched, lit}. */
   set(lines) {
     const kept = new Set();
     const whole = lines.filter((line) => line.points.length >= 6);
@@ -26,13 +58,14 @@ export class Lines {
       if (drawn && drawn.points === line.points && drawn.dashed === line.dashed) {
         drawn.object.material.color.set(line.color);
         drawn.object.material.linewidth = line.width;
+        drawn.lit = line.lit;
         continue;
       }
       release(drawn?.object);
       const object = fatLine(line.points, line);
       object.userData.id = line.id;
       this.scene.add(object);
-      this.#drawn.set(line.id, { points: line.points, dashed: line.dashed, object });
+      this.#drawn.set(line.id, { points: line.points, dashed: line.dashed, lit: line.lit, object });
     }
     for (const [id, { object }] of this.#drawn) {
       if (kept.has(id)) continue;
@@ -50,26 +83,21 @@ export class Lines {
     release(this.#batch.thin);
     this.#batch = { signature, first, ids: lines.map((line) => line.id), fat: null, thin: null };
     if (!lines.length) return;
-    const parts = lines.map((line) => segmentsOf(line.points, 1, line.points.length / 3));
-    const total = parts.reduce((sum, part) => sum + part.length, 0);
-    const segments = new Float32Array(total);
-    const colors = new Float32Array(total);
-    let at = 0;
-    parts.forEach((part, n) => {
-      segments.set(part, at);
-      const color = new Color(lines[n].color).toArray();
-      for (let i = 0; i < part.length; i++) colors[at + i] = color[i % 3];
-      at += part.length;
-    });
-    this.#batch.fat = fatSegments(segments, { colors, width: lines[0].width });
-    this.#batch.thin = thinSegments(segments, { colors });
+    const whole = joined(lines, 1);
+    const few = joined(lines, COARSE);
+    this.#batch.fat = fatSegments(whole.segments, { colors: whole.colors, width: lines[0].width });
+    this.#batch.thin = thinSegments(few.segments, { colors: few.colors });
     this.scene.add(this.#batch.fat, this.#batch.thin);
     this.setCoarse(this.#coarse);
   }
 
-  /** While the view moves and drawing is slow, the many lines are thin. */
+  /**
+   * While the view moves and drawing is slow, the many lines are thin and have fewer points, and
+   * dashes, which cost most, wait.
+   */
   setCoarse(coarse) {
     this.#coarse = coarse;
+    for (const { object, dashed, lit } of this.#drawn.values()) object.visible = !coarse || lit || !dashed;
     const { fat, thin } = this.#batch;
     if (!fat) return;
     fat.visible = !coarse;

@@ -66,7 +66,7 @@ export class TapeLines {
       const parts = mine ? this.#ofTape(item) : layers.tapes || lit ? this.#ofMeasurement(item) : [];
       parts.forEach((part, n) => {
         const dashed = part.through ? this.viewport.radius * 0.01 : 0;
-        const line = { id: `${item.id}/${n}`, points: part.points, dashed, through: part.through };
+        const line = { id: `${item.id}/${n}`, points: part.points, dashed, through: part.through, lit: lit || mine };
         const tint = item.failed ? NO_LENGTH_COLOR : color;
         // What is lit lies over the others, which need not be drawn anew for it.
         const batched = !mine && !part.through && item.visible && layers.tapes;

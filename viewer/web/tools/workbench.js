@@ -174,7 +174,7 @@ export class Workbench {
   #band({ places, straight }, theme) {
     const flat = new Float32Array(places.flat());
     const lines = [
-      { id: "band", points: flat, color: TAPE_COLOR[theme], width: 2, dashed: this.viewport.radius * 0.008, through: true },
+      { id: "band", points: flat, color: TAPE_COLOR[theme], width: 2, dashed: this.viewport.radius * 0.008, through: true, lit: true },
     ];
     if (this.#preview?.points) {
       lines.push({ id: "preview", points: new Float32Array(this.#preview.points.flat()), color: TAPE_COLOR[theme], width: 2.5, dashed: 0, through: false });
