@@ -1,5 +1,8 @@
 """`bodymeasure view --export`."""
 
+import base64
+import gzip
+import re
 from pathlib import Path
 
 import pytest
@@ -7,6 +10,9 @@ from helpers.command_line import Run
 
 from bodymeasure.formats import write_atlas
 from bodymeasure.samples import load_sample
+
+# Messages stand in the page as gzip files in base64.
+PACKED = re.compile(rb'"(H4sI[A-Za-z0-9+/=]+)"')
 
 
 def test_a_page_is_written_with_the_chart_that_is_asked_for(run: Run, tmp_path: Path) -> None:
@@ -19,8 +25,12 @@ def test_a_page_is_written_with_the_chart_that_is_asked_for(run: Run, tmp_path: 
         page = path.read_bytes()
         assert (b'"chart": "' in page) == holds
         assert len(page) < 3e6
-        # Where the file lies at home is nobody's business.
-        assert str(tmp_path).encode() not in page
+        # Where the file lies at home is nobody's business, also in what is packed.
+        messages = [gzip.decompress(base64.b64decode(text)) for text in PACKED.findall(page)]
+        assert len(messages) == 1 + holds
+        assert any(b'"anna.atlas"' in message for message in messages)
+        for content in (page, *messages):
+            assert str(tmp_path).encode() not in content
 
 
 @pytest.mark.parametrize(

@@ -227,3 +227,14 @@ def saved(screen: Screen, action: Any) -> tuple[str, bytes]:
     with screen.page.expect_download(timeout=PATIENCE * 1000) as download:
         action()
     return download.value.suggested_filename, Path(download.value.path()).read_bytes()
+
+
+def findings(screen: Screen, axe: str) -> list[str]:
+    """Return the serious and critical findings of axe-core, whose program is given."""
+    screen.page.evaluate(axe)
+    result: dict[str, Any] = screen.page.evaluate("() => axe.run()")
+    return [
+        f"{one['impact']} {one['id']}: {[node['html'] for node in one['nodes'][:3]]}"
+        for one in result["violations"]
+        if one["impact"] in ("serious", "critical")
+    ]

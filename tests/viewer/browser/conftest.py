@@ -2,6 +2,7 @@
 
 import shutil
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import pytest
 from helpers.viewer_page import REQUIRED, Screen, Served, serve
@@ -16,6 +17,8 @@ ARGUMENTS = (
     "--disable-component-update",
     "--disable-sync",
 )
+WEB = Path(__file__).parents[3] / "viewer" / "web"
+AXE = WEB / "node_modules" / "axe-core" / "axe.min.js"
 SIZE = (1400, 900)
 HOME = {"127.0.0.1"}
 
@@ -29,6 +32,17 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         if "viewer/browser" in item.path.as_posix():
             item.add_marker("browser")
             item.add_marker(pytest.mark.xdist_group("browser"))
+
+
+@pytest.fixture(scope="session")
+def axe() -> str:
+    """The program of axe-core, which looks for what keeps people out."""
+    if not AXE.is_file():
+        reason = f"there is no axe-core here; `npm ci` in {WEB} fetches it"
+        # It comes with what the page is built with, which a machine without Node has not.
+        must = REQUIRED and shutil.which("node") is not None
+        (pytest.fail if must else pytest.skip)(reason)
+    return AXE.read_text(encoding="utf-8")
 
 
 @pytest.fixture(scope="session")

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+from xml.etree import ElementTree
 
 import pytest
 from helpers.viewer_page import Screen, saved
@@ -149,29 +150,40 @@ def test_a_value_and_the_list_are_copied(chart: Screen) -> None:
     assert len(lines) == 1 + len(rows(chart))
 
 
-@pytest.mark.parametrize(
-    ("entry", "ending"),
-    [
-        ("csv", ".csv"),
-        ("menu-csv", ".csv"),
-        ("json", ".json"),
-        ("smis", ".smis"),
-        ("freesewing", ".json"),
-    ],
-)
-def test_files(chart: Screen, entry: str, ending: str) -> None:
-    chart.get("more").click()
-    item = entry if entry.startswith("menu-") else f"menu-{entry}"
-    entries = chart.get(item)
-    name, content = saved(chart, lambda: entries.last.click())
-    assert name.endswith(ending)
-    text = content.decode("utf-8-sig")
-    if ending == ".json":
-        assert json.loads(text)
-    elif ending == ".csv":
-        assert len(list(csv.reader(io.StringIO(text)))) == 1 + len(rows(chart))
-    else:
-        assert "<smis>" in text
+def test_files(chart: Screen) -> None:
+    """Each file has the values of the library, in the unit that is shown."""
+    measured = bm.measure_chart(bm.load_sample("female_average"), only=("core",))
+    millimeters = 1000 * measured["bust_girth"].value
+    chart.get("unit").select_option("mm")
+
+    def file(entry: str, ending: str, *, last: bool = True) -> str:
+        chart.get("more").click()
+        entries = chart.get(entry)
+        which = entries.last if last else entries.first
+        name, content = saved(chart, which.click)
+        assert name.endswith(ending)
+        return content.decode("utf-8-sig")
+
+    by_key = {row["key"]: row for row in csv.DictReader(io.StringIO(file("menu-csv", ".csv")))}
+    assert list(by_key) == [item.definition.key for item in measured.measured]
+    assert float(by_key["bust_girth"]["value"]) == pytest.approx(millimeters, abs=1e-3)
+    assert by_key["bust_girth"]["unit"] == "mm"
+    listed = list(csv.reader(io.StringIO(file("menu-csv", ".csv", last=False))))
+    assert [row[0] for row in listed[1:]] == rows(chart)
+    (row,) = [row for row in listed if row[0] == "Bust girth"]
+    assert (row[3], listed[0][3]) == (f"{millimeters:.1f}", "value (mm, or degrees)")
+    document = json.loads(file("menu-json", ".json"))
+    assert document["unit"] == "mm"
+    (one,) = [one for one in document["measurements"] if one["key"] == "bust_girth"]
+    assert one["value"] == pytest.approx(millimeters, rel=1e-12)
+    (circ,) = [
+        element
+        for element in ElementTree.fromstring(file("menu-smis", ".smis")).iter("m")
+        if element.get("name") == "bust_circ"
+    ]
+    assert float(circ.get("value", "")) == pytest.approx(millimeters, abs=0.1)
+    sewing = json.loads(file("menu-freesewing", ".json"))
+    assert str(round(millimeters, 1)).split(".")[0] in json.dumps(sewing)
 
 
 def test_tapes_are_saved_and_opened_again(chart: Screen) -> None:

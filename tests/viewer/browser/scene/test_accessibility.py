@@ -1,35 +1,9 @@
 """No serious finding of axe-core on any page of the viewer, by day and by night."""
 
-import shutil
 from collections.abc import Callable
-from pathlib import Path
-from typing import Any
 
 import pytest
-from helpers.viewer_page import REQUIRED, Screen
-
-WEB = Path(__file__).parents[4] / "viewer" / "web"
-AXE = WEB / "node_modules" / "axe-core" / "axe.min.js"
-
-
-@pytest.fixture(scope="module")
-def axe() -> str:
-    if not AXE.is_file():
-        reason = f"there is no axe-core here; `npm ci` in {WEB} fetches it"
-        # It comes with what the page is built with, which a machine without Node has not.
-        must = REQUIRED and shutil.which("node") is not None
-        (pytest.fail if must else pytest.skip)(reason)
-    return AXE.read_text(encoding="utf-8")
-
-
-def findings(screen: Screen, axe: str) -> list[str]:
-    screen.page.evaluate(axe)
-    result: dict[str, Any] = screen.page.evaluate("() => axe.run()")
-    return [
-        f"{one['impact']} {one['id']}: {[node['html'] for node in one['nodes'][:3]]}"
-        for one in result["violations"]
-        if one["impact"] in ("serious", "critical")
-    ]
+from helpers.viewer_page import Screen, findings
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

@@ -1,12 +1,15 @@
 """The page in one file, opened from the disk with the network off, alone and within a chart."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from bodymeasure.viewer import export_page
-from helpers.viewer_page import PATIENCE, Screen
+from helpers.charts.hand_made_chart import HOSTILE, hand_made_chart
+from helpers.charts.scanned import scanned
+from helpers.viewer_page import PATIENCE, Screen, findings
 from playwright.sync_api import Browser
 
 import bodymeasure as bm
@@ -72,6 +75,41 @@ def test_the_body_and_its_chart_are_there_without_a_network(
     screen.get("search").fill("span")
     screen.page.wait_for_function("document.querySelectorAll('tr[data-id]').length === 1")
     assert "Bust span" in screen.get("list").inner_text()
+
+
+def test_nothing_in_it_keeps_anybody_out(opened: Opened, file: Path, axe: str) -> None:
+    screen = _ready(opened(file))
+    screen.until("state => state.chart > 0")
+    assert not findings(screen, axe)
+    screen.get("row-chart:waist_girth").locator(".value").click()
+    assert not findings(screen, axe)
+    screen.get("tab-display").click()
+    assert not findings(screen, axe)
+
+
+def test_names_from_files_are_text_and_a_scans_uncertainty_is_the_error(
+    opened: Opened, tmp_path: Path
+) -> None:
+    """Made-up numbers: where the scan leaves more open than the computation, that is told."""
+    known = hand_made_chart().measured
+    scan = replace(known[1], input_uncertainty=0.0123)
+    measured = (replace(known[0], input_uncertainty=1e-12), scan, *known[2:])
+    chart = hand_made_chart(measured=measured, atlas=scanned(hand_made_chart().atlas))
+    path = tmp_path / "anna.html"
+    export_page(chart, path)
+    screen = _ready(opened(path))
+    screen.until("state => state.chart > 0")
+    assert screen.page.locator("h1").inner_text() == "Anna <Muster>"
+    name = screen.get("row-chart:shoulder_length").locator(".row-name")
+    assert name.inner_text() == HOSTILE
+    assert screen.page.locator("#bodymeasure script, #bodymeasure b").count() == 0
+    row = screen.get("row-chart:upper_arm_girth_left")
+    assert row.locator("td").last.inner_text() == "± 1.2 cm"
+    assert screen.get("row-chart:bust_girth").locator("td").last.inner_text() == "± 1.5 nm"
+    row.locator(".value").click()
+    words = screen.get("details").inner_text().replace("\n", " ")
+    assert "From scan and landmarks ± 1.2 cm" in words
+    assert "Of the computation ± 4.0 mm" in words
 
 
 def test_two_clicks_give_the_straight_distance_and_say_what_it_is(

@@ -3,6 +3,7 @@
 import http.server
 import threading
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 from helpers.viewer_page import Screen, Served
@@ -59,6 +60,19 @@ def test_a_page_of_another_origin_is_refused(
     browser: Browser, server: Served, stranger: str
 ) -> None:
     page = browser.new_context().new_page()
+    # Browsers keep answers from a page of another site anyway; what counts is that there were none.
+    answers: list[int] = []
+    said: list[str] = []
+    network = page.context.new_cdp_session(page)
+    network.send("Network.enable")
+
+    def heard(answer: dict[str, Any]) -> None:
+        # The stranger's own server says what it is.
+        if "BaseHTTP" not in answer["headers"].get("Server", ""):
+            answers.append(answer["statusCode"])
+
+    network.on("Network.responseReceivedExtraInfo", heard)
+    page.on("console", lambda message: said.append(message.text))
     page.goto(stranger)
     outcome = page.evaluate(
         """async ([address, token]) => {
@@ -89,4 +103,8 @@ def test_a_page_of_another_origin_is_refused(
     assert outcome["plain"] == outcome["token"] == outcome["socket"] == "refused"
     assert outcome["blind"] in ("opaque", "refused")
     assert outcome["frame"] == "closed"
+    # Three fetches, of which the one with a token asks whether it may, and the frame.
+    assert len(answers) >= 4
+    assert set(answers) == {403}
+    assert any("WebSocket" in text and "403" in text for text in said)
     page.context.close()
