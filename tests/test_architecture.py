@@ -13,7 +13,7 @@ from helpers.modules import FOLDERS, ROOT, Module, all_modules, loaded_by
 LAYERS = (
     ("_typing", "errors", "threads", "wording"),
     ("arguments", "files", "npz_arrays", "trust"),
-    ("bezier",),
+    ("bezier", "native"),
     ("subdivision",),
     ("atlas",),
     ("extremities", "formats"),
@@ -55,6 +55,7 @@ ORDERS = {
     " body/extreme_girth, body/girth_arcs",
     "mesh": "arrays, path, tubes · curved, exact, points · coarseness, curves, glb, lines ·"
     " measure",
+    "native": "library · energy · box, route",
     "paper": "method · data · surface · tables · reproduction · page",
     "pattern": "grid, planar · cloth, patches · curves, definitions · cutting · flat ·"
     " pieces · files",

@@ -18,7 +18,9 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.lengths.equations import dot
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.geodesic.surfaces.protocol import Surface
+from bodymeasure.native import PathTables, energies
 
 INNER_NODES = slice(1, -1)
 
@@ -64,7 +66,8 @@ def energy(
     nodes : slice
         The nodes by whose values the derivatives are taken.
     """
-    return _energy(_terms(surface, space, values), space, nodes)
+    compiled = _compiled(surface, space, values, nodes, flat=False)
+    return compiled or _energy(_terms(surface, space, values), space, nodes)
 
 
 def energy_of_a_flat_surface(
@@ -74,7 +77,34 @@ def energy_of_a_flat_surface(
 
     The parameters are those of `energy`.
     """
-    return _energy(_terms(surface, space, values)._replace(bend={}), space, nodes)
+    compiled = _compiled(surface, space, values, nodes, flat=True)
+    return compiled or _energy(_terms(surface, space, values)._replace(bend={}), space, nodes)
+
+
+def _compiled(
+    surface: Surface, space: TrialSpace, values: Array, nodes: slice, *, flat: bool
+) -> SecondOrder | None:
+    """What compiled kernels find; None if they do not serve."""
+    tables = path_tables(surface, space)
+    if tables is None:
+        return None
+    value, gradient, hessian = energies(tables, values, flat)
+    if nodes != slice(None):
+        count, every = len(value), values.shape[2]
+        gradient = gradient.reshape(count, 2, every)[:, :, nodes].reshape(count, -1)
+        hessian = hessian.reshape(count, 2, every, 2, every)[:, :, nodes][..., nodes]
+        hessian = hessian.reshape(*gradient.shape, -1)
+    return SecondOrder(value, gradient, hessian)
+
+
+def path_tables(surface: Surface, space: TrialSpace) -> PathTables | None:
+    """Return patches and a trial space as compiled kernels take them; None if they do not serve."""
+    if not isinstance(surface, BezierSurfaces) or surface.coordinates != 3:
+        return None
+    place, slopes, _ = space.at_quadrature
+    weights = space.quadrature.weights
+    tables = PathTables(surface.nets, surface.degrees, place, slopes, weights)
+    return tables if tables.are_served else None
 
 
 def _energy(terms: "_Terms", space: TrialSpace, nodes: slice) -> SecondOrder:

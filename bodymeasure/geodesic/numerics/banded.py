@@ -10,6 +10,7 @@ import numpy as np
 from scipy.linalg.lapack import dpbsv
 
 from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure.native import box_steps, is_compiled
 
 # The most sets of held unknowns that are tried: nearly always a few are enough, and any step that
 # lowers the value is a good one.
@@ -85,6 +86,8 @@ class BoxModels(NamedTuple):
             False where a Hessian is not positive definite in what is free: more damping is called
             for, and the step is zero.
         """
+        if is_compiled():
+            return box_steps(*self)
         step, definite = np.zeros_like(self.gradient), np.ones(len(self.place), bool)
         # What the gradient presses to its bound stays there: free, it might leave no minimum.
         bound = np.where(self.pressed() | self.idle, self.place, np.nan)

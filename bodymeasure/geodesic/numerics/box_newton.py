@@ -8,6 +8,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Bools
 from bodymeasure.geodesic.numerics.banded import BoxModels
+from bodymeasure.native import NewtonSettings
 
 # The most steps. From straight lines, three to fifteen are usual; the rest is for bad routes.
 MAX_STEPS = 80
@@ -68,6 +69,17 @@ class BoxMinimum:
     bands: Array
 
 
+def steps_allowed(most_steps: int, entries: int) -> int:
+    """Return the most steps for a Hessian with so many entries in its bands."""
+    return min(most_steps, max(FEWEST, int(MAX_ENTRIES / entries)))
+
+
+def newton_settings(most_steps: int, entries: int) -> NewtonSettings:
+    """Return the constants of this method for compiled kernels."""
+    steps = steps_allowed(most_steps, entries)
+    return NewtonSettings(steps, REST, REST_DAMPING, ROUNDING, FIRST, LESS, MORE, LEAST, MOST)
+
+
 def minimize_in_box(
     expand: Callable[[Array], SecondOrder],
     start: Array,
@@ -90,7 +102,7 @@ def minimize_in_box(
         The most steps.
     """
     place, here, damping = start, expand(start), FIRST
-    most_steps = min(most_steps, max(FEWEST, int(MAX_ENTRIES / here.bands.size)))
+    most_steps = steps_allowed(most_steps, here.bands.size)
     converged, iterations = False, 0
     while iterations < most_steps and not converged and damping <= MOST:
         iterations += 1

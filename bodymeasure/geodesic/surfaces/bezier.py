@@ -32,7 +32,7 @@ class BezierSurfaces:
         self.degrees = (control_points.shape[1] - 1, control_points.shape[2] - 1)
 
     @cached_property
-    def _nets(self) -> Array:
+    def nets(self) -> Array:
         """Control points of all derivatives, shape (problems, basis functions, c * derivatives).
 
         They are made when they are first needed, since they take ten times the memory of the
@@ -59,7 +59,7 @@ class BezierSurfaces:
 
     def jet(self, parameters: Array, order: int) -> Array:
         """Return the derivatives in the order of `JET`, shape (derivatives, c, problems, k)."""
-        return self._evaluated(self._nets[:, :, : self.coordinates * JET_SIZE[order]], parameters)
+        return self._evaluated(self.nets[:, :, : self.coordinates * JET_SIZE[order]], parameters)
 
     def positions(self, parameters: Array) -> Array:
         """Return points, shape (problems, k, 3), without preparing any derivatives."""
@@ -68,7 +68,7 @@ class BezierSurfaces:
     def magnitude(self, parameters: Array) -> Array:
         """Return the size of the terms of S_u and S_v, shape (2, problems, k)."""
         columns = slice(self.coordinates, self.coordinates * JET_SIZE[2])
-        terms = self._evaluated(np.abs(self._nets[:, :, columns]), parameters)
+        terms = self._evaluated(np.abs(self.nets[:, :, columns]), parameters)
         s_u, s_v, s_uu, s_uv, s_vv = np.linalg.norm(terms, axis=1)
         u, v = np.abs(np.moveaxis(parameters, -1, 0))
         return np.stack([s_u + s_uu * u + s_uv * v, s_v + s_uv * u + s_vv * v])
@@ -91,8 +91,8 @@ class BezierSurfaces:
         points = self.control_points
         xp = array_api_compat.array_namespace(points)
         part = BezierSurfaces(xp.take(points, constant(problems, points, xp), axis=0))
-        if "_nets" in self.__dict__:
-            part._nets = self._nets[problems]
+        if "nets" in self.__dict__:
+            part.nets = self.nets[problems]
         return part
 
 

@@ -12,6 +12,7 @@ from bodymeasure.atlas import Atlas, Finding, check_atlas
 from bodymeasure.geodesic import GeodesicSolution, Method, RBFCollocation, Search
 from bodymeasure.measure.patches.boundary import BoundaryLengths, boundary_lengths
 from bodymeasure.measure.patches.diagonals import diagonals
+from bodymeasure.native import is_compiled
 from bodymeasure.threads import one_blas_thread
 from bodymeasure.wording import counted
 
@@ -134,8 +135,9 @@ def _timed(seconds: dict[str, float], step: str) -> Iterator[None]:
 
 
 def package_versions(packages: Sequence[str]) -> dict[str, str]:
-    """Return the versions of Python and of the packages that are installed."""
+    """Return the versions of Python and of installed packages, and which kernels serve."""
     versions = {"Python": platform.python_version()}
+    versions["kernels"] = "compiled" if is_compiled() else "NumPy"
     for package in packages:
         try:
             versions[package] = importlib.metadata.version(package)

@@ -23,7 +23,6 @@ from bodymeasure.geodesic.across.pieces.part import PathPart, PathPiece
 from bodymeasure.geodesic.across.pieces.problem import RouteProblem
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, measured, resampled
 from bodymeasure.geodesic.contact.legs import Contact
-from bodymeasure.geodesic.numerics.box_newton import minimize_in_box
 from bodymeasure.geodesic.spaces.polygons import polygon_space
 
 # The number of edges, on each patch, of the polygon whose pattern is read.
@@ -90,7 +89,7 @@ def _polygon(refined: RefinedPath) -> RefinedPath:
     space, size = polygon_space(EDGE_COUNT), before.size
     problem = RouteProblem(before.atlas, refined.route, space, size, epsilon=before.epsilon)
     start = resampled(refined, problem)
-    return measured(problem, minimize_in_box(problem.expand, start, problem.idle, MOST_STEPS))
+    return measured(problem, problem.minimized(start, most_steps=MOST_STEPS))
 
 
 def _held_from_all_sides(atlas: Atlas, neighbors: Neighbors, refined: RefinedPath) -> bool:

@@ -20,7 +20,6 @@ from bodymeasure.geodesic.across.pieces.problem import RouteProblem
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, measured, sharpened
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.lengths.length import Length
-from bodymeasure.geodesic.numerics.box_newton import minimize_in_box
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 
 # The degree of the polynomial on each part.
@@ -124,7 +123,7 @@ def _resolved(atlas: Atlas, before: RefinedPath, cuts: Sequence[tuple[float, ...
     cut = Route(route.ends, tuple(crossings), tuple(along))
     problem = RouteProblem(atlas, cut, space, before.problem.size, before.problem.slides)
     guess = problem.unknowns(np.array(inner))
-    minimum = minimize_in_box(problem.expand, guess, problem.idle)
+    minimum = problem.minimized(guess)
     return sharpened(measured(problem, minimum), problem.idle)
 
 

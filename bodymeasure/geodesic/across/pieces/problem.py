@@ -15,17 +15,25 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from bodymeasure._typing import Array, Ints
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import on_side
 from bodymeasure.bezier import scaled
 from bodymeasure.geodesic.across.routes.route import Route
-from bodymeasure.geodesic.lengths.functionals import energy
-from bodymeasure.geodesic.numerics.box_newton import SecondOrder
+from bodymeasure.geodesic.lengths.functionals import energy, path_tables
+from bodymeasure.geodesic.numerics.banded import BoxModels
+from bodymeasure.geodesic.numerics.box_newton import (
+    MAX_STEPS,
+    BoxMinimum,
+    SecondOrder,
+    minimize_in_box,
+    newton_settings,
+)
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.rational import surfaces_of
+from bodymeasure.native import RouteArrays, route_newton
 
 # Where a piece has no length, the root would have no derivative without this. It is in units of the
 # whole path's length. A piece below its root would count for less than its length, so that its ends
@@ -170,6 +178,35 @@ class RouteProblem:
         bend = bend * (sign[:, :, None] * sign[:, None, :]) / root[:, None, None]
         bend -= slope[:, :, None] * slope[:, None, :] / root[:, None, None]
         return root, slope, bend
+
+    def minimized(
+        self, start: Array, idle: Bools | None = None, most_steps: int = MAX_STEPS
+    ) -> BoxMinimum:
+        """Return the minimum near a place; `numerics.box_newton.minimize_in_box` finds it.
+
+        Parameters
+        ----------
+        start : ndarray, shape (unknowns,)
+        idle : ndarray of bool, shape (unknowns,), optional
+            Unknowns that stay as they are; those that move nothing if not given.
+        most_steps : int
+            The most steps.
+        """
+        idle = self.idle if idle is None else idle
+        tables = path_tables(self.surface, self.space)
+        if tables is None:
+            return minimize_in_box(self.expand, start, idle, most_steps)
+        bands = self._size_of_bands // self.count
+        arrays = RouteArrays(
+            self.rows, self.local, self.sign, self._offset, self._fixed, bands, self.epsilon
+        )
+        settings = newton_settings(most_steps, self._size_of_bands)
+        found = route_newton(tables, arrays, start, idle, settings)
+        model = BoxModels(found.bands[None], found.gradient[None], found.unknowns[None], idle[None])
+        held = model.pressed()[0] & ~idle
+        return BoxMinimum(
+            found.unknowns, found.value, held, found.converged, found.iterations, found.bands
+        )
 
     def expand(self, unknowns: Array) -> SecondOrder:
         """Return the sum over the pieces, to the second order."""

@@ -10,7 +10,7 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.geodesic.across.pieces.problem import RouteProblem, Slides
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.routes.topology import topology
-from bodymeasure.geodesic.numerics.box_newton import BoxMinimum, minimize_in_box
+from bodymeasure.geodesic.numerics.box_newton import BoxMinimum
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 
@@ -96,13 +96,13 @@ def refine(
         slides = start, end
     problem = RouteProblem(atlas, route, space, size, slides)
     guess = problem.unknowns() if before is None else resampled(before, problem)
-    minimum = minimize_in_box(problem.expand, guess, problem.idle)
+    minimum = problem.minimized(guess)
     refined = measured(problem, minimum)
     corners = _corners(refined)
     if not corners.any():
         return sharpened(refined, problem.idle)
     place = np.where(corners, np.round(minimum.unknowns), minimum.unknowns)
-    pinned = minimize_in_box(problem.expand, place, problem.idle | corners)
+    pinned = problem.minimized(place, problem.idle | corners)
     through = measured(problem, replace(pinned, held=pinned.held | corners))
     steps = refined.steps + through.steps
     pinned_is_shorter = through.length < refined.length
@@ -126,7 +126,7 @@ def sharpened(refined: RefinedPath, idle: Bools) -> RefinedPath:
     while problem.epsilon > LEAST_EPSILON and refined.smoothed.any():
         problem = copy(problem)
         problem.epsilon *= SHARPER**2
-        minimum = minimize_in_box(problem.expand, refined.minimum.unknowns, idle)
+        minimum = problem.minimized(refined.minimum.unknowns, idle)
         if not minimum.converged:
             # The estimate of the error knows of pieces that are still smoothed.
             break

@@ -27,7 +27,6 @@ from bodymeasure.geodesic.across.pieces.refine import (
 from bodymeasure.geodesic.across.poles.course import Course
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.routes.topology import topology
-from bodymeasure.geodesic.numerics.box_newton import minimize_in_box
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 
 # The first cut lies at this many times the least distance of a piece from the pole, and each cut
@@ -163,7 +162,7 @@ def refined_cut(
         guess = problem.unknowns(np.array(inner))
     else:
         guess = resampled(before, problem)
-    minimum = minimize_in_box(problem.expand, guess, problem.idle)
+    minimum = problem.minimized(guess)
     return sharpened(measured(problem, minimum), problem.idle)
 
 

@@ -10,7 +10,6 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, measured, sharpened
-from bodymeasure.geodesic.numerics.box_newton import minimize_in_box
 
 # How far the middle of a path steps aside, as a part of its length.
 ASIDE = 0.02
@@ -27,7 +26,7 @@ def beside_saddle(saddle: RefinedPath) -> Iterator[RefinedPath]:
         unknown = np.where(problem.sign < 0.0, 1.0 - unknown, unknown)
         moves = problem.sign != 0.0
         guess[problem.rows[moves]] = unknown[moves]
-        minimum = minimize_in_box(problem.expand, np.clip(guess, 0.0, 1.0), problem.idle)
+        minimum = problem.minimized(np.clip(guess, 0.0, 1.0))
         yield sharpened(measured(problem, minimum), problem.idle)
 
 

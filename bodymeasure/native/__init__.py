@@ -1,0 +1,16 @@
+"""Compiled kernels for what arrays of NumPy do not reach; without them, NumPy does the same."""
+
+from bodymeasure.native.box import box_steps
+from bodymeasure.native.energy import PathTables, energies
+from bodymeasure.native.library import is_compiled
+from bodymeasure.native.route import NewtonSettings, RouteArrays, route_newton
+
+__all__ = [
+    "NewtonSettings",
+    "PathTables",
+    "RouteArrays",
+    "box_steps",
+    "energies",
+    "is_compiled",
+    "route_newton",
+]

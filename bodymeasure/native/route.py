@@ -1,0 +1,116 @@
+"""Newton's method for the path along a route, compiled."""
+
+import ctypes
+from typing import NamedTuple
+
+import numpy as np
+
+from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure.native.energy import PathTables
+from bodymeasure.native.library import (
+    BYTES,
+    DOUBLES,
+    INTEGERS,
+    library,
+    pointer,
+)
+
+
+class _RouteUnknowns(ctypes.Structure):
+    """`RouteUnknowns` of ``route_newton.cpp``."""
+
+    _fields_ = (
+        ("unknowns", ctypes.c_int64),
+        ("bands", ctypes.c_int64),
+        ("moved", ctypes.c_int64),
+        ("rows", INTEGERS),
+        ("local", INTEGERS),
+        ("sign", DOUBLES),
+        ("offset", DOUBLES),
+        ("fixed", DOUBLES),
+        ("idle", BYTES),
+        ("epsilon", ctypes.c_double),
+    )
+
+
+class NewtonSettings(ctypes.Structure):
+    """`NewtonSettings` of ``route_newton.cpp``: the constants of `numerics.box_newton`."""
+
+    _fields_ = (
+        ("most_steps", ctypes.c_int64),
+        *((name, ctypes.c_double) for name in ("rest", "rest_damping", "rounding", "first")),
+        *((name, ctypes.c_double) for name in ("less", "more", "least", "most")),
+    )
+
+
+class RouteArrays(NamedTuple):
+    """What moves the nodal values of the pieces of a route; see `across.pieces.problem`.
+
+    Parameters
+    ----------
+    rows, local : ndarray of int, shape (pieces, k)
+    sign, offset : ndarray, shape (pieces, k)
+    fixed : ndarray, shape (pieces, 2, nodes)
+    bands : int
+        The number of bands of the Hessian.
+    epsilon : float
+    """
+
+    rows: Ints
+    local: Ints
+    sign: Array
+    offset: Array
+    fixed: Array
+    bands: int
+    epsilon: float
+
+
+class RouteMinimum(NamedTuple):
+    """Where Newton's method came to rest; see `numerics.box_newton.BoxMinimum`."""
+
+    unknowns: Array
+    value: float
+    gradient: Array
+    bands: Array
+    iterations: int
+    converged: bool
+
+
+def route_newton(
+    tables: PathTables, route: RouteArrays, start: Array, idle: Bools, settings: NewtonSettings
+) -> RouteMinimum:
+    """Return the minimum that Newton's method finds from a place in the box.
+
+    Parameters
+    ----------
+    tables : PathTables
+        Such as the kernels serve.
+    route : RouteArrays
+    start : ndarray, shape (unknowns,)
+    idle : ndarray of bool, shape (unknowns,)
+    settings : NewtonSettings
+    """
+    kernels = library()
+    assert kernels is not None
+    rows, local = (np.ascontiguousarray(each, np.int64) for each in route[:2])
+    sign, offset, fixed = (np.ascontiguousarray(each) for each in route[2:5])
+    idle, place, size = np.ascontiguousarray(idle), np.array(start, np.float64), len(start)
+    unknowns = _RouteUnknowns(
+        size,
+        route.bands,
+        rows.shape[1],
+        pointer(rows),
+        pointer(local),
+        *map(pointer, (sign, offset, fixed)),
+        pointer(idle),
+        route.epsilon,
+    )
+    given = ctypes.byref(tables.structure), ctypes.byref(unknowns)
+    kernels.bodymeasure_route_room.restype = ctypes.c_int64
+    kernels.bodymeasure_route_newton.restype = ctypes.c_int64
+    room = np.empty(kernels.bodymeasure_route_room(*given))
+    value, gradient, bands = np.empty(1), np.empty(size), np.empty((route.bands, size))
+    steps = kernels.bodymeasure_route_newton(
+        *given, ctypes.byref(settings), *map(pointer, (place, value, gradient, bands, room))
+    )
+    return RouteMinimum(place, float(value[0]), gradient, bands, abs(steps), steps > 0)

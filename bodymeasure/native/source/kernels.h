@@ -1,0 +1,73 @@
+// What the kernels share: the arrays that come from Python, and what they export.
+//
+// All functions have C's calling convention, take plain arrays of doubles in C order, and hold no
+// state, so that threads may call them at once. Python allocates what they write to.
+
+#pragma once
+
+#include <cstdint>
+
+#if __has_include(<features.h>)
+#include <features.h>  // Says whether the C library is glibc.
+#endif
+
+#if defined(_WIN32)
+#define EXPORTED extern "C" __declspec(dllexport)
+#else
+#define EXPORTED extern "C" __attribute__((visibility("default")))
+#endif
+
+// Where the compiler and the loader can, the function that fits the processor is chosen at load.
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
+#define FOR_EACH_PROCESSOR \
+    __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4"), flatten))
+#else
+#define FOR_EACH_PROCESSOR
+#endif
+
+namespace bodymeasure {
+
+// Bezier patches of degrees (m, n), and polynomial paths on them, one for each patch.
+struct Paths {
+    int64_t count;
+    int64_t degree_u, degree_v;
+    // Control points of the derivatives of each patch, in the order of `surfaces.protocol.JET`:
+    // (count, (m + 1) (n + 1), 30).
+    const double *nets;
+    // The trial space: its nodes, and its functions and their slopes at the points of the
+    // quadrature, both (points, nodes).
+    int64_t nodes, points;
+    const double *place, *slopes, *weights;
+};
+
+// Room for the energy of one path: (`energy_room`) doubles.
+int64_t energy_room(const Paths &paths);
+
+// The energy of a path, its gradient and its Hessian by all nodal values, u before v. Where `flat`,
+// J^T J stands for the Hessian.
+double energy_of_path(const Paths &paths, int64_t number, const double *values, bool flat,
+                      double *gradient, double *hessian, double *room);
+
+// A quadratic model of a function on the box [0, 1]^n, as in `numerics.banded.BoxModels`.
+struct BoxModel {
+    int64_t unknowns, bands;
+    const double *matrix;  // (bands, unknowns), the lower bands
+    const double *gradient, *place;
+    const uint8_t *idle;
+};
+
+// Room for a step: (bands + 7) * unknowns doubles.
+inline int64_t step_room(const BoxModel &model) { return (model.bands + 7) * model.unknowns; }
+
+// The step to the model's minimum in the box; false if there is none.
+bool box_step(const BoxModel &model, double *step, double *room);
+
+// By how much a step lowers the model's value.
+double box_decrease(const BoxModel &model, const double *step, double *room);
+
+// Whether an unknown is on a bound and pressed outwards by the gradient.
+inline bool is_pressed(double place, double gradient) {
+    return (place == 0.0 && gradient > 0.0) || (place == 1.0 && gradient < 0.0);
+}
+
+}  // namespace bodymeasure

@@ -1,0 +1,133 @@
+"""The compiled kernels do what the NumPy forms of the same functions do."""
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import bodymeasure as bm
+from bodymeasure._typing import Array
+from bodymeasure.geodesic.lengths.functionals import energy, energy_of_a_flat_surface
+from bodymeasure.geodesic.numerics.banded import BoxModels
+from bodymeasure.geodesic.spaces.polynomials import polynomial_space
+from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
+from bodymeasure.native import is_compiled
+from bodymeasure.native.library import SWITCH, library
+
+pytestmark = pytest.mark.skipif(not is_compiled(), reason="built without a compiler")
+
+seeds = st.integers(0, 2**32 - 1)
+
+
+@contextmanager
+def by_numpy() -> Iterator[None]:
+    """Switch the kernels off."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv(SWITCH, "0")
+        library.cache_clear()
+        assert not is_compiled()
+        yield
+    library.cache_clear()
+    assert is_compiled()
+
+
+def assert_near(one: Array, other: Array, part: float = 1e-13) -> None:
+    np.testing.assert_allclose(one, other, rtol=0.0, atol=part * np.abs(other).max(initial=1e-300))
+
+
+@given(
+    seeds,
+    st.tuples(st.integers(1, 6), st.integers(1, 6)),
+    st.integers(2, 24),
+    st.sampled_from([energy, energy_of_a_flat_surface]),
+    st.sampled_from([slice(None), slice(1, -1), slice(0, -1)]),
+)
+def test_the_energy_of_paths_to_the_second_order(
+    seed: int,
+    degrees: tuple[int, int],
+    degree: int,
+    functional: Callable[..., object],
+    nodes: slice,
+) -> None:
+    rng = np.random.default_rng(seed)
+    surface = BezierSurfaces(rng.normal(size=(3, degrees[0] + 1, degrees[1] + 1, 3)))
+    space, values = polynomial_space(degree), rng.random((3, 2, degree + 1))
+    compiled = functional(surface, space, values, nodes)
+    with by_numpy():
+        plain = functional(surface, space, values, nodes)
+    for name in ("value", "gradient", "hessian"):
+        assert getattr(compiled, name).shape == getattr(plain, name).shape
+        assert_near(getattr(compiled, name), getattr(plain, name))
+
+
+@given(seeds, st.integers(1, 40), st.integers(1, 9), st.floats(-0.5, 2.0))
+def test_steps_to_the_minima_of_models_in_a_box(
+    seed: int, size: int, width: int, definiteness: float
+) -> None:
+    rng = np.random.default_rng(seed)
+    bands = rng.normal(size=(4, min(width, size), size))
+    # The last entries of a band lie outside of the matrix: what they are must not matter.
+    bands[:, 0] = np.abs(bands[:, 0]) + definiteness * width
+    place = np.clip(rng.normal(0.5, 0.5, (4, size)), 0.0, 1.0)
+    model = BoxModels(bands, rng.normal(size=(4, size)), place, rng.random((4, size)) < 0.1)
+    step, definite = model.steps()
+    with by_numpy():
+        plain, is_definite = model.steps()
+    np.testing.assert_array_equal(definite, is_definite)
+    assert not step[~definite].any()
+    # A model that is nearly singular has a long step, with few digits.
+    for one, other in zip(step, plain, strict=True):
+        assert_near(one, other, 1e-9)
+
+
+def test_models_that_are_not_finite_have_no_step() -> None:
+    bands = np.ones((2, 1, 3))
+    bands[0, 0, 1] = np.nan
+    gradient = np.ones((2, 3))
+    gradient[1, 2] = np.inf
+    idle = np.zeros((2, 3), bool)
+    step, definite = BoxModels(bands, gradient, np.full((2, 3), 0.5), idle).steps()
+    assert not definite.any()
+    assert not step.any()
+
+
+@pytest.mark.parametrize("sample", ["female_average", "paraboloid"])
+def test_paths_across_patches(sample: str, rng: np.random.Generator) -> None:
+    atlas = bm.load_sample(sample)
+    for _ in range(6):
+        start, end = (
+            bm.AtlasPoint(int(rng.integers(len(atlas))), *map(float, rng.random(2)))
+            for _ in range(2)
+        )
+        compiled = bm.geodesic_between(atlas, start, end, on_failure="status")
+        with by_numpy():
+            plain = bm.geodesic_between(atlas, start, end, on_failure="status")
+        assert compiled.status is plain.status
+        assert compiled.length == pytest.approx(plain.length, rel=1e-14, nan_ok=True)
+
+
+def test_a_loop_round_a_body() -> None:
+    atlas = bm.load_sample("female_average")
+    compiled = bm.closed_geodesic(atlas, "side waist point left")
+    with by_numpy():
+        plain = bm.closed_geodesic(atlas, "side waist point left")
+    assert compiled.length == pytest.approx(plain.length, rel=1e-14)
+
+
+@pytest.mark.parametrize(("value", "expected"), [("0", "False"), ("", "True")])
+def test_the_environment_switches_the_kernels_off(value: str, expected: str) -> None:
+    program = "from bodymeasure.native import is_compiled; print(is_compiled())"
+    ran = subprocess.run(
+        [sys.executable, "-c", program],
+        env={**os.environ, SWITCH: value},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert ran.stdout.strip() == expected
