@@ -73,6 +73,7 @@ def bodice() -> bm.Pattern:
     return bm.make_pattern(bm.load_sample("male_average"), "bodice", ease=EASE)
 
 
+@pytest.mark.slow
 def test_pieces_with_ease_are_sound_and_their_seams_match() -> None:
     # In the armpit of this body the surface would fold but for what is done in creases.
     assert bodice().is_sound

@@ -1,6 +1,7 @@
 import json
 from pathlib import Path
 
+import pytest
 from helpers.command_line import Run
 
 SMALL = """
@@ -29,6 +30,7 @@ def test_pieces_are_written_into_a_folder(run: Run, tmp_path: Path) -> None:
     assert content["set"] == "Small"
 
 
+@pytest.mark.slow
 def test_a_dart_that_is_left_out_is_said_and_no_fault(run: Run, tmp_path: Path) -> None:
     ran = run("pattern", "female_average", "--set", "skirt", *FEW, "-o", tmp_path / "out")
     assert ran.code == 0
