@@ -108,6 +108,7 @@ def test_sizes_that_name_no_folders_are_refused(run: Run, tmp_path: Path) -> Non
     assert run("pattern", *bodies, "--patches", "-o", tmp_path / "out").code == 2
 
 
+@pytest.mark.slow
 def test_ease_is_given_with_units(run: Run, tmp_path: Path) -> None:
     (tmp_path / "small.toml").write_text(SMALL)
     lengths = {}

@@ -151,6 +151,7 @@ def test_a_dropped_file_has_another_id_after_a_new_start() -> None:
     assert len(ids - {"0"}) == 2
 
 
+@pytest.mark.slow
 def test_a_chart_is_stopped_by_the_tab_that_has_asked_and_by_no_other() -> None:
     body = ShownBody("0", bm.load_sample("female_average"), "Average")
 
