@@ -124,6 +124,7 @@ __all__ = [
     "write_fitted",
     "write_glb",
     "write_paths",
+    "write_pattern",
     "write_population",
     "write_report",
 ]
@@ -146,6 +147,7 @@ _HOMES = (
     "fit",
     "pattern",
     "report",
+    "report.patterns",
     "viewer",
 )
 
@@ -266,6 +268,7 @@ if TYPE_CHECKING:
         unfold_patches,
     )
     from bodymeasure.report import write_chart, write_report
+    from bodymeasure.report.patterns import write_pattern
     from bodymeasure.samples import load_sample, sample_names
     from bodymeasure.section import (
         Plane,
@@ -294,4 +297,4 @@ else:
 
     def __dir__() -> list[str]:
         """List the public names and the packages, whether they have been loaded or not."""
-        return sorted({*globals(), *__all__, *_HOMES})
+        return sorted({*globals(), *__all__, *(home for home in _HOMES if "." not in home)})

@@ -26,7 +26,7 @@ SUBJECTS = {
     "Geodesics": ("geodesic",),
     "Girths, tapes and other measurements": ("measure", "section", "taut"),
     "Charts of body measurements": ("chart",),
-    "Flat pieces": ("pattern",),
+    "Flat pieces": ("pattern", "report.patterns"),
     "Reports": ("report",),
     "Looking at bodies": ("viewer",),
     "Meshes": ("mesh",),

@@ -1,26 +1,13 @@
-"""The files of patterns, and what each of them needs."""
-
-from pathlib import Path
-from typing import TYPE_CHECKING
+"""Which files of patterns to write, and what each of them needs."""
 
 import click
 
 from bodymeasure.cli.options import names_in_list
 from bodymeasure.wording import hint
 
-if TYPE_CHECKING:
-    from bodymeasure.pattern import GradedPattern, Pattern
-
-# What can be asked for, and the file that it is.
-FORMATS = {
-    "html": "pattern.html",
-    "svg": "pattern.svg",
-    "pdf": "pattern.pdf",
-    "dxf": "pattern.dxf",
-    "garmentcode": "garmentcode.json",
-    "strain": "strain.svg",
-    "json": "pattern.json",
-}
+# What can be asked for, for the help.
+FORMATS = ("html", "svg", "pdf", "dxf", "garmentcode", "strain", "json")
+PAPERS = ("a4", "letter", "a0")
 # Feature, module, package and extra of each format that needs more than pieces do.
 NEEDS = {
     "html": (
@@ -31,70 +18,29 @@ NEEDS = {
     "dxf": (("the DXF file", "ezdxf", "ezdxf", "pattern"),),
 }
 
+formats_option = click.option(
+    "--formats",
+    callback=lambda _ctx, _parameter, value: _formats(value),
+    metavar="NAMES",
+    help=f"Which files to write, with commas between them: {', '.join(FORMATS)}.  [default: all]",
+)
+paper_option = click.option(
+    "--paper",
+    type=click.Choice(PAPERS),
+    default=PAPERS[0],
+    show_default=True,
+    help="Paper of pattern.pdf: tiles to be glued together, or one sheet (a0).",
+)
 
-def formats(_ctx: click.Context, _parameter: click.Parameter, text: str | None) -> tuple[str, ...]:
-    """Return the formats in a list with commas; all of them if none was given.
 
-    Raises
-    ------
-    click.BadParameter
-        If one is unknown.
-    """
-    names = names_in_list(text) or tuple(FORMATS)
+def _formats(text: str | None) -> tuple[str, ...]:
+    names = names_in_list(text) or FORMATS
     for name in names:
         if name not in FORMATS:
-            raise click.BadParameter(f"no format is named {name!r}; {hint(name, [*FORMATS])}.")
-    return tuple(name for name in FORMATS if name in names)
+            raise click.BadParameter(f"no format is named {name!r}; {hint(name, FORMATS)}.")
+    return names
 
 
-def needs_of(wanted: tuple[str, ...]) -> list[tuple[str, str, str, str]]:
+def needs_of(formats: tuple[str, ...]) -> list[tuple[str, str, str, str]]:
     """Return what has to be installed for formats."""
-    return [need for name in wanted for need in NEEDS.get(name, ())]
-
-
-def files_of(
-    made: "Pattern", folder: Path, wanted: tuple[str, ...], *, allowance: float, paper: str
-) -> dict[Path, bytes]:
-    """Return the files of a pattern; the allowance is in millimeters."""
-    from bodymeasure.pattern import pattern_garmentcode, pattern_json, strain_svg
-
-    found = _drawings(made, wanted, allowance, paper)
-    if "garmentcode" in wanted:
-        found["garmentcode"] = pattern_garmentcode(made)
-    if "strain" in wanted:
-        found["strain"] = strain_svg(made).encode()
-    if "json" in wanted:
-        found["json"] = pattern_json(made, allowance=allowance)
-    if "html" in wanted:
-        found["html"] = _page(made, tuple(FORMATS[name] for name in found), allowance)
-    return {folder / FORMATS[name]: found[name] for name in wanted}
-
-
-def nested_files(
-    made: "GradedPattern", folder: Path, wanted: tuple[str, ...], *, allowance: float, paper: str
-) -> dict[Path, bytes]:
-    """Return the files that hold all sizes over each other; the allowance is in millimeters."""
-    found = _drawings(made, wanted, allowance, paper)
-    return {folder / FORMATS[name]: content for name, content in found.items()}
-
-
-def _drawings(
-    made: "Pattern | GradedPattern", wanted: tuple[str, ...], allowance: float, paper: str
-) -> dict[str, bytes]:
-    from bodymeasure.pattern import pattern_dxf, pattern_pdf, pattern_svg
-
-    found = {}
-    if "svg" in wanted:
-        found["svg"] = pattern_svg(made, allowance=allowance).encode()
-    if "pdf" in wanted:
-        found["pdf"] = pattern_pdf(made, allowance=allowance, paper=paper)
-    if "dxf" in wanted:
-        found["dxf"] = pattern_dxf(made, allowance=allowance)
-    return found
-
-
-def _page(made: "Pattern", beside: tuple[str, ...], allowance: float) -> bytes:
-    from bodymeasure.report.patterns import render_pattern
-    from bodymeasure.scene.panels.pictures import panel_pictures
-
-    return render_pattern(made, panel_pictures(made), allowance=allowance, files=beside)
+    return [need for name in formats for need in NEEDS.get(name, ())]

@@ -23,7 +23,7 @@ from bodymeasure.cli.options import (
     require,
     several_atlases_argument,
 )
-from bodymeasure.cli.patterns.files import FORMATS, files_of, formats, needs_of, nested_files
+from bodymeasure.cli.patterns.files import formats_option, needs_of, paper_option
 from bodymeasure.cli.patterns.lengths import eases
 from bodymeasure.cli.tables import new_table
 from bodymeasure.errors import InputError
@@ -37,8 +37,6 @@ if TYPE_CHECKING:
 
 EXIT_LOOK = 1
 CUTTING = ("cutting pieces out of the skin", "shapely", "shapely", "pattern")
-# The papers of the PDF file, for the help.
-PAPERS = ("a4", "letter", "a0")
 # The sets that come along, for the help.
 NAMES = "bodice, princess, skirt, sleeve or trousers"
 
@@ -87,20 +85,8 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, name: str | None
     help="By how much girths are wider than the body's, such as bust=4cm,waist=2cm: at neck, bust, "
     "waist, hip, or the height of any landmark, and between them in turn.  [default: the set's]",
 )
-@click.option(
-    "--formats",
-    "wanted",
-    callback=formats,
-    metavar="NAMES",
-    help=f"Which files to write, with commas between them: {', '.join(FORMATS)}.  [default: all]",
-)
-@click.option(
-    "--paper",
-    type=click.Choice(PAPERS),
-    default="a4",
-    show_default=True,
-    help="Paper of pattern.pdf: tiles to be glued together, or one sheet (a0).",
-)
+@formats_option
+@paper_option
 @click.option(
     "--print-set",
     metavar="SET",
@@ -123,7 +109,7 @@ def pattern(
     sizes: tuple[str, ...],
     allowance: float,
     ease: dict[str, float] | None,
-    wanted: tuple[str, ...],
+    formats: tuple[str, ...],
     paper: str,
     patches: bool,
     despite_errors: bool,
@@ -147,46 +133,41 @@ def pattern(
         if len(names) > 1:
             raise click.UsageError("--patches unfolds one body; unfold them one by one.")
         return _patches(load_sound_atlas(names[0], despite_errors=despite_errors), output)
-    require(CUTTING, *needs_of(wanted))
+    require(CUTTING, *needs_of(formats))
     # Slow imports, which `--help` does not need.
-    from bodymeasure.pattern import grade_pattern, load_pattern, make_pattern
+    from bodymeasure.pattern import GradedPattern, grade_pattern, load_pattern, make_pattern
+    from bodymeasure.report.patterns import pattern_files
 
     panels = load_pattern(definitions)
     load = partial(load_sound_atlas, despite_errors=despite_errors, if_none=len(names) > 1)
     bodies = _by_size(subjects_of(names, load, despite_errors=despite_errors), sizes)
     graded = len(bodies) > 1
-    # A folder for each size, which is removed again if the work fails.
-    folders = {size: output / size if graded else output for size in bodies}
+    # Folders that are removed again if the work fails.
+    folders = [output, *(output / size for size in bodies if graded)]
     with ExitStack() as stack:
-        for folder in folders.values():
+        for folder in folders:
             stack.enter_context(output_folder(folder))
+        made: Pattern | GradedPattern
         with progress_bar("laying flat", len(panels.panel) * len(bodies)) as progress:
             advance: Callable[[int, int], None] = lambda done, _all: progress(done)  # noqa: E731
             if graded:
-                nest = grade_pattern(bodies, panels, ease=ease, progress=advance)
-                made = nest.patterns
+                made = grade_pattern(bodies, panels, ease=ease, progress=advance)
             else:
-                made = {
-                    size: make_pattern(body, panels, ease=ease, progress=advance)
-                    for size, body in bodies.items()
-                }
-        millimeters, files = 10.0 * allowance, dict[Path, bytes]()
-        if graded:
-            files |= nested_files(nest, output, wanted, allowance=millimeters, paper=paper)
-        for size, one in made.items():
-            folder = folders[size]
-            files |= files_of(one, folder, wanted, allowance=millimeters, paper=paper)
+                (body,) = bodies.values()
+                made = make_pattern(body, panels, ease=ease, progress=advance)
+        contents = pattern_files(made, formats=formats, allowance=10.0 * allowance, paper=paper)
+        files = {output / name: content for name, content in contents.items()}
         write_all(files)
-    for size, one in made.items():
+    patterns = made.patterns if isinstance(made, GradedPattern) else {"": made}
+    for size, one in patterns.items():
         if graded:
             RESULTS.print(Text(size, style="bold"))
         print_table(_table(one))
         _print_seams(one)
     print_files(files)
-    for size, one in made.items():
-        for words in one.warnings:
-            print_note(f"{size}, {words}" if graded else words)
-    return 0 if all(one.is_sound for one in made.values()) else EXIT_LOOK
+    for words in made.warnings:
+        print_note(words)
+    return 0 if made.is_sound else EXIT_LOOK
 
 
 def _by_size(bodies: list[Subject], sizes: tuple[str, ...]) -> dict[str, Atlas]:

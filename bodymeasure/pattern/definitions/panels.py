@@ -40,6 +40,8 @@ class Edge(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     notches : tuple of float, optional
         Where it is notched, as parts of its length from its start; at the middle if not given and
         the edge is sewn.
+    notch : {"single", "double"}, optional
+        How it is notched; as the panel says if not given.
     """
 
     name: str
@@ -51,6 +53,7 @@ class Edge(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     ease: float = 0.0
     allowance: float | None = None
     notches: tuple[float, ...] | None = None
+    notch: Literal["single", "double"] | None = None
 
 
 class Dart(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

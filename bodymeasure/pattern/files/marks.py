@@ -63,6 +63,7 @@ def notches_of(
     """
     edges, darts = lines
     parts_of = notched_parts(pattern)
+    double = {edge.name for edge in panel.edge if (edge.notch or panel.notch) == "double"}
     ring = shapely.linearrings(np.concatenate([part for edge in edges for part in edge.parts]))
     # Outside is on the right of an edge, unless the piece's atlas faces inwards.
     out = 1.0 if shapely.is_ccw(ring) else -1.0
@@ -72,7 +73,7 @@ def notches_of(
         parts = () if edge.is_fold else parts_of.get((panel.name, edge.name), ())
         if is_backwards(panel, [edge.name for edge in edges]):
             parts = tuple(1.0 - part for part in parts)
-        apart = (-0.5 * PAIR, 0.5 * PAIR) if panel.notch == "double" else (0.0,)
+        apart = (-0.5 * PAIR, 0.5 * PAIR) if edge.name in double else (0.0,)
         chain = _Chain(edge.parts)
         places = [part * edge.length + shift for part in parts for shift in apart]
         for place in places:

@@ -7,8 +7,9 @@ from bodymeasure.pattern.pieces.pattern import Pattern
 
 # Parts of a seam nearer than this are one place.
 SAME = 1e-6
-# Where a seam is notched of which nothing else is said.
-MIDDLE = 0.5
+# Where a seam is notched of which nothing else is said, and one into which cloth is eased evenly:
+# it is spread between the notches.
+MIDDLE, EASED = (0.5,), (0.25, 0.75)
 
 
 class Place(NamedTuple):
@@ -86,13 +87,15 @@ def notched_parts(pattern: Pattern) -> dict[tuple[str, str], tuple[float, ...]]:
         on_seam = notched.setdefault(place.seam, [])
         on_seam += [place.on_seam(part) for part in edges[name].notches or ()]
         on_seam += [end for end in (place.start, place.end) if SAME < end < 1.0 - SAME]
+    eased = {places[name].seam for name in places if edges[name].ease}
+    usual = {seam: EASED if seam in eased else MIDDLE for seam in notched}
     found = {}
     for name, edge in edges.items():
         if name not in places:
-            found[name] = edge.notches or ((MIDDLE,) if edge.seam and edge.notches is None else ())
+            found[name] = edge.notches or (MIDDLE if edge.seam and edge.notches is None else ())
             continue
         place = places[name]
-        parts = {round(place.on_edge(each), 9) for each in notched[place.seam] or [MIDDLE]}
+        parts = {round(place.on_edge(each), 9) for each in notched[place.seam] or usual[place.seam]}
         found[name] = tuple(sorted(part for part in parts if SAME < part < 1.0 - SAME))
     return found
 
