@@ -166,8 +166,9 @@ class MeasureAccessor:
     def pick(self, plotter: Any) -> list[pv.PolyData]:
         """Let the user click pairs of points in a plotter; each pair is measured and drawn.
 
-        A press of the button that moves turns the mesh as ever. The length stands at the path, and
-        its error and what it is worth in the corner.
+        A click with shift adds a point on the way. A press of the button that moves turns the mesh
+        as ever. The length stands at the path; its error, the straight distance and what the
+        length is worth in the corner.
 
         Parameters
         ----------
@@ -177,7 +178,8 @@ class MeasureAccessor:
         Returns
         -------
         list of pyvista.PolyData
-            The paths, which the list receives as they are measured.
+            The paths, which the list receives as they are measured; their field data have the
+            ``straight`` distance, too.
         """
         from bodymeasure.viewer.window.clicks import listen_for_clicks, picked_at
 
@@ -194,23 +196,26 @@ class MeasureAccessor:
                 say("there is no mesh; click on it")
                 return
             waiting.append(np.array(picker.GetPickPosition()))
-            if len(waiting) < 2:
-                drawn_start(plotter, self._mesh, waiting[0])
-                say("click where the path is to end")
+            if len(waiting) < 2 or plotter.iren.interactor.GetShiftKey():
+                drawn_start(plotter, self._mesh, waiting)
+                say("click where the path is to end, or with shift where it is to pass")
                 return
             plotter.remove_actor(START, render=False)
-            start, end = waiting
+            places = np.array(waiting)
             waiting.clear()
             try:
-                path = self.path(start, end)
+                path = self.path(places[0], places[-1], list(places[1:-1]))
             except BodymeasureError as failure:
                 say(str(failure))
                 return
+            straight = np.linalg.norm(np.diff(places, axis=0), axis=1).sum()
+            path.field_data["straight"] = [straight]
             paths.append(path)
             drawn_path(plotter, self._mesh, path)
             length = length_words(path, "length", ".6g")
             error = length_words(path, "error_estimate", ".1g")
-            say(f"{length}, error {error}\n{path.field_data['sentence'][0]}")
+            chord = length_words(path, "straight", ".4g")
+            say(f"{length}, error {error}, straight {chord}\n{path.field_data['sentence'][0]}")
 
         say("click where the path is to start")
         listen_for_clicks(plotter, clicked)

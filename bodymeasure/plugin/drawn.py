@@ -19,10 +19,11 @@ def shown(plotter: Any, mesh: pv.PolyData) -> Any:
     return plotter.add_mesh(mesh, color=SKIN, smooth_shading=True, name="body", scalars=None)
 
 
-def drawn_start(plotter: Any, mesh: pv.PolyData, position: Any) -> None:
-    """Mark the start of a path whose end is not picked yet."""
-    ball = pv.Sphere(radius=BALL * TUBE * _size(mesh), center=position)
-    plotter.add_mesh(ball, color=TAPE, name=START, pickable=False, reset_camera=False)
+def drawn_start(plotter: Any, mesh: pv.PolyData, positions: Any) -> None:
+    """Mark the points of a path whose end is not picked yet."""
+    radius = BALL * TUBE * _size(mesh)
+    balls = pv.merge([pv.Sphere(radius=radius, center=position) for position in positions])
+    plotter.add_mesh(balls, color=TAPE, name=START, pickable=False, reset_camera=False)
 
 
 def drawn_path(plotter: Any, mesh: pv.PolyData, path: pv.PolyData) -> None:

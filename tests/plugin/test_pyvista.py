@@ -206,15 +206,15 @@ def clicking(mesh) -> Any:  # type: ignore[no-untyped-def]
         plotter.close()
 
 
-def _press(plotter: Any, position: Any, move: int = 0) -> None:
+def _press(plotter: Any, position: Any, move: int = 0, *, shift: bool = False) -> None:
     """Press the left button where a position is seen, move, and release it."""
     plotter.renderer.SetWorldPoint(*position, 1.0)
     plotter.renderer.WorldToDisplay()
     x, y = (round(value) for value in plotter.renderer.GetDisplayPoint()[:2])
     events = plotter.iren.interactor
-    events.SetEventInformation(x, y)
+    events.SetEventInformation(x, y, 0, shift)
     events.LeftButtonPressEvent()
-    events.SetEventInformation(x + move, y)
+    events.SetEventInformation(x + move, y, 0, shift)
     events.MouseMoveEvent()
     events.LeftButtonReleaseEvent()
 
@@ -230,7 +230,7 @@ def test_two_clicked_points_are_measured(clicking: Any, body: bm.Atlas) -> None:
     assert _corner(plotter) == "click where the path is to start"
     plotter.view_vector((0.0, -1.0, 0.0), viewup=(0.0, 0.0, 1.0))
     _press(plotter, body.position(body.landmarks[BUST]), move=2)
-    assert _corner(plotter) == "click where the path is to end"
+    assert _corner(plotter).startswith("click where the path is to end, or with shift")
     _press(plotter, body.position(body.landmarks["front hip point"]))
     (path,) = paths
     expected = bm.geodesic_between(body, path.points[0], path.points[-1])
@@ -240,7 +240,22 @@ def test_two_clicked_points_are_measured(clicking: Any, body: bm.Atlas) -> None:
     assert path.field_data["length"][0] == pytest.approx(near, abs=0.015)
     first, second = _corner(plotter).split("\n", 1)
     assert first.startswith(f"{path.field_data['length'][0]:.6g} m, error ")
+    straight = float(path.field_data["straight"][0])
+    assert straight == pytest.approx(np.linalg.norm(path.points[-1] - path.points[0]), rel=1e-3)
+    assert first.endswith(f", straight {straight:.4g} m")
     assert second == str(path.field_data["sentence"][0])
+
+
+def test_a_click_with_shift_is_a_point_on_the_way(clicking: Any, body: bm.Atlas) -> None:
+    plotter, paths = clicking
+    places = [BUST, "front waist point", "front hip point"]
+    for name in places:
+        _press(plotter, body.position(body.landmarks[name]), shift=name == places[1])
+    (path,) = paths
+    expected = bm.geodesic_between(body, places[0], places[2], places[1:2]).length
+    assert path.field_data["length"][0] == pytest.approx(expected, abs=0.015)
+    direct = bm.geodesic_between(body, places[0], places[2]).length
+    assert path.field_data["length"][0] > direct + 0.005
 
 
 def test_clicks_that_measure_nothing_say_so(clicking: Any, body: bm.Atlas, mesh: Any) -> None:

@@ -16,7 +16,7 @@ App = Callable[[Scope, Receive, Send], Awaitable[None]]
 
 # Bytes that a request may carry; a file that is opened may be larger.
 MOST_BYTES = 1_000_000
-MOST_FILE_BYTES = 64 * 2**20
+MOST_FILE_BYTES = 64_000_000
 FILES = ("/api/open",)
 API = "/api/"
 # The port of http, which addresses need not name.

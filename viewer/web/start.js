@@ -2,6 +2,7 @@
 import { App } from "./app.js";
 import { comparing } from "./compare.js";
 import { connection } from "./connection.js";
+import { keepViewInLink } from "./link.js";
 import { opening } from "./opening.js";
 import { graphics } from "./scene/graphics.js";
 import { VIEWS } from "./scene/rig.js";
@@ -91,8 +92,14 @@ export function startViewer(root, transport, options = {}) {
   const stopConnection = connection(app);
   testing(app, viewport, workbench, options);
   const ready = begin(app, viewport, workbench, parts);
+  // Within another page, the address is that page's.
+  let stopLink = () => {};
+  if (viewport && options.alone && window.parent === window) {
+    ready.then(() => (stopLink = keepViewInLink(app, viewport.stage)), () => {});
+  }
   const stop = () => {
     stopKeys();
+    stopLink();
     stopConnection();
     dark.removeEventListener("change", themed);
     transport.end?.();

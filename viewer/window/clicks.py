@@ -9,6 +9,9 @@ from typing import Any
 STILL = 4.0
 # The distance within which a click picks a thing, as a fraction of the window's diagonal.
 PICK_TOLERANCE = 0.003
+# The same on the body itself, where the exact place counts: far less than a pixel, so that no click
+# falls through the seam between two patches onto the back of the body.
+SEAM_TOLERANCE = 1e-5
 
 
 def listen_for_clicks(plotter: Any, clicked: Callable[[int, int], object]) -> None:
@@ -55,8 +58,7 @@ def picked_at(plotter: Any, x: float, y: float, only: Any = None) -> Any:
 
     vtk: Any = pyvista._vtk
     picker = vtk.vtkCellPicker()
-    # On the body itself the exact place counts, and beside it there is none.
-    picker.SetTolerance(PICK_TOLERANCE if only is None else 0.0)
+    picker.SetTolerance(PICK_TOLERANCE if only is None else SEAM_TOLERANCE)
     if only is not None:
         picker.InitializePickList()
         picker.AddPickList(only)

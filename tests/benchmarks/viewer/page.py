@@ -1,4 +1,4 @@
-"""What the page costs in Chromium: the first picture, a frame while it moves, and doing nothing.
+"""What the page costs in Chromium: the first picture, a frame while it moves, rest, and memory.
 
     python tests/benchmarks/viewer/page.py
 
@@ -6,6 +6,7 @@ All times are processor time of Chromium's processes (of the server's, too, for 
 so that other work on the machine counts little. Drawing is in software, the slowest there is.
 """
 
+import json
 import shutil
 import sys
 import time
@@ -20,6 +21,7 @@ from helpers.viewer_page import Screen, serve
 
 ROUNDS = 3
 TURNS = 60
+TAPES, STAY = 200, 10
 IDLE = 10.0
 ARGUMENTS = ("--no-sandbox", "--enable-unsafe-swiftshader", "--no-first-run")
 
@@ -80,6 +82,37 @@ def doing_nothing(screen: Screen) -> None:
     print(f"at rest: {100.0 * share:.2f} % of a core")
 
 
+def heap(screen: Screen) -> float:
+    """Return what the page holds after its garbage is collected, in MB."""
+    session = screen.page.context.new_cdp_session(screen.page)
+    session.send("HeapProfiler.collectGarbage")
+    session.send("Performance.enable")
+    metrics = session.send("Performance.getMetrics")["metrics"]
+    session.detach()
+    return float(next(one["value"] for one in metrics if one["name"] == "JSHeapUsedSize")) / 1e6
+
+
+def many_tapes(screen: Screen) -> None:
+    """Print what the page holds while tapes are measured and deleted, of which 10 stay."""
+    random = np.random.default_rng(1)
+    held = []
+    for number in range(1, TAPES + 1):
+        ends = [[int(random.integers(376)), random.random(), random.random()] for _ in range(2)]
+        tape = {"name": f"{number}", "mode": "path", "kind": "contact", "locations": ends}
+        content = {"format": "bodymeasure tapes", "version": 1, "tapes": [tape]}
+        screen.drop("one.tapes.json", json.dumps(content).encode())
+        screen.until("(state, name) => state.tapes.some((one) => one.name === name)", f"{number}")
+        state = screen.settle()
+        if len(state["tapes"]) > STAY:
+            screen.get(f"row-{state['tapes'][0]['id']}").locator(".value").click()
+            screen.page.keyboard.press("Delete")
+            screen.until("(state, most) => state.tapes.length <= most", STAY)
+        if number % (TAPES // 5) == 0:
+            held.append((number, heap(screen), screen.state()["geometries"]))
+    for number, size, geometries in held:
+        print(f"after {number} tapes: {size:.1f} MB, {geometries} geometries")
+
+
 def main() -> None:
     path = shutil.which("chromium")
     assert path is not None, "apt-get install chromium"
@@ -100,6 +133,7 @@ def main() -> None:
         moving_frames(screen)
         print("with a chart,", end=" ")
         doing_nothing(screen)
+        many_tapes(page_of(browser).open(served.link))
         browser.close()
         served.stop()
 

@@ -5,8 +5,9 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 // A long lens: a body in perspective that still looks like the body in orthographic view.
 const FIELD = 24;
-// Room above for the hint, and around.
+// Room around, as a factor, and above for the hint, in pixels.
 const MARGIN = 1.17;
+const HINT = 54;
 const FLIGHT = 350;
 // From exactly above, what is up on the screen would be undecided.
 const NEARLY_TOP = 1e-3;
@@ -30,6 +31,7 @@ export class Rig {
     this.aspect = 1;
     // The part of the width that nothing lies over.
     this.room = 1;
+    this.margin = MARGIN;
     this.onChange = onChange;
     this.controls = new OrbitControls(this.camera, element);
     this.controls.zoomToCursor = true;
@@ -94,9 +96,12 @@ export class Rig {
     this.camera.updateMatrixWorld();
   }
 
-  resize(aspect, room) {
+  /** `room` is the part of the width that nothing lies over, `height` that of the scene in pixels. */
+  resize(aspect, room, height) {
     this.aspect = aspect;
     this.room = room;
+    // In a low scene the hint would lie over the head.
+    this.margin = Math.max(MARGIN, height / Math.max(height - 2 * HINT, height / 2));
     this.#fit();
   }
 
@@ -124,7 +129,8 @@ export class Rig {
     }
     const target = new Vector3();
     axes.forEach((axis, k) => target.addScaledVector(axis, (low[k] + high[k]) / 2));
-    let height = Math.max(high[1] - low[1], (high[0] - low[0]) / (this.aspect * this.room)) * MARGIN;
+    const wide = (high[0] - low[0]) / (this.aspect * this.room);
+    let height = Math.max((high[1] - low[1]) * this.margin, wide * MARGIN);
     // What is nearer than the target looks larger in perspective.
     if (this.camera === this.perspective) height += (high[2] - low[2]) * 0.25;
     return { target: target.toArray(), theta, phi, height: height || this.radius };

@@ -37,6 +37,7 @@ export class Stage {
     this.beforeFrame = [];
     this.afterFrame = [];
     this.onQuality = [];
+    this.onRest = [];
     this.ray = new Raycaster();
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(host);
@@ -75,7 +76,7 @@ export class Stage {
     this.renderer.setPixelRatio(this.ratio);
     this.renderer.setSize(clientWidth, clientHeight, false);
     const [width, height] = this.size;
-    this.rig.resize(width / height, Math.max(0.6, 1 - COVERED / width));
+    this.rig.resize(width / height, Math.max(0.6, 1 - COVERED / width), height);
     this.invalidate();
   }
 
@@ -106,6 +107,7 @@ export class Stage {
     const ratio = this.renderer.getPixelRatio();
     if (ratio !== this.ratio) this.renderer.setPixelRatio(this.ratio);
     for (const listener of this.onQuality) listener(this.coarse);
+    if (!moving) for (const listener of this.onRest) listener();
     this.invalidate();
   }
 

@@ -15,7 +15,8 @@ function takeToken() {
   const match = /(?:^#|&)token=([^&]+)/.exec(location.hash);
   if (match) {
     sessionStorage.setItem(KEPT, match[1]);
-    history.replaceState(null, "", location.pathname + location.search);
+    const rest = location.hash.slice(1).split("&").filter((part) => part && !part.startsWith("token="));
+    history.replaceState(null, "", location.pathname + location.search + (rest.length ? `#${rest.join("&")}` : ""));
   }
   return sessionStorage.getItem(KEPT) ?? "";
 }

@@ -124,6 +124,27 @@ def test_dragging_turns_and_the_wheel_zooms(screen: Screen) -> None:
     screen.until("(state, height) => Math.abs(state.view.height - height) < 0.2", start["height"])
 
 
+def test_the_view_is_in_the_address(screen: Screen) -> None:
+    screen.page.keyboard.press("3")
+    screen.page.keyboard.press("o")
+    screen.until("state => !state.moving && location.hash.includes('view=perspective')")
+    before = screen.state()["view"]
+    screen.page.reload()
+    screen.page.wait_for_selector("#bodymeasure[data-ready]")
+    screen.until("state => Math.abs(state.view.theta - Math.PI / 2) < 0.001")
+    after = screen.state()
+    assert after["projection"] == "perspective"
+    for name in ("theta", "phi", "height", "target"):
+        assert after["view"][name] == pytest.approx(before[name], abs=2e-4)
+    # What is no view changes nothing.
+    screen.page.evaluate("() => { location.hash = 'view=perspective_1_nan_2_0_0_1e9'; }")
+    screen.page.wait_for_timeout(100)
+    assert screen.state()["view"] == after["view"]
+    # A link that is followed within the page shows its view.
+    screen.page.evaluate("() => { location.hash = 'view=orthographic_0_1.5_1.8_0_0.9_0'; }")
+    screen.until("state => state.projection === 'orthographic' && state.view.theta === 0")
+
+
 def test_light_and_dark(open_page: Callable[..., Screen]) -> None:
     dark = open_page(scheme="dark")
     root = dark.page.locator("#bodymeasure")

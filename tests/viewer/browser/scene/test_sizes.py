@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 from helpers.viewer_page import Screen
 
+import bodymeasure as bm
+
 CONTROLS = ("tool-tape", "undo", "unit", "more", "help", "view-front", "frame-all", "tab-display")
 
 
@@ -26,6 +28,14 @@ def test_nothing_is_cut_off(open_page: Callable[..., Screen], size: tuple[int, i
         assert box["y"] + box["height"] <= size[1], name
     canvas = screen.page.locator("canvas").bounding_box()
     assert canvas is not None
+    # The hint lies over no head, however low the scene is.
+    hint, view = screen.get("hint").bounding_box(), screen.state()["view"]
+    assert hint is not None
+    body = bm.load_sample("female_average")
+    head = float((body.points @ body.axes.up_vector).max())
+    middle = canvas["y"] + canvas["height"] / 2
+    above = (head - view["target"][1]) / view["height"] * canvas["height"]
+    assert hint["y"] + hint["height"] <= middle - above
     assert canvas["width"] * canvas["height"] > 0.3 * size[0] * size[1]
     places = screen.seen(apart=5)
     assert len(places) > 8
