@@ -10,6 +10,7 @@ from bodymeasure.pattern.files.drawn import DrawnPiece, drawn_piece
 from bodymeasure.pattern.files.labels import Marks, marks_of
 from bodymeasure.pattern.pieces.graded import GradedPattern
 from bodymeasure.pattern.pieces.pattern import Pattern
+from bodymeasure.pattern.planar import shapely
 
 # The distance between pieces and to the edge of the sheet, in millimeters.
 GAP = 15.0
@@ -43,6 +44,20 @@ class Nest:
     pieces: tuple[DrawnPiece, ...]
     marks: Marks
     offset: Array
+
+    @property
+    def size_places(self) -> Array:
+        """Where each size says its name: on its cut line, farthest from those of the others."""
+        rings = [shapely.linearrings(piece.cut) for piece in self.pieces]
+        found = []
+        for number, piece in enumerate(self.pieces):
+            others = shapely.union_all(rings[:number] + rings[number + 1 :])
+            away = shapely.distance(others, shapely.points(piece.cut))
+            # Without another size, and where all are the same, the highest point will do.
+            clear = np.isfinite(away) & (away > GAP / 100.0)
+            best = away.argmax() if clear.any() else piece.cut[:, 1].argmax()
+            found.append(piece.cut[best])
+        return np.array(found)
 
     def on_sheet(self, points: Array) -> Array:
         """Return points of its pieces on the sheet, whose second axis points down."""

@@ -17,7 +17,7 @@ from bodymeasure.pattern.files.layout import (
     Sheet,
     sheet_of,
 )
-from bodymeasure.pattern.files.svg import fold_lines, grain_lines
+from bodymeasure.pattern.files.svg import BESIDE, SIZE, fold_lines, grain_lines
 from bodymeasure.pattern.pieces.graded import GradedPattern
 from bodymeasure.pattern.pieces.pattern import Pattern
 from bodymeasure.pattern.planar import shapely
@@ -195,9 +195,11 @@ def _nest(canvas: "Canvas", nest: Nest) -> None:
             canvas.setDash()
             canvas.circle(x, y, HOLE, stroke=1, fill=0)
         _lines(canvas, nest, [notch.line for notch in piece.notches], 0.5)
+    for place, piece in zip(
+        _up(nest.on_sheet(nest.size_places) + BESIDE), nest.pieces, strict=True
+    ):
         if piece.size:
-            top = nest.on_sheet(piece.cut[piece.cut[:, 1].argmax()])
-            _words(canvas, _up(top) + np.array([0.0, 1.0]), piece.size, WORDS)
+            _words(canvas, place, piece.size, SIZE)
     marks = nest.marks
     _lines(canvas, nest, [*grain_lines(marks), *fold_lines(marks)], 0.25)
     places = _up(nest.on_sheet(marks.label.places))

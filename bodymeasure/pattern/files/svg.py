@@ -16,6 +16,8 @@ from bodymeasure.pattern.pieces.pattern import Pattern
 ARROW, HOLE = 4.0, 1.5
 # The decimals of coordinates: a hundredth of what a plotter can do.
 DECIMALS = 4
+# In millimeters: the names of sizes, and where they stand from their places.
+SIZE, BESIDE = 3.5, np.array([1.0, -1.0])
 SEW = "#1f4e9e"
 # Sizes are told apart by how their cut lines are broken, which a black print shows, too.
 DASHES = ("", "10 3", "6 2", "10 2 2 2", "3 2", "12 2 2 2 2 2", "1.5 1.5", "8 2 3 2")
@@ -44,6 +46,9 @@ def pattern_svg(pattern: Pattern | GradedPattern, *, allowance: float = 10.0) ->
         body.append(f'<g id="{path_id(nest.name)}">')
         for number, piece in enumerate(nest.pieces):
             body += _piece(nest, piece, DASHES[number % len(DASHES)])
+        for place, piece in zip(nest.on_sheet(nest.size_places), nest.pieces, strict=True):
+            if piece.size:
+                body.append(text(place + BESIDE, piece.size, SIZE))
         body += [*_marks(nest), "</g>"]
     return document(sheet, body)
 
@@ -87,10 +92,6 @@ def _piece(nest: Nest, piece: DrawnPiece, dashes: str) -> list[str]:
     if piece.notches:
         d = " ".join(path_data(nest.on_sheet(notch.line)) for notch in piece.notches)
         parts.append(_line(path_id(*names, "notches"), d, "black", 0.6))
-    if piece.size:
-        # Each size says which one it is where its cut line is highest.
-        top = nest.on_sheet(piece.cut[piece.cut[:, 1].argmax()])
-        parts.append(text(top - [0.0, 1.0], piece.size, 3.0))
     return parts
 
 
