@@ -76,7 +76,7 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, name: str | None
     default=1.0,
     show_default=True,
     metavar="CM",
-    help="Allowance of seams in cm, round each piece but at a fold.",
+    help="Allowance of seams in cm, but at folds, and where the set says otherwise.",
 )
 @click.option(
     "--ease",

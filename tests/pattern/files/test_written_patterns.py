@@ -1,5 +1,6 @@
 """All files of a pattern, and of one in several sizes, written at once."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,7 @@ import shapely
 
 import bodymeasure as bm
 from bodymeasure.errors import InputError
+from bodymeasure.pattern import PieceEdge
 from bodymeasure.pattern.files.layout import sheet_of
 
 
@@ -65,6 +67,23 @@ def test_pieces_of_all_sizes_lie_at_one_point_and_do_not_meet_others(bodice: bm.
         assert small.inner.contains(words)
         assert "sizes S, L" in nest.marks.label.lines
     assert shapely.distance(*areas) > 10.0
+
+
+def test_each_size_says_its_name_where_it_is_alone(bodice: bm.Pattern) -> None:
+    larger = tuple(
+        replace(piece, edges=tuple(widened(edge) for edge in piece.edges), darts=())
+        for piece in bodice.pieces
+    )
+    sizes = {"S": bodice, "L": replace(bodice, pieces=larger)}
+    for nest in sheet_of(bm.GradedPattern(bodice.definitions, sizes), 10.0).nests:
+        for number, place in enumerate(nest.size_places):
+            own, other = nest.pieces[number].cut, nest.pieces[1 - number].cut
+            assert shapely.distance(shapely.linearrings(own), shapely.points(place)) < 1e-9
+            assert shapely.distance(shapely.linearrings(other), shapely.points(place)) > 5.0
+
+
+def widened(edge: PieceEdge) -> PieceEdge:
+    return replace(edge, parts=tuple(1.1 * part for part in edge.parts))
 
 
 @pytest.mark.slow
