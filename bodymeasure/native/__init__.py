@@ -4,6 +4,7 @@ from bodymeasure.native.box import box_steps
 from bodymeasure.native.energy import PathTables, energies
 from bodymeasure.native.library import is_compiled
 from bodymeasure.native.route import NewtonSettings, RouteArrays, route_newton
+from bodymeasure.native.unfold import unfolded
 
 __all__ = [
     "NewtonSettings",
@@ -13,4 +14,5 @@ __all__ = [
     "energies",
     "is_compiled",
     "route_newton",
+    "unfolded",
 ]

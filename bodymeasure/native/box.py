@@ -5,10 +5,10 @@ import ctypes
 import numpy as np
 
 from bodymeasure._typing import Array, Bools
-from bodymeasure.native.library import BYTES, DOUBLES, library, pointer
+from bodymeasure.native.library import address, library
 
-# The arrays of a kernel's room beside the factor.
-BESIDE = 7
+# The most numbers that a column of a factor has beside the bands, and the kernel's other arrays.
+BESIDE = 16 + 3
 
 
 class _BoxModel(ctypes.Structure):
@@ -17,10 +17,10 @@ class _BoxModel(ctypes.Structure):
     _fields_ = (
         ("unknowns", ctypes.c_int64),
         ("bands", ctypes.c_int64),
-        ("matrix", DOUBLES),
-        ("gradient", DOUBLES),
-        ("place", DOUBLES),
-        ("idle", BYTES),
+        ("matrix", ctypes.c_void_p),
+        ("gradient", ctypes.c_void_p),
+        ("place", ctypes.c_void_p),
+        ("idle", ctypes.c_void_p),
     )
 
 
@@ -40,13 +40,13 @@ def box_steps(bands: Array, gradient: Array, place: Array, idle: Bools) -> tuple
         model = _BoxModel(
             size,
             width,
-            pointer(bands[number]),
-            pointer(gradient[number]),
-            pointer(place[number]),
-            pointer(idle[number]),
+            address(bands[number]),
+            address(gradient[number]),
+            address(place[number]),
+            address(idle[number]),
         )
         found = kernels.bodymeasure_box_step(
-            ctypes.byref(model), pointer(step[number]), pointer(room)
+            ctypes.byref(model), address(step[number]), address(room)
         )
         definite[number] = bool(found)
     return step, definite

@@ -7,10 +7,12 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.native.library import DOUBLES, library, pointer
+from bodymeasure.native.library import address, library
 
 # The highest degree of a patch in one parameter for which the kernels have room.
 MOST_DEGREE = 32
+# The points that the kernel adds at once, for each of which it needs room.
+AT_ONCE = 4
 # The derivatives of a jet, three coordinates each.
 JET = 30
 
@@ -22,12 +24,12 @@ class Paths(ctypes.Structure):
         ("count", ctypes.c_int64),
         ("degree_u", ctypes.c_int64),
         ("degree_v", ctypes.c_int64),
-        ("nets", DOUBLES),
+        ("nets", ctypes.c_void_p),
         ("nodes", ctypes.c_int64),
         ("points", ctypes.c_int64),
-        ("place", DOUBLES),
-        ("slopes", DOUBLES),
-        ("weights", DOUBLES),
+        ("place", ctypes.c_void_p),
+        ("slopes", ctypes.c_void_p),
+        ("weights", ctypes.c_void_p),
     )
 
 
@@ -75,12 +77,12 @@ class PathTables:
         return Paths(
             self.problems,
             *self.degrees,
-            pointer(nets),
+            address(nets),
             self.nodes,
             len(weights),
-            pointer(place),
-            pointer(slopes),
-            pointer(weights),
+            address(place),
+            address(slopes),
+            address(weights),
         )
 
 
@@ -104,11 +106,11 @@ def energies(tables: PathTables, values: Array, flat: bool) -> tuple[Array, Arra
     values = np.ascontiguousarray(values)
     size = 2 * tables.nodes
     value, gradient = np.empty(tables.problems), np.empty((tables.problems, size))
-    hessian, room = np.empty((tables.problems, size, size)), np.empty(size)
+    hessian, room = np.empty((tables.problems, size, size)), np.empty(AT_ONCE * size)
     kernels.bodymeasure_energy(
         ctypes.byref(tables.structure),
-        pointer(values),
-        ctypes.c_int64(flat),
-        *map(pointer, (value, gradient, hessian, room)),
+        address(values),
+        flat,
+        *map(address, (value, gradient, hessian, room)),
     )
     return value, gradient, hessian

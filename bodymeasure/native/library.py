@@ -11,16 +11,19 @@ from functools import cache
 from importlib.util import find_spec
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 NAME = "bodymeasure.native._kernels"
 SWITCH = "BODYMEASURE_NATIVE"
-DOUBLES = ctypes.POINTER(ctypes.c_double)
-INTEGERS = ctypes.POINTER(ctypes.c_int64)
-BYTES = ctypes.POINTER(ctypes.c_uint8)
-# The pointer to arrays of each type.
-_KINDS: dict[type, Any] = {np.float64: DOUBLES, np.int64: INTEGERS, np.bool_: BYTES}
+# The arguments of each kernel: addresses, but for the truth value of the energy's.
+_POINTER = ctypes.c_void_p
+KERNELS = {
+    "bodymeasure_box_step": [_POINTER] * 3,
+    "bodymeasure_energy": [_POINTER, _POINTER, ctypes.c_int64, *[_POINTER] * 4],
+    "bodymeasure_route_newton": [_POINTER] * 8,
+    "bodymeasure_route_room": [_POINTER] * 2,
+    "bodymeasure_unfold": [_POINTER] * 2,
+}
 
 
 @cache
@@ -30,14 +33,22 @@ def library() -> ctypes.CDLL | None:
     if chosen == "0":
         return None
     if chosen:
-        return ctypes.CDLL(chosen)
+        return _loaded(chosen)
     found = find_spec(NAME)
     if found is None or found.origin is None:
         return None
     try:
-        return ctypes.CDLL(found.origin)
+        return _loaded(found.origin)
     except OSError:  # built for another machine
         return None
+
+
+def _loaded(path: str) -> ctypes.CDLL:
+    result = ctypes.CDLL(path)
+    for name, arguments in KERNELS.items():
+        kernel = getattr(result, name)
+        kernel.argtypes, kernel.restype = arguments, ctypes.c_int64
+    return result
 
 
 def is_compiled() -> bool:
@@ -52,8 +63,9 @@ def is_compiled() -> bool:
     return library() is not None
 
 
-def pointer(array: NDArray[Any]) -> Any:
-    """Return a pointer to the entries of an array in C order, which must outlive it."""
+def address(array: NDArray[Any]) -> int:
+    """Return the address of the entries of an array in C order, which must outlive it."""
     if not array.flags.c_contiguous:
         raise ValueError("expected an array in C order")
-    return array.ctypes.data_as(_KINDS[array.dtype.type])
+    result: int = array.__array_interface__["data"][0]
+    return result

@@ -7,13 +7,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.native.energy import PathTables
-from bodymeasure.native.library import (
-    BYTES,
-    DOUBLES,
-    INTEGERS,
-    library,
-    pointer,
-)
+from bodymeasure.native.library import address, library
 
 
 class _RouteUnknowns(ctypes.Structure):
@@ -23,12 +17,12 @@ class _RouteUnknowns(ctypes.Structure):
         ("unknowns", ctypes.c_int64),
         ("bands", ctypes.c_int64),
         ("moved", ctypes.c_int64),
-        ("rows", INTEGERS),
-        ("local", INTEGERS),
-        ("sign", DOUBLES),
-        ("offset", DOUBLES),
-        ("fixed", DOUBLES),
-        ("idle", BYTES),
+        ("rows", ctypes.c_void_p),
+        ("local", ctypes.c_void_p),
+        ("sign", ctypes.c_void_p),
+        ("offset", ctypes.c_void_p),
+        ("fixed", ctypes.c_void_p),
+        ("idle", ctypes.c_void_p),
         ("epsilon", ctypes.c_double),
     )
 
@@ -99,18 +93,16 @@ def route_newton(
         size,
         route.bands,
         rows.shape[1],
-        pointer(rows),
-        pointer(local),
-        *map(pointer, (sign, offset, fixed)),
-        pointer(idle),
+        address(rows),
+        address(local),
+        *map(address, (sign, offset, fixed)),
+        address(idle),
         route.epsilon,
     )
     given = ctypes.byref(tables.structure), ctypes.byref(unknowns)
-    kernels.bodymeasure_route_room.restype = ctypes.c_int64
-    kernels.bodymeasure_route_newton.restype = ctypes.c_int64
     room = np.empty(kernels.bodymeasure_route_room(*given))
     value, gradient, bands = np.empty(1), np.empty(size), np.empty((route.bands, size))
     steps = kernels.bodymeasure_route_newton(
-        *given, ctypes.byref(settings), *map(pointer, (place, value, gradient, bands, room))
+        *given, ctypes.byref(settings), *map(address, (place, value, gradient, bands, room))
     )
     return RouteMinimum(place, float(value[0]), gradient, bands, abs(steps), steps > 0)

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 import bodymeasure as bm
 from bodymeasure._typing import Array
+from bodymeasure.geodesic.across.routes.ways import first_ways
 from bodymeasure.geodesic.lengths.functionals import energy, energy_of_a_flat_surface
 from bodymeasure.geodesic.numerics.banded import BoxModels
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
@@ -110,6 +111,23 @@ def test_paths_across_patches(sample: str, rng: np.random.Generator) -> None:
             plain = bm.geodesic_between(atlas, start, end, on_failure="status")
         assert compiled.status is plain.status
         assert compiled.length == pytest.approx(plain.length, rel=1e-14, nan_ok=True)
+
+
+@pytest.mark.parametrize("sample", ["female_average", "male_average"])
+def test_ways_that_are_pulled_straight(sample: str, rng: np.random.Generator) -> None:
+    atlas = bm.load_sample(sample)
+    for _ in range(6):
+        start, end = (
+            bm.AtlasPoint(int(rng.integers(len(atlas))), *map(float, rng.random(2)))
+            for _ in range(2)
+        )
+        compiled = first_ways(atlas, start, end)
+        with by_numpy():
+            plain = first_ways(atlas, start, end)
+        assert len(compiled) == len(plain) > 0
+        for one, other in zip(compiled, plain, strict=True):
+            assert (one.strip, one.sides) == (other.strip, other.sides)
+            assert_near(np.array(one.along), np.array(other.along), 1e-12)
 
 
 def test_a_loop_round_a_body() -> None:

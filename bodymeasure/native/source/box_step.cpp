@@ -27,38 +27,41 @@ void product(const BoxModel &model, const double *vector, double *result) {
     }
 }
 
-// Solve for what is free, columns of the lower triangle one after the other: (n, bands). False if
-// the matrix is not positive definite there.
+// Solve for what is free, by columns of the lower triangle: (n, stride). Past its entries a column
+// has zeros, so that the innermost loop always takes whole vectors. False if the matrix is not
+// positive definite there.
 bool solve_free(const BoxModel &model, const double *bound, double *factor, double *right) {
-    const int64_t n = model.unknowns, bands = model.bands;
+    const int64_t n = model.unknowns, bands = model.bands, stride = step_stride(bands);
     for (int64_t j = 0; j < n; ++j) {
-        double *column = factor + j * bands;
+        double *column = factor + j * stride;
         const bool is_free = std::isnan(bound[j]);
+        const int64_t below = bands < n - j ? bands : n - j;
         column[0] = is_free ? model.matrix[j] : 1.0;
-        for (int64_t row = 1; row < bands; ++row) {
-            const bool both = is_free && j + row < n && std::isnan(bound[j + row]);
+        for (int64_t row = 1; row < stride; ++row) {
+            const bool both = is_free && row < below && std::isnan(bound[j + row]);
             column[row] = both ? model.matrix[row * n + j] : 0.0;
         }
     }
     for (int64_t j = 0; j < n; ++j) {
-        double *column = factor + j * bands;
+        double *__restrict column = factor + j * stride;
         if (!(column[0] > 0.0)) return false;
-        const double root = std::sqrt(column[0]);
-        const double inverse = 1.0 / root;
+        const double root = std::sqrt(column[0]), inverse = 1.0 / root;
         column[0] = root;
         const int64_t below = bands < n - j ? bands : n - j;
         for (int64_t row = 1; row < below; ++row) column[row] *= inverse;
         right[j] *= inverse;
         for (int64_t row = 1; row < below; ++row) {
             const double entry = column[row];
-            right[j + row] -= entry * right[j];
             if (entry == 0.0) continue;
-            double *other = factor + (j + row) * bands;
-            for (int64_t k = 0; k < below - row; ++k) other[k] -= entry * column[row + k];
+            right[j + row] -= entry * right[j];
+            double *__restrict other = factor + (j + row) * stride;
+            for (int64_t k = 0; k < below - row; k += WIDTH)
+                for (int64_t lane = 0; lane < WIDTH; ++lane)
+                    other[k + lane] -= entry * column[row + k + lane];
         }
     }
     for (int64_t j = n - 1; j >= 0; --j) {
-        const double *column = factor + j * bands;
+        const double *column = factor + j * stride;
         const int64_t below = bands < n - j ? bands : n - j;
         double sum = right[j];
         for (int64_t row = 1; row < below; ++row) sum -= column[row] * right[j + row];

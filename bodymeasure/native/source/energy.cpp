@@ -18,6 +18,8 @@ constexpr int SECOND = 10;              // The entries of a symmetric matrix of 
 // The place of the entry of two components of z.
 constexpr int AT[4][4] = {{0, 1, 3, 4}, {1, 2, 5, 6}, {3, 5, 7, 8}, {4, 6, 8, 9}};
 constexpr int64_t MOST_DEGREE = 32;
+// Points whose parts of the Hessian are added at once, since each addition reads and writes it.
+constexpr int64_t AT_ONCE = 4;
 
 void bernstein(int64_t degree, double t, double *values) {
     const double s = 1.0 - t;
@@ -60,9 +62,41 @@ double density(const double *jet, double du, double dv, bool flat, double *first
     return 0.5 * dot(x, x);
 }
 
+// Add what some points give to the lower blocks of the Hessian.
+void add_to_hessian(int64_t nodes, const double *const *places, const double *const *slopes,
+                    const double (*second)[SECOND], double *hessian, double *room) {
+    const int64_t size = 2 * nodes;
+    for (int a = 0; a < 2; ++a) {
+        for (int b = 0; b <= a; ++b) {
+            for (int64_t k = 0; k < AT_ONCE; ++k) {
+                const double *entry = second[k], *place = places[k], *slope = slopes[k];
+                const double both = entry[AT[a][b]], right = entry[AT[a][b + 2]];
+                const double left = entry[AT[a + 2][b]], last = entry[AT[a + 2][b + 2]];
+                double *of_place = room + 2 * k * nodes, *of_slope = of_place + nodes;
+                for (int64_t i = 0; i < nodes; ++i) {
+                    of_place[i] = both * place[i] + right * slope[i];
+                    of_slope[i] = left * place[i] + last * slope[i];
+                }
+            }
+            for (int64_t i = 0; i < nodes; ++i) {
+                double *__restrict row = hessian + (a * nodes + i) * size + b * nodes;
+                const double p0 = places[0][i], p1 = places[1][i], p2 = places[2][i];
+                const double p3 = places[3][i], s0 = slopes[0][i], s1 = slopes[1][i];
+                const double s2 = slopes[2][i], s3 = slopes[3][i];
+                const double *__restrict part = room;
+                for (int64_t j = 0; j < nodes; ++j)
+                    row[j] += p0 * part[j] + s0 * part[nodes + j] + p1 * part[2 * nodes + j] +
+                              s1 * part[3 * nodes + j] + p2 * part[4 * nodes + j] +
+                              s2 * part[5 * nodes + j] + p3 * part[6 * nodes + j] +
+                              s3 * part[7 * nodes + j];
+            }
+        }
+    }
+}
+
 }  // namespace
 
-int64_t energy_room(const Paths &paths) { return 2 * paths.nodes; }
+int64_t energy_room(const Paths &paths) { return 2 * AT_ONCE * paths.nodes; }
 
 FOR_EACH_PROCESSOR
 double energy_of_path(const Paths &paths, int64_t number, const double *values, bool flat,
@@ -72,52 +106,49 @@ double energy_of_path(const Paths &paths, int64_t number, const double *values, 
     const double *net = paths.nets + number * in_u * in_v * JET;
     for (int64_t i = 0; i < size; ++i) gradient[i] = 0.0;
     for (int64_t i = 0; i < size * size; ++i) hessian[i] = 0.0;
-    double *of_place = room, *of_slope = room + nodes;
     double whole = 0.0;
-    for (int64_t point = 0; point < paths.points; ++point) {
-        const double *place = paths.place + point * nodes, *slope = paths.slopes + point * nodes;
-        const double weight = paths.weights[point];
-        // Differences from the start, so that rounding errors of slopes do not grow with (u, v).
-        double u = 0.0, v = 0.0, du = 0.0, dv = 0.0;
-        for (int64_t k = 0; k < nodes; ++k) {
-            u += place[k] * values[k];
-            v += place[k] * values[nodes + k];
-            du += slope[k] * (values[k] - values[0]);
-            dv += slope[k] * (values[nodes + k] - values[nodes]);
-        }
-        double by_u[MOST_DEGREE + 1], by_v[MOST_DEGREE + 1];
-        bernstein(paths.degree_u, u, by_u);
-        bernstein(paths.degree_v, v, by_v);
-        double jet[JET - FIRST] = {};
-        for (int64_t i = 0; i < in_u; ++i) {
-            for (int64_t j = 0; j < in_v; ++j) {
-                const double basis = by_u[i] * by_v[j];
-                const double *row = net + (i * in_v + j) * JET + FIRST;
-                for (int64_t c = 0; c < JET - FIRST; ++c) jet[c] += basis * row[c];
+    for (int64_t begin = 0; begin < paths.points; begin += AT_ONCE) {
+        double second[AT_ONCE][SECOND] = {};
+        const double *places[AT_ONCE], *all_slopes[AT_ONCE];
+        for (int64_t k = 0; k < AT_ONCE; ++k) {
+            // Past the last point nothing is added: there the second derivatives are zero.
+            const bool is_point = begin + k < paths.points;
+            const int64_t point = is_point ? begin + k : begin;
+            const double *place = places[k] = paths.place + point * nodes;
+            const double *slope = all_slopes[k] = paths.slopes + point * nodes;
+            if (!is_point) continue;
+            // Differences from the start, so that rounding errors of slopes do not grow with (u, v).
+            double u = 0.0, v = 0.0, du = 0.0, dv = 0.0;
+            for (int64_t i = 0; i < nodes; ++i) {
+                u += place[i] * values[i];
+                v += place[i] * values[nodes + i];
+                du += slope[i] * (values[i] - values[0]);
+                dv += slope[i] * (values[nodes + i] - values[nodes]);
             }
-        }
-        double first[4], second[SECOND];
-        whole += weight * density(jet, du, dv, flat, first, second);
-        for (double &entry : first) entry *= weight;
-        for (double &entry : second) entry *= weight;
-        for (int a = 0; a < 2; ++a) {
-            double *row = gradient + a * nodes;
-            for (int64_t k = 0; k < nodes; ++k) row[k] += first[a] * place[k] + first[a + 2] * slope[k];
-            for (int b = 0; b <= a; ++b) {
-                const double both = second[AT[a][b]], right = second[AT[a][b + 2]];
-                const double left = second[AT[a + 2][b]], slopes = second[AT[a + 2][b + 2]];
-                for (int64_t k = 0; k < nodes; ++k) {
-                    of_place[k] = both * place[k] + right * slope[k];
-                    of_slope[k] = left * place[k] + slopes * slope[k];
-                }
-                for (int64_t i = 0; i < nodes; ++i) {
-                    double *entries = hessian + (a * nodes + i) * size + b * nodes;
-                    const double p = place[i], s = slope[i];
-                    for (int64_t k = 0; k < nodes; ++k) entries[k] += p * of_place[k] + s * of_slope[k];
+            double by_u[MOST_DEGREE + 1], by_v[MOST_DEGREE + 1];
+            bernstein(paths.degree_u, u, by_u);
+            bernstein(paths.degree_v, v, by_v);
+            double jet[JET - FIRST] = {};
+            for (int64_t i = 0; i < in_u; ++i) {
+                for (int64_t j = 0; j < in_v; ++j) {
+                    const double basis = by_u[i] * by_v[j];
+                    const double *row = net + (i * in_v + j) * JET + FIRST;
+                    for (int64_t c = 0; c < JET - FIRST; ++c) jet[c] += basis * row[c];
                 }
             }
+            const double weight = paths.weights[point];
+            double first[4];
+            whole += weight * density(jet, du, dv, flat, first, second[k]);
+            for (double &entry : second[k]) entry *= weight;
+            for (int a = 0; a < 2; ++a) {
+                const double by_place = weight * first[a], by_slope = weight * first[a + 2];
+                double *row = gradient + a * nodes;
+                for (int64_t i = 0; i < nodes; ++i) row[i] += by_place * place[i] + by_slope * slope[i];
+            }
         }
+        add_to_hessian(nodes, places, all_slopes, second, hessian, room);
     }
+    // Only the lower triangle of blocks was summed.
     for (int64_t i = 0; i < nodes; ++i)
         for (int64_t k = 0; k < nodes; ++k)
             hessian[i * size + nodes + k] = hessian[(nodes + k) * size + i];
@@ -126,7 +157,7 @@ double energy_of_path(const Paths &paths, int64_t number, const double *values, 
 
 }  // namespace bodymeasure
 
-EXPORTED void bodymeasure_energy(const bodymeasure::Paths *paths, const double *values, int64_t flat,
+EXPORTED int64_t bodymeasure_energy(const bodymeasure::Paths *paths, const double *values, int64_t flat,
                                  double *energies, double *gradients, double *hessians,
                                  double *room) {
     const int64_t size = 2 * paths->nodes;
@@ -134,4 +165,5 @@ EXPORTED void bodymeasure_energy(const bodymeasure::Paths *paths, const double *
         energies[number] = bodymeasure::energy_of_path(
             *paths, number, values + number * size, flat != 0, gradients + number * size,
             hessians + number * size * size, room);
+    return paths->count;
 }

@@ -56,8 +56,14 @@ struct BoxModel {
     const uint8_t *idle;
 };
 
-// Room for a step: (bands + 7) * unknowns doubles.
-inline int64_t step_room(const BoxModel &model) { return (model.bands + 7) * model.unknowns; }
+// The entries of a vector of the widest processors, and of a column of a factor: whole vectors.
+constexpr int64_t WIDTH = 8;
+inline int64_t step_stride(int64_t bands) { return (bands + 2 * WIDTH - 1) / WIDTH * WIDTH; }
+
+// Room for a step, in doubles.
+inline int64_t step_room(const BoxModel &model) {
+    return (step_stride(model.bands) + 3) * model.unknowns;
+}
 
 // The step to the model's minimum in the box; false if there is none.
 bool box_step(const BoxModel &model, double *step, double *room);

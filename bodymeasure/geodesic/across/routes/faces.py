@@ -3,6 +3,7 @@
 from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -60,6 +61,11 @@ class FaceMesh:
         return FaceMesh(
             vertices, faces.tolist(), over.tolist(), forks, apex.tolist(), about.tolist()
         )
+
+    @cached_property
+    def arrays(self) -> tuple[Ints, Complex]:
+        """The faces and their apexes as arrays of shape (f, 3), for compiled kernels."""
+        return np.array(self.faces, np.int64), np.array(self.apex, complex)
 
     def beyond(self, face: int, side: int) -> Sequence[int]:
         """Return all faces beyond a side of a face."""

@@ -20,6 +20,7 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.across.routes.faces import FaceMesh, OnFace
+from bodymeasure.native import is_compiled, unfolded
 
 # The most rounds in which strips are led round vertices. Some three are usual.
 MOST_ROUNDS = 60
@@ -27,6 +28,7 @@ MOST_ROUNDS = 60
 STRAIGHT = 1e-9
 # Rounds that make the way shorter by less than this part of it are only rounding.
 SHORTER = 1e-12
+SIDES = "faces in a row share a side"
 
 
 @dataclass(frozen=True, eq=False)
@@ -188,9 +190,11 @@ class _Unfolded:
     def of(cls, mesh: FaceMesh, strip: _Strip) -> "_Unfolded":
         """Unfold a strip."""
         first = mesh.faces[strip.faces[0]]
+        scale = float(np.linalg.norm(mesh.vertices[first[1]] - mesh.vertices[first[0]]))
+        if is_compiled():
+            return cls._compiled(mesh, strip, scale)
         places: dict[int, complex] = {first[0]: 0j, first[1]: 1.0 + 0j}
         places[first[2]] = mesh.apex[strip.faces[0]][0]
-        scale = float(np.linalg.norm(mesh.vertices[first[1]] - mesh.vertices[first[0]]))
         places = {vertex: scale * place for vertex, place in places.items()}
         start = sum(
             w * places[vertex] for w, vertex in zip(strip.start.weights, first, strict=True)
@@ -224,6 +228,17 @@ class _Unfolded:
             for w, vertex in zip(strip.end.weights, mesh.faces[here], strict=True)
         )
         return cls(start, end, sides, names, left, right, _funnel(start, end, left, right))
+
+    @classmethod
+    def _compiled(cls, mesh: FaceMesh, strip: _Strip, scale: float) -> "_Unfolded":
+        """What `of` returns, by compiled kernels."""
+        weights = np.array(strip.start.weights), np.array(strip.end.weights)
+        found = unfolded(mesh.arrays, np.array(strip.faces), scale, weights)
+        assert found is not None, SIDES
+        start, end = found.ends.tolist()
+        names, bends = ([(a, b) for a, b in rows.tolist()] for rows in (found.names, found.bends))
+        left, right = found.left.tolist(), found.right.tolist()
+        return cls(start, end, found.sides.tolist(), names, left, right, bends)
 
     @property
     def places(self) -> list[complex]:
@@ -269,7 +284,7 @@ def _shared(corners: list[int], beyond: list[int]) -> int:
     for side in range(3):
         if corners[side] in beyond and corners[(side + 1) % 3] in beyond:
             return side
-    raise AssertionError("faces in a row share a side")
+    raise AssertionError(SIDES)
 
 
 def _funnel(
