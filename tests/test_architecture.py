@@ -13,7 +13,8 @@ from helpers.modules import FOLDERS, ROOT, Module, all_modules, loaded_by
 LAYERS = (
     ("_typing", "errors", "threads", "wording"),
     ("arguments", "files", "npz_arrays", "trust"),
-    ("bezier", "native"),
+    ("native",),
+    ("bezier",),
     ("subdivision",),
     ("atlas",),
     ("extremities", "formats"),
@@ -55,7 +56,7 @@ ORDERS = {
     " body/extreme_girth, body/girth_arcs",
     "mesh": "arrays, path, tubes · curved, exact, points · coarseness, curves, glb, lines ·"
     " measure",
-    "native": "library · energy · box, route, unfold",
+    "native": "library · energy · box, points, route, unfold",
     "paper": "method · data · surface · tables · reproduction · page",
     "pattern": "grid, planar · cloth, patches · curves, definitions · cutting · flat ·"
     " pieces · files",

@@ -15,11 +15,13 @@ from numpy.typing import NDArray
 
 NAME = "bodymeasure.native._kernels"
 SWITCH = "BODYMEASURE_NATIVE"
-# The arguments of each kernel: addresses, but for the truth value of the energy's.
+# The arguments of each kernel: addresses of arrays, and whole numbers.
 _POINTER = ctypes.c_void_p
 KERNELS = {
     "bodymeasure_box_step": [_POINTER] * 3,
     "bodymeasure_energy": [_POINTER, _POINTER, ctypes.c_int64, *[_POINTER] * 4],
+    "bodymeasure_power_jets": [ctypes.c_int64] * 3 + [_POINTER] * 3,
+    "bodymeasure_roots": [ctypes.c_int64] * 2 + [_POINTER] * 5,
     "bodymeasure_route_newton": [_POINTER] * 8,
     "bodymeasure_route_room": [_POINTER] * 2,
     "bodymeasure_unfold": [_POINTER] * 2,

@@ -3,6 +3,7 @@
 import numpy as np
 
 from bodymeasure._typing import Array
+from bodymeasure.native import is_compiled, roots_in_brackets
 
 # The most steps: halving alone needs some 55 for all digits, and with Newton's steps it takes six.
 MAX_STEPS = 120
@@ -36,6 +37,8 @@ def bracketed_roots(coefficients: Array, lower: Array, upper: Array) -> Array:
     -----
     It is Newton's method, with a halving wherever its step would leave the bracket.
     """
+    if is_compiled():
+        return roots_in_brackets(coefficients, lower, upper)
     low, high = lower.astype(np.float64), upper.astype(np.float64)
     at_low, at_high = (polynomial_values(coefficients, t)[0] for t in (low, high))
     crosses = (at_low < 0.0) != (at_high < 0.0)

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 import bodymeasure as bm
 from bodymeasure._typing import Array
+from bodymeasure.bezier.power_form import jets
 from bodymeasure.geodesic.across.routes.ways import first_ways
 from bodymeasure.geodesic.lengths.functionals import energy, energy_of_a_flat_surface
 from bodymeasure.geodesic.numerics.banded import BoxModels
@@ -20,6 +21,7 @@ from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.native import is_compiled
 from bodymeasure.native.library import SWITCH, library
+from bodymeasure.section.roots import bracketed_roots
 
 pytestmark = pytest.mark.skipif(not is_compiled(), reason="built without a compiler")
 
@@ -111,6 +113,33 @@ def test_paths_across_patches(sample: str, rng: np.random.Generator) -> None:
             plain = bm.geodesic_between(atlas, start, end, on_failure="status")
         assert compiled.status is plain.status
         assert compiled.length == pytest.approx(plain.length, rel=1e-14, nan_ok=True)
+
+
+@given(seeds, st.integers(1, 9), st.integers(0, 20))
+def test_roots_in_brackets(seed: int, degree: int, count: int) -> None:
+    rng = np.random.default_rng(seed)
+    # They rise or fall in the whole of [0, 1], and touch zero at an end now and then.
+    coefficients = np.cumsum(rng.random((count, degree + 1)), axis=1) * rng.choice(
+        (-1, 1), (count, 1)
+    )
+    coefficients -= rng.choice((0.0, 0.5, 1.0), (count, 1)) * coefficients[:, -1:]
+    lower, upper = np.sort(rng.random((2, count)), axis=0)
+    compiled = bracketed_roots(coefficients, lower, upper)
+    with by_numpy():
+        plain = bracketed_roots(coefficients, lower, upper)
+    np.testing.assert_allclose(compiled, plain, rtol=0.0, atol=1e-14)
+
+
+@given(seeds, st.integers(1, 6), st.sampled_from((3, 4)))
+def test_jets_of_patches_in_powers(seed: int, degree: int, coordinates: int) -> None:
+    rng = np.random.default_rng(seed)
+    coefficients = rng.random((5, degree + 1, degree + 1, coordinates))
+    # A weight of 1 and more everywhere.
+    coefficients[:, 0, 0, -1] += 1.0
+    x = rng.random((5, 2))
+    compiled = jets(coefficients, x)
+    with by_numpy():
+        assert_near(compiled, jets(coefficients, x))
 
 
 @pytest.mark.parametrize("sample", ["female_average", "male_average"])
