@@ -88,6 +88,12 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, name: str | None
 @formats_option
 @paper_option
 @click.option(
+    "--bridge/--no-bridge",
+    default=None,
+    help="Whether the cloth bridges hollows inside of pieces, as under a bust, rather than follow "
+    "the skin.  [default: as the set says]",
+)
+@click.option(
     "--print-set",
     metavar="SET",
     is_eager=True,
@@ -111,6 +117,7 @@ def pattern(
     ease: dict[str, float] | None,
     formats: tuple[str, ...],
     paper: str,
+    bridge: bool | None,
     patches: bool,
     despite_errors: bool,
 ) -> int:
@@ -151,10 +158,10 @@ def pattern(
         with progress_bar("laying flat", len(panels.panel) * len(bodies)) as progress:
             advance: Callable[[int, int], None] = lambda done, _all: progress(done)  # noqa: E731
             if graded:
-                made = grade_pattern(bodies, panels, ease=ease, progress=advance)
+                made = grade_pattern(bodies, panels, ease=ease, bridge=bridge, progress=advance)
             else:
                 (body,) = bodies.values()
-                made = make_pattern(body, panels, ease=ease, progress=advance)
+                made = make_pattern(body, panels, ease=ease, bridge=bridge, progress=advance)
         contents = pattern_files(made, formats=formats, allowance=10.0 * allowance, paper=paper)
         files = {output / name: content for name, content in contents.items()}
         write_all(files)

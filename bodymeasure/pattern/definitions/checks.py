@@ -118,7 +118,7 @@ def _edge_faults(edge: Edge) -> Iterator[str]:
             yield f"edge {edge.name!r} is a section, which has two ends and no landmark between"
     elif edge.plane is not None or edge.via:
         yield (
-            f"edge {edge.name!r} is a geodesic, which has neither plane nor via; make it a "
+            f"edge {edge.name!r} is a {edge.kind}, which has neither plane nor via; make it a "
             'section (kind = "section"), or leave them out'
         )
 

@@ -19,10 +19,10 @@ class Edge(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     Parameters
     ----------
     name : str
-    kind : {"geodesic", "section"}
-        The shortest path along the skin, or a part of a plane section.
+    kind : {"geodesic", "section", "curve"}
+        The shortest path along the skin, a part of a plane section, or a smooth curve.
     through : tuple of str
-        Landmarks: the start, those on the way (of a geodesic), and the end.
+        Landmarks: the start, those on the way (of a geodesic or a curve), and the end.
     plane : tuple of two or three str or {"front", "level", "median"}, optional
         Of a section: three landmarks of the plane; or one that holds both ends and runs to the
         front, or as level as it can, or upright, or as square as it can to the way between two
@@ -45,7 +45,7 @@ class Edge(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     """
 
     name: str
-    kind: Literal["geodesic", "section"]
+    kind: Literal["geodesic", "section", "curve"]
     through: tuple[str, ...]
     plane: tuple[str, ...] | Laid | None = None
     via: str = ""
@@ -172,6 +172,8 @@ class PatternDefinitions(msgspec.Struct, frozen=True, kw_only=True, forbid_unkno
     ease : dict of str to float
         By how much girths of the garment are wider than those of the body, in meters, by the
         landmarks at whose levels they are, or ``neck``, ``bust``, ``waist`` and ``hip``.
+    bridge : bool
+        Whether the cloth bridges hollows inside of the panels, rather than follow the skin.
     landmark : tuple of LandmarkRule
         Rules for landmarks that neither bodies nor the default set of charts have, by the same
         rules as there.
@@ -191,6 +193,7 @@ class PatternDefinitions(msgspec.Struct, frozen=True, kw_only=True, forbid_unkno
     drop: tuple[str, ...] = ()
     panel: tuple[Panel, ...] = ()
     ease: dict[str, float] = {}
+    bridge: bool = False
     landmark: tuple[LandmarkRule, ...] = ()
 
     def __repr__(self) -> str:

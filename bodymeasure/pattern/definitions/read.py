@@ -159,6 +159,7 @@ def _extended(own: PatternDefinitions, source: str) -> PatternDefinitions:
         drop=(),
         panel=tuple(panels.values()),
         ease=ease,
+        bridge=own.bridge or (extended is not None and extended.bridge),
         landmark=tuple(rules.values()),
     )
 

@@ -57,6 +57,8 @@ class PieceMesh:
     darts : tuple of Leg
     start : ndarray, shape (n, 2)
         The vertices in the layout in which the mesh was made.
+    lift : ndarray, shape (n,)
+        How far the cloth is off the body, or off the surface with ease, where it bridges hollows.
     """
 
     places: SkinPlaces
@@ -65,6 +67,7 @@ class PieceMesh:
     edges: tuple[tuple[Chain, ...], ...]
     darts: tuple[Leg, ...]
     start: Array
+    lift: Array
 
     @property
     def chains(self) -> tuple[Chain, ...]:

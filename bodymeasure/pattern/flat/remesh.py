@@ -58,6 +58,11 @@ class Remeshed:
     steps : tuple of tuple of float
         The lengths of the sides along each chain of each edge.
     dart_steps : tuple of float
+    surface : tuple of ndarray, shape (n, 3), optional
+        Positions and normals of the cloth where it bridges hollows; where it does not, they are
+        those above the places.
+    lift : ndarray, shape (n,), optional
+        How far it is off there.
     """
 
     places: SkinPlaces
@@ -67,6 +72,8 @@ class Remeshed:
     darts: tuple[Ints, ...]
     steps: tuple[tuple[float, ...], ...]
     dart_steps: tuple[float, ...]
+    surface: tuple[Array, Array] | None = None
+    lift: Array | None = None
 
 
 def remeshed(region: Region, flat: Array, outline: Outline, step: float) -> Remeshed:

@@ -35,7 +35,10 @@ def slit(cloth: Cloth, mesh: Remeshed) -> PieceMesh:
                     chains[number] = np.concatenate([copies[:1], chains[number][1:]])
         legs.append(Leg(Chain(vertices, step), Chain(copies, step)))
     places = mesh.places.take(origin)
-    positions, normals = cloth.positions(*places), cloth.normals(*places)
+    if mesh.surface is None:
+        positions, normals = cloth.positions(*places), cloth.normals(*places)
+    else:
+        positions, normals = (each[origin] for each in mesh.surface)
     way = np.roll(triangles, -1, axis=1)
     chord = positions[way] - positions[triangles]
     length = np.linalg.norm(chord, axis=2)
@@ -56,6 +59,7 @@ def slit(cloth: Cloth, mesh: Remeshed) -> PieceMesh:
         bounding,
         tuple(legs),
         mesh.flat[origin],
+        np.zeros(len(origin)) if mesh.lift is None else mesh.lift[origin],
     )
 
 

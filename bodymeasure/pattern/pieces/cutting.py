@@ -9,11 +9,11 @@ from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.queries.outside import outward_sign
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic import geodesic_between
-from bodymeasure.pattern.cloth.cloth import Cloth
 from bodymeasure.pattern.curves.skin_curve import SkinCurve
 from bodymeasure.pattern.cutting.mesh import cut_mesh
 from bodymeasure.pattern.cutting.region import Bound, Region, region_inside
 from bodymeasure.pattern.definitions.panels import Dart, Panel
+from bodymeasure.pattern.flat.bridged import bridged
 from bodymeasure.pattern.flat.conformal import flat_conformally
 from bodymeasure.pattern.flat.flatten import Flat, flattened
 from bodymeasure.pattern.flat.remesh import Outline, remeshed
@@ -85,7 +85,7 @@ def _piece_of(curves: EdgeCurves, panel: Panel, step: float) -> Piece:
     darts = [_placed(curves, panel, sides, dart) for dart in panel.dart]
     warnings: list[str] = []
     while True:
-        flat = _laid_flat(curves.cloth, panel, (region, layout), sides, darts, step)
+        flat = _laid_flat(curves, panel, (region, layout), sides, darts, step)
         shut = [
             (placed, angle, gap)
             for placed, (angle, gap) in zip(
@@ -111,7 +111,7 @@ def _piece_of(curves: EdgeCurves, panel: Panel, step: float) -> Piece:
             panel.edge[number].seam,
             tuple(positions[chain.vertices] for chain in chains),
             on_skin[number].length,
-            sides[number].length,
+            sum(chain.length for chain in chains),
             panel.edge[number].ease / atlas.unit.meters,
         )
         for number, chains in zip(region.order, flat.mesh.edges, strict=True)
@@ -121,7 +121,7 @@ def _piece_of(curves: EdgeCurves, panel: Panel, step: float) -> Piece:
             placed.dart.name,
             placed.dart.edge,
             (positions[leg.before.vertices], positions[leg.after.vertices]),
-            placed.curve.length,
+            leg.before.length,
         )
         for placed, leg in zip(_in_order(darts, region, backwards), flat.mesh.darts, strict=True)
     )
@@ -157,7 +157,7 @@ def _in_order(darts: list[_Placed], region: Region, backwards: bool) -> list[_Pl
 
 
 def _laid_flat(
-    cloth: Cloth,
+    curves: EdgeCurves,
     panel: Panel,
     cut: tuple[Region, Array],
     sides: list[SkinCurve],
@@ -177,9 +177,12 @@ def _laid_flat(
         for number in region.order
     )
     outline = Outline(edges, cuts, tuple(placed.curve for placed in ordered))
-    mesh = slit(cloth, remeshed(region, layout, outline, step))
     names = [edge.name for edge in panel.edge]
     fold = region.order.index(names.index(panel.fold)) if panel.fold else None
+    even = remeshed(region, layout, outline, step)
+    if curves.bridge:
+        even = bridged(curves.cloth, even, fold)
+    mesh = slit(curves.cloth, even)
     straight = tuple(placed.dart.legs == "straight" for placed in ordered)
     return flattened(mesh, fold=fold, downwards=backwards, straight=straight)
 

@@ -13,6 +13,7 @@ from bodymeasure.pattern.curves.geodesics import geodesic_curve
 from bodymeasure.pattern.curves.on_cloth import on_cloth, stretched
 from bodymeasure.pattern.curves.sections import section_curve
 from bodymeasure.pattern.curves.skin_curve import SkinCurve
+from bodymeasure.pattern.curves.smooth import smooth_curve
 from bodymeasure.pattern.definitions.panels import Dart, Edge
 from bodymeasure.section import Plane
 
@@ -33,8 +34,11 @@ class EdgeCurves:
     Edges that name a seam, and edges through the same landmarks, are one curve.
     """
 
-    def __init__(self, cloth: Cloth, landmarks: Mapping[str, AtlasPoint]) -> None:
+    def __init__(
+        self, cloth: Cloth, landmarks: Mapping[str, AtlasPoint], *, bridge: bool = False
+    ) -> None:
         self.cloth, self.atlas, self.landmarks = cloth, cloth.atlas, landmarks
+        self.bridge = bridge
         self._known: dict[tuple[object, ...], SkinCurve] = {}
         self._on_cloth: dict[tuple[object, ...], SkinCurve] = {}
 
@@ -99,6 +103,8 @@ class EdgeCurves:
         points = [self.landmarks[name] for name in edge.through]
         if edge.kind == "geodesic":
             return geodesic_curve(self.atlas, points)
+        if edge.kind == "curve":
+            return smooth_curve(self.atlas, points)
         via = self.landmarks[edge.via] if edge.via else None
         return section_curve(self.atlas, self._plane(edge), (points[0], points[-1]), via)
 

@@ -69,6 +69,7 @@ def grade_pattern(
     definitions: PatternDefinitions | str | Path = "bodice",
     *,
     ease: Mapping[str, float] | None = None,
+    bridge: bool | None = None,
     step: float = STEP,
     progress: Callable[[int, int], None] | None = None,
 ) -> GradedPattern:
@@ -85,6 +86,7 @@ def grade_pattern(
     definitions : PatternDefinitions, str or Path
         What `load_pattern` returns, or what it takes.
     ease : mapping of str to float, optional
+    bridge : bool, optional
     step : float
         As in `make_pattern`.
     progress : callable, optional
@@ -133,7 +135,7 @@ def grade_pattern(
     for size, body in bodies.items():
         try:
             patterns[size] = make_pattern(
-                body, definitions, ease=ease, step=step, progress=advanced
+                body, definitions, ease=ease, bridge=bridge, step=step, progress=advanced
             )
         except InputError as error:
             raise InputError(f"size {size!r}: {error}") from error

@@ -30,6 +30,7 @@ def make_pattern(
     definitions: PatternDefinitions | str | Path = "bodice",
     *,
     ease: Mapping[str, float] | None = None,
+    bridge: bool | None = None,
     step: float = STEP,
     progress: Callable[[int, int], None] | None = None,
 ) -> Pattern:
@@ -44,6 +45,8 @@ def make_pattern(
         By how much girths of the garment are wider than those of the body, in meters, by the
         landmarks at whose levels they are, or ``neck``, ``bust``, ``waist`` and ``hip``: these
         levels take the place of those of the set.
+    bridge : bool, optional
+        Whether the cloth bridges hollows inside of panels; as the set says if not given.
     step : float
         The length of the sides of the mesh that is laid flat, in meters.
     progress : callable, optional
@@ -84,10 +87,12 @@ def make_pattern(
     require_kind(definitions, PatternDefinitions, "definitions", "what load_pattern returns")
     if not isinstance(step, (int, float)) or not FINEST <= step <= COARSEST:
         raise InputError(f"step is {step!r}; expected a length in meters, {FINEST} to {COARSEST}")
+    if bridge is not None:
+        require_kind(bridge, bool, "bridge", "True or False")
     wider = {**definitions.ease, **_given_ease(ease)}
     landmarks = panel_landmarks(body, definitions, landmarks_of(wider))
     cloth = Cloth(body, ease_of(body, wider, landmarks))
-    curves = EdgeCurves(cloth, landmarks)
+    curves = EdgeCurves(cloth, landmarks, bridge=definitions.bridge if bridge is None else bridge)
     pieces, seconds = [], {}
     for number, panel in enumerate(definitions.panel, start=1):
         begin = time.process_time()

@@ -124,6 +124,11 @@ class Piece:
         return float(np.sqrt(area @ (self.strains**2).mean(axis=1) / area.sum()))
 
     @property
+    def lift(self) -> float:
+        """The most by which the cloth is off the body where it bridges hollows."""
+        return float(self.flat.mesh.lift.max())
+
+    @property
     def flips(self) -> int:
         """The number of triangles that lie on their faces."""
         return int(self.flat.stretch.flipped(self.flat.positions).sum())
