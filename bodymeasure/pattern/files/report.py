@@ -13,6 +13,7 @@ class EdgeRecord(msgspec.Struct, frozen=True, kw_only=True):
     name: str
     seam: str
     length_on_skin: float
+    length_on_cloth: float
     length_in_piece: float
 
 
@@ -119,6 +120,7 @@ def _piece(piece: Piece, scale: float) -> PieceRecord:
                 name=edge.name,
                 seam=edge.seam,
                 length_on_skin=scale * edge.skin_length,
+                length_on_cloth=scale * edge.cloth_length,
                 length_in_piece=scale * edge.length,
             )
             for edge in piece.edges
