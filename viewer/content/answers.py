@@ -11,6 +11,7 @@ from bodymeasure.viewer.content.body import body_message
 from bodymeasure.viewer.content.chart import chart_message, export_file, sets_of
 from bodymeasure.viewer.content.landmarks import lacking_landmarks, saved
 from bodymeasure.viewer.content.layers import layer_message
+from bodymeasure.viewer.content.on_mesh import mesh_answer
 from bodymeasure.viewer.content.opening import opened
 from bodymeasure.viewer.content.points import mirror_answer, point_answer
 from bodymeasure.viewer.content.quantities import QUANTITIES, quantity_message
@@ -68,6 +69,8 @@ def answer(bodies: Bodies, request: requests.Request, progress: Progress | None 
             return girth_answer(body, request)
         case requests.MeasureClosed():
             return closed_answer(body, request)
+        case requests.MeasureOnMesh():
+            return mesh_answer(body, request, _telling(progress, "measuring on the mesh"))
         case requests.FindPoint():
             return point_answer(body, request)
         case requests.FindMirror():

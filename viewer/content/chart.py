@@ -200,6 +200,8 @@ def _members(item: Measured, record: BodyRecord) -> dict[str, Any]:
         "words": record.words,
         "reason": record.reason,
         "landmarks": record.landmarks,
+        # Of a path, the points that it leads through, in their order.
+        "through": list(getattr(item.definition, "through", ())) if record.kind == "path" else [],
         "accuracy_class": record.accuracy_class,
     }
 

@@ -10,6 +10,7 @@ from bodymeasure.errors import InputError
 # More points than anybody clicks for one tape, and names than a chart has landmarks.
 MOST_POINTS = 50
 MOST_LANDMARKS = 1_000
+MOST_TAPES = 1_000
 MOST_LETTERS = 200
 
 Text = Annotated[str, msgspec.Meta(max_length=MOST_LETTERS)]
@@ -89,6 +90,18 @@ class MeasureClosed(Ask, frozen=True, kw_only=True, tag="closed"):
     """Ask for the closed geodesic to which the horizontal loop at a point contracts."""
 
     location: Spot
+
+
+class MeasureOnMesh(Request, frozen=True, kw_only=True, tag="mesh"):
+    """Ask for the lengths of paths over triangles, to compare them with those over patches."""
+
+    tapes: Annotated[
+        tuple[
+            Annotated[tuple[Place, ...], msgspec.Meta(min_length=2, max_length=MOST_POINTS)], ...
+        ],
+        msgspec.Meta(max_length=MOST_TAPES),
+    ]
+    tab: Text = ""
 
 
 class FindPoint(Request, frozen=True, kw_only=True, tag="point"):
@@ -173,6 +186,7 @@ AnyRequest = (
     | MeasurePath
     | MeasureGirth
     | MeasureClosed
+    | MeasureOnMesh
     | FindPoint
     | FindMirror
     | MeasureChart

@@ -95,6 +95,7 @@ def application(service: Service, *, token: str, port: int, **guard: Any) -> Gua
         ("/api/path", requests.MeasurePath),
         ("/api/girth", requests.MeasureGirth),
         ("/api/closed", requests.MeasureClosed),
+        ("/api/mesh", requests.MeasureOnMesh),
         ("/api/point", requests.FindPoint),
         ("/api/mirror", requests.FindMirror),
         ("/api/chart", requests.MeasureChart),

@@ -98,7 +98,8 @@ class Service:
         if isinstance(request, requests.Stop):
             stopped = self._queues[True].stop(request.tab)
             return Done(0, "json", json.encode({"stopped": stopped}))
-        long = isinstance(request, requests.MeasureChart) or self._compares(request)
+        charts = requests.MeasureChart | requests.MeasureOnMesh
+        long = isinstance(request, charts) or self._compares(request)
         slot: Hashable = None
         if isinstance(request, requests.Ask) and request.tab:
             slot = (request.tab, type(request))

@@ -3,6 +3,7 @@
 import { Emitter } from "./model/emitter.js";
 import { chartItems, tapeItem } from "./model/items.js";
 import { Measuring } from "./model/measuring.js";
+import { MeshCheck } from "./model/mesh_check.js";
 import { memory, Settings } from "./model/settings.js";
 import { Sheet } from "./model/sheet.js";
 import { soundSheet } from "./model/tape_files.js";
@@ -22,6 +23,7 @@ export class App {
     const about = () => [this.bodyId, this.header?.version];
     this.sheet = new Sheet(this.emitter, (location) => this.resolve(location), about);
     this.measuring = new Measuring(this);
+    this.meshCheck = new MeshCheck(this);
     this.bodyId = "0";
     this.header = null;
     this.chart = null;

@@ -81,7 +81,7 @@ export function toScale(key, value) {
 export function scaleOf(key, places) {
   const known = places.filter(Number.isFinite).sort((a, b) => a - b);
   const at = (part) => known[Math.round(part * (known.length - 1))] ?? 0;
-  return { key, low: at(0.01), high: at(0.99), scale: "sequential" };
+  return { key, low: at(0.01), high: at(0.99), scale: "sequential", empty: !known.length };
 }
 
 export function gradient(scale) {

@@ -4,7 +4,7 @@
 
 // More steps than anybody goes back; without a limit a day of dragging would fill the memory.
 const MOST_STEPS = 200;
-const MOST_RESULTS = 500;
+const MOST_RESULTS = 60;
 
 const EMPTY = { tapes: [], landmarks: {}, last: 0 };
 

@@ -10,7 +10,8 @@ export function tapeColors(app, items = app.items) {
     const of = (item) => (item.source === "tape" ? TAPE_COLOR[theme] : groupColor(groups.indexOf(item.group), theme));
     return { scale: null, of };
   }
-  const place = (item) => (item.kind === "length" ? toScale(key, key === "length" ? item.value : item[key]) : NaN);
+  const value = (item) => ({ length: item.value, error: item.error, difference: app.meshCheck.of(item) })[key];
+  const place = (item) => (item.kind === "length" ? toScale(key, value(item) ?? NaN) : NaN);
   const scale = scaleOf(key, items.map(place));
   return { scale, of: (item) => colorOf(place(item), scale) };
 }

@@ -80,6 +80,7 @@ export function notebookTransport(model) {
     path: (body, request) => object("path", { body, ...request }),
     girth: (body, request) => object("girth", { body, ...request }),
     closed: (body, request) => object("closed", { body, ...request }),
+    mesh: (body, tapes) => object("mesh", { body, tapes }),
     mirror: (body, location) => object("mirror", { body, location }),
     point: (body, location) => object("point", { body, location }),
     chart: (body, set, landmarks) => binary("chart", { body, set, landmarks }),

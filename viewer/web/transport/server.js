@@ -90,6 +90,7 @@ export function serverTransport() {
     mirror: (id, location) => object(`api/mirror${of(id)}`, { json: { location } }),
     point: (id, location) => object(`api/point${of(id)}`, { json: { location } }),
     chart: (id, set, landmarks) => binary(`api/chart${of(id)}`, { json: { set, landmarks, tab } }),
+    mesh: (id, tapes) => object(`api/mesh${of(id)}`, { json: { tapes, tab } }),
     stop: () => object("api/stop", { json: { tab } }),
     exportFile: (id, request) => file(`api/export${of(id)}`, { json: request }),
     save: async (id, request) => {

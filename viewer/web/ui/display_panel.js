@@ -24,7 +24,12 @@ export function displayPanel(app, actions) {
   const tapes = h(
     "select",
     { "aria-label": "Color the tapes by", "data-testid": "tapes", onChange: () => app.settings.set("tapes", tapes.value) },
-    [["group", "Group"], ["length", "Length"], ["error", "Error estimate"]].map(([key, label]) => h("option", { value: key }, label)),
+    [
+      ["group", "Group"],
+      ["length", "Length"],
+      ["error", "Error estimate"],
+      ...(app.transport.can.measure ? [["difference", "Difference from the mesh"]] : []),
+    ].map(([key, label]) => h("option", { value: key }, label)),
   );
   const snap = check("Snap to landmarks and corners", "snap", () => app.settings.set("snap", snap.input.checked));
   const via = check("Tapes with points on the way", "via", () => app.settings.set("via", via.input.checked));

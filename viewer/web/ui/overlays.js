@@ -62,7 +62,9 @@ function readoutLines(app, hit, actions) {
   if (!app.transport.can.measure && hit.point) lines.push(positionText(hit.point, app.unit));
   if (hit.row) {
     const item = app.item(hit.row);
-    if (item) lines.push(`${item.name}: ${formatValue(item, app.unit)}`);
+    const difference = item && app.meshCheck.of(item);
+    const words = difference === undefined ? "" : `, ${difference.toExponential(1)} from the mesh`;
+    if (item) lines.push(`${item.name}: ${formatValue(item, app.unit)}${words}`);
   }
   const field = hit.side ? null : actions.field();
   const value = field && actions.valueAt(hit);
@@ -88,7 +90,7 @@ export function fieldText(field, value, unit) {
   return `${Number(value.toPrecision(3))} ${field.unit ?? ""}`.trim();
 }
 
-const TITLES = { length: "Length", difference: "Difference from the mesh", error: "Error estimate" };
+const TITLES = { length: "Length of", difference: "Difference from the mesh, of", error: "Error estimate of" };
 
 /** What the colors mean: of the body or its seams, of tapes, of diagonals. */
 function showLegend(app, legend, actions) {
@@ -97,8 +99,8 @@ function showLegend(app, legend, actions) {
   const lines = actions.lineScale();
   const scales = [
     field && { ...field, title: field.label, end: (value) => fieldText(field, value, app.unit) },
-    tapes && { ...tapes, title: `${TITLES[tapes.key]} of tapes`, end: (value) => lineText(tapes.key, value, app.unit) },
-    lines && { ...lines, title: `${TITLES[lines.key]} of diagonals`, end: (value) => lineText(lines.key, value, app.unit) },
+    tapes && !tapes.empty && { ...tapes, title: `${TITLES[tapes.key]} tapes`, end: (value) => lineText(tapes.key, value, app.unit) },
+    lines && { ...lines, title: `${TITLES[lines.key]} diagonals`, end: (value) => lineText(lines.key, value, app.unit) },
   ].filter(Boolean);
   legend.hidden = !scales.length;
   const told = scales.map(({ title, low, high, end }) => `${title}, from ${end(low)} to ${end(high)}`);

@@ -1,6 +1,7 @@
 """The body is drawn, from five sides, in two projections, by day and by night, with its layers."""
 
 import io
+import re
 from collections.abc import Callable
 from typing import Any, Literal
 
@@ -278,6 +279,21 @@ def test_tapes_are_colored_by_what_was_measured(screen: Screen) -> None:
     assert max(pairs)[1] == "rgb(68, 1, 84)"
     assert min(pairs)[1] == "rgb(216, 226, 25)"
     assert color.get_attribute("style") != groups
+    # The difference from the mesh is measured when it is wanted, of tapes that are paths.
+    screen.get("tapes").select_option("difference")
+    told = screen.get("legend").get_by_text("Difference from the mesh, of tapes")
+    told.wait_for(timeout=180_000)
+    # They are small, as those of paths only are that are measured in two ways.
+    largest = screen.get("legend").locator(".legend-ends span").last.inner_text()
+    assert float(largest) < 1e-3
+
+    def gray(key: str) -> bool:
+        color = screen.get(f"row-chart:{key}").evaluate(style)
+        return len(set(re.findall(r"\d+", color))) == 1
+
+    assert gray("hip_girth")
+    assert not gray("shoulder_width")
+    screen.get("tapes").select_option("length")
     # A color of the body and one of the tapes are told side by side.
     screen.get("color").select_option("mean")
     screen.get("legend").get_by_text("Mean curvature").wait_for()
