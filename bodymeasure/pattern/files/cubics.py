@@ -14,6 +14,8 @@ TOLERANCE = 0.15
 STRAIGHT = 1e-9
 # The shortest part into which an edge is cut, as a fraction of it.
 FINEST = 1.0 / 64.0
+# Halvings by which it is found how far a cubic can go.
+HALVINGS = 6
 # Nodes for the length, and places at which the distance is taken.
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(32)
 SAMPLES = 65
@@ -44,21 +46,46 @@ def cubic_chains(sides: Sequence[Array], breaks: Sequence[float]) -> list[list[A
 
 
 def _fitted(sides: Sequence[Array], start: float, end: float) -> list[list[Array]]:
-    """Return the cubics of a part of all sides: one each, or those of its halves."""
-    parts = [part_of(side, start, end) for side in sides]
-    found = [cubic_of(part) for part in parts]
-    fine = all(
-        cubic is not None and _distance(cubic, part) <= TOLERANCE
-        for cubic, part in zip(found, parts, strict=True)
-    )
-    if fine or end - start < FINEST:
-        return [
-            [_straight(part) if cubic is None else cubic]
-            for cubic, part in zip(found, parts, strict=True)
-        ]
-    middle = 0.5 * (start + end)
-    halves = _fitted(sides, start, middle), _fitted(sides, middle, end)
-    return [[*one, *other] for one, other in zip(*halves, strict=True)]
+    """Return the cubics of a part of all sides, each of which goes as far as it can."""
+    result: list[list[Array]] = [[] for _ in sides]
+    while start < end:
+        stop, cubics = end, _cubics(sides, start, end)
+        if cubics is None:
+            stop = min(start + FINEST, end)
+            # The shortest one is taken as it is: it only has to be as long.
+            cubics = _cubics(sides, start, stop) or _cubics(sides, start, stop, np.inf)
+            beyond = end
+            for _ in range(HALVINGS):
+                middle = 0.5 * (stop + beyond)
+                longer = _cubics(sides, start, middle)
+                if longer is None:
+                    beyond = middle
+                else:
+                    stop, cubics = middle, longer
+        # What would be left of it is shared with its last part.
+        rest = 0.5 * (start + end)
+        if stop < end < stop + FINEST and (halved := _cubics(sides, start, rest)) is not None:
+            stop, cubics = rest, halved
+        for number, cubic in enumerate(
+            cubics or [_straight(part_of(s, start, stop)) for s in sides]
+        ):
+            result[number].append(cubic)
+        start = stop
+    return result
+
+
+def _cubics(
+    sides: Sequence[Array], start: float, end: float, tolerance: float = TOLERANCE
+) -> list[Array] | None:
+    """Return one cubic for a part of each side; None if one would be too far from its side."""
+    found = []
+    for side in sides:
+        part = part_of(side, start, end)
+        cubic = cubic_of(part)
+        if cubic is None or _distance(cubic, part) > tolerance:
+            return None
+        found.append(cubic)
+    return found
 
 
 def part_of(chain: Array, start: float, end: float) -> Array:
