@@ -24,6 +24,12 @@ kind = "geodesic"
 through = {through}
 """
 
+RULE = """
+[[landmark]]
+name = "n"
+rule = "{}"
+"""
+
 
 def panel_text(name: str = "one", edges: str = "ab bc ca") -> str:
     parts = [EDGE.format(name=ends, through=[*ends]) for ends in edges.split()]
@@ -87,6 +93,17 @@ def test_panels_for_both_sides(tmp_path: Path) -> None:
             "one of 'foot' and 'at'",
         ),
         (HEAD + panel_text().replace('inside = "m"', 'inside = "m"\nfold = "fo"'), "fold names"),
+        (HEAD + panel_text() + RULE.format("nearest"), r"landmark 'n', member 'rule': .*nearest"),
+        (HEAD + panel_text() + RULE.format("between"), r"landmark 'n': .*missing.*`start`"),
+        (
+            HEAD + panel_text().replace("geodesic", "section", 1),
+            "edge 'ab' is a section without a plane; give three landmarks",
+        ),
+        (
+            HEAD + panel_text().replace('"geodesic"', '"section"\nplane = ["a"]', 1),
+            "edge 'ab' has a plane of 'a'; expected three different landmarks",
+        ),
+        (HEAD + panel_text() + "ease = 0.01\n", "edge 'ca' has ease, but no seam into which"),
     ],
 )
 def test_what_is_wrong_is_named(text: str, words: str, tmp_path: Path) -> None:
@@ -166,3 +183,26 @@ def test_shapely_is_asked_for_only_by_those_who_cut(monkeypatch: pytest.MonkeyPa
     assert not bm.unfold_patches(BODY).turned_over.any()
     with pytest.raises(bm.MissingExtraError, match=r"pip install 'bodymeasure\[pattern\]'"):
         made()
+
+
+def test_a_set_has_landmarks_of_its_own(tmp_path: Path) -> None:
+    rule = RULE.format("between") + 'start = "a {side}"\nend = "b"\n'
+    definitions = read(tmp_path, HEAD + rule.replace('"n"', '"n {side}"') + panel_text())
+    assert [each.name for each in definitions.landmark] == ["n left", "n right"]
+    middle = RULE.format("between") + 'start = "a"\nend = "b"\n'
+    # The way from a to b over the place in its middle is the way from a to b.
+    over = panel_text().replace("['a', 'b']", "['a', 'n', 'b']")
+    body = replace(BODY, landmarks={**BODY.landmarks, "m": bm.AtlasPoint(0, 0.6, 0.4)})
+    piece, other = (
+        bm.make_pattern(body, read(tmp_path, text)).pieces[0]
+        for text in (HEAD + middle + over, HEAD + panel_text())
+    )
+    assert piece.edge("ab").length == pytest.approx(other.edge("ab").length, rel=1e-9)
+
+
+def test_a_landmark_that_the_body_lacks_is_named_with_the_reason(tmp_path: Path) -> None:
+    rule = RULE.format("between") + 'start = "bust point left"\nend = "b"\n'
+    panel = panel_text().replace("['a', 'b']", "['a', 'n', 'b']")
+    words = r"needs the landmark 'n', which is missing: .*bust point left.*; pick it with"
+    with pytest.raises(bm.InputError, match=words):
+        bm.make_pattern(BODY, read(tmp_path, HEAD + rule + panel))

@@ -15,10 +15,12 @@ from helpers.panels import (
     four_geodesics,
     interpolated,
 )
+from scipy.spatial.transform import Rotation
 
 from bodymeasure import (
     Atlas,
     AtlasPoint,
+    Axes,
     PatternDefinitions,
     Piece,
     Unit,
@@ -193,6 +195,27 @@ def test_the_unit_and_a_move_change_nothing(skirt: Piece) -> None:
 
 
 @pytest.mark.slow
+def test_a_general_rotation_changes_nothing() -> None:
+    body = interpolated(cone)
+    rotation = Rotation.from_rotvec([0.4, -1.1, 0.7]).as_matrix()
+    turned = replace(body, points=body.points @ rotation.T + np.array([3.0, -2.0, 0.5]))
+    panels = four_geodesics(fold="ab")
+    here, there = (make_pattern(each, panels).pieces[0] for each in (body, turned))
+    np.testing.assert_allclose(corners_of(there), corners_of(here), atol=1e-8)
+
+
+def test_a_body_that_lies_gives_the_same_pieces(skirt: Piece) -> None:
+    body = load_sample("female_average")
+    # Up becomes the second axis, and the front the third.
+    quarter = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
+    points = body.points @ quarter.T + np.array([0.1, 2.0, -1.0])
+    lying = back_of(replace(body, points=points, axes=Axes(up="+y", front="+z")))
+    assert lying.rms_strain == pytest.approx(skirt.rms_strain, rel=1e-4)
+    for edge in skirt.edges:
+        assert lying.edge(edge.name).length == pytest.approx(edge.length, abs=1e-6)
+    np.testing.assert_allclose(corners_of(lying), corners_of(skirt), atol=2e-6)
+
+
 def test_the_other_side_is_the_mirror_image(skirt: Piece) -> None:
     mirrored = back_of(load_sample("female_average"), on_the_right(load_pattern("skirt")))
     assert mirrored.rms_strain == pytest.approx(skirt.rms_strain, rel=5e-3)

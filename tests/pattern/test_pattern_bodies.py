@@ -1,10 +1,13 @@
 """All sets on all sample bodies, against the figures of the page `patterns`."""
 
+from pathlib import Path
+
 import pytest
 
 import bodymeasure as bm
 from bodymeasure.pattern import SETS
 
+SCANS = Path(__file__).parents[1] / "data" / "scans"
 BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "male_average")
 # The most strain, in percent, in the root mean square.
 MOST = {
@@ -35,3 +38,14 @@ def test_pieces_lie_flat_and_their_seams_match(name: str, key: str) -> None:
     assert all(abs(seam.excess) < 1e-9 for seam in pattern.seams)
     remarks = ("left out", "has to give")
     assert all(any(remark in words for remark in remarks) for words in pattern.warnings)
+
+
+@pytest.mark.slow
+def test_a_body_from_a_scan_gives_sound_pieces() -> None:
+    body = bm.fit_body(SCANS / "coarse.ply", file_unit="m").atlas
+    for key in ("bodice", "skirt", "trousers"):
+        pattern = bm.make_pattern(body, key)
+        assert pattern.is_sound
+        assert max(piece.rms_strain for piece in pattern.pieces) < 0.12
+        assert pattern.seams
+        assert all(abs(seam.excess) < 1e-9 for seam in pattern.seams)

@@ -110,7 +110,8 @@ def _rules(raw: object, source: str) -> tuple[LandmarkRule, ...]:
     try:
         rules = msgspec.convert(raw, kinds)
     except msgspec.ValidationError as error:
-        raise InputError(f"{source}: {_in_words(str(error), {'landmark': raw})}") from None
+        words = str(error).replace("`$[", "`$.landmark[")
+        raise InputError(f"{source}: {_in_words(words, {'landmark': raw})}") from None
     return both_sides(rules)
 
 

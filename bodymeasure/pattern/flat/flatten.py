@@ -88,21 +88,30 @@ def flattened(
     flat, steps = task.upright(free.flat), free.steps
     shape = task.deviations(flat)
     done, part = 0.0, FIRST_PART
-    while done < 1.0:
-        goal = min(1.0, done + part)
-        found = stationary(
-            energy, task.towards(shape, 1.0 - goal, flat), flat, exact if goal == 1.0 else rough
-        )
+    while True:
+        part = min(part, 1.0 - done)
+        left = 1.0 - done - part
+        found = stationary(energy, task.towards(shape, left, flat), flat, rough)
         steps += found.steps
-        reached = found.missed <= (exact if goal == 1.0 else rough).missed
+        reached = found.missed <= rough.missed
+        if left == 0.0:
+            # From near the end anew, with sides under tension only; from elsewhere it goes on.
+            last = stationary(
+                energy,
+                task.towards(shape, 0.0, found.flat if reached else flat),
+                found.flat,
+                exact,
+                None if reached else found.multipliers,
+            )
+            steps += last.steps
+            if last.missed <= exact.missed or part <= LEAST_PART:
+                return _result(mesh, last, exact, steps - last.steps)
+            reached = False
         if reached or part <= LEAST_PART:
-            flat, done = found.flat, goal
+            flat, done = found.flat, done + part
             part *= 2.0
-            if goal == 1.0:
-                return _result(mesh, found, exact, steps - found.steps)
         else:
             part *= 0.5
-    raise AssertionError("the way ends at 1")
 
 
 def _result(mesh: PieceMesh, found: Stationary, goal: Goal, before: int) -> Flat:
