@@ -10,7 +10,7 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.bezier import bernstein, divide
-from bodymeasure.native import MOST_SIDE, is_compiled, power_jets
+from bodymeasure.native import MOST_DEGREE, is_compiled, power_jets
 
 
 def power_coefficients(nets: Array) -> Array:
@@ -31,7 +31,7 @@ def jets(coefficients: Array, x: Array) -> Array:
         ``[:, i, j]`` is the derivative taken i times by u and j times by v.
     """
     count, side, _, coordinates = coefficients.shape
-    if is_compiled() and side <= MOST_SIDE:
+    if is_compiled() and side <= MOST_DEGREE + 1:
         found = power_jets(coefficients, x)
         return divide(found) if coordinates == 4 else found
     exponents = np.arange(side, dtype=np.float64)

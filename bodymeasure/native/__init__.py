@@ -3,15 +3,23 @@
 from bodymeasure.native.box import box_steps
 from bodymeasure.native.energy import PathTables, energies
 from bodymeasure.native.library import is_compiled
-from bodymeasure.native.points import MOST_SIDE, power_jets, roots_in_brackets
+from bodymeasure.native.points import (
+    MOST_COLUMNS,
+    MOST_DEGREE,
+    bezier_jets,
+    power_jets,
+    roots_in_brackets,
+)
 from bodymeasure.native.route import NewtonSettings, RouteArrays, route_newton
 from bodymeasure.native.unfold import unfolded
 
 __all__ = [
-    "MOST_SIDE",
+    "MOST_COLUMNS",
+    "MOST_DEGREE",
     "NewtonSettings",
     "PathTables",
     "RouteArrays",
+    "bezier_jets",
     "box_steps",
     "energies",
     "is_compiled",

@@ -8,9 +8,8 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.native.library import address, library
+from bodymeasure.native.points import MOST_DEGREE
 
-# The highest degree of a patch in one parameter for which the kernels have room.
-MOST_DEGREE = 32
 # The points that the kernel adds at once, for each of which it needs room.
 AT_ONCE = 4
 # The derivatives of a jet, three coordinates each.

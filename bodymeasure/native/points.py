@@ -5,8 +5,9 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.native.library import address, library
 
-# The most powers of a patch in one parameter for which the kernel has room.
-MOST_SIDE = 33
+# The highest degree of a patch in one parameter, and the most columns of its nets, for which the
+# kernels have room.
+MOST_DEGREE, MOST_COLUMNS = 32, 40
 
 
 def roots_in_brackets(coefficients: Array, lower: Array, upper: Array) -> Array:
@@ -37,4 +38,37 @@ def power_jets(coefficients: Array, x: Array) -> Array:
     count, side, _, coordinates = coefficients.shape
     jets = np.empty((count, 3, 3, coordinates))
     kernels.bodymeasure_power_jets(count, side, coordinates, *map(address, (coefficients, x, jets)))
+    return jets
+
+
+def bezier_jets(nets: Array, degrees: tuple[int, int], columns: int, parameters: Array) -> Array:
+    """Return the first columns of patches' nets at points.
+
+    Parameters
+    ----------
+    nets : ndarray, shape (problems, (m + 1) * (n + 1), width)
+    degrees : tuple of int
+        m and n.
+    columns : int
+        At most `MOST_COLUMNS`.
+    parameters : ndarray, shape (problems, k, 2)
+
+    Returns
+    -------
+    ndarray, shape (columns, problems, k)
+    """
+    kernels = library()
+    assert kernels is not None
+    nets, parameters = np.ascontiguousarray(nets), np.ascontiguousarray(parameters)
+    problems, points = parameters.shape[:2]
+    jets = np.empty((columns, problems, points))
+    kernels.bodymeasure_jets(
+        problems,
+        *degrees,
+        nets.shape[2],
+        columns,
+        address(nets),
+        points,
+        *map(address, (parameters, jets)),
+    )
     return jets

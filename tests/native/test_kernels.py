@@ -115,6 +115,27 @@ def test_paths_across_patches(sample: str, rng: np.random.Generator) -> None:
         assert compiled.length == pytest.approx(plain.length, rel=1e-14, nan_ok=True)
 
 
+@given(
+    seeds,
+    st.tuples(st.integers(1, 6), st.integers(1, 6)),
+    st.integers(0, 3),
+    st.sampled_from((1, 3, 4)),
+    st.integers(0, 7),
+)
+def test_derivatives_of_patches(
+    seed: int, degrees: tuple[int, int], order: int, coordinates: int, points: int
+) -> None:
+    rng = np.random.default_rng(seed)
+    nets = rng.normal(size=(4, degrees[0] + 1, degrees[1] + 1, coordinates))
+    # Between the nodes a path may leave its patch.
+    parameters = rng.uniform(-0.1, 1.1, (4, points, 2))
+    compiled = BezierSurfaces(nets).jet(parameters, order)
+    with by_numpy():
+        plain = BezierSurfaces(nets).jet(parameters, order)
+    assert compiled.shape == plain.shape
+    assert_near(compiled, plain)
+
+
 @given(seeds, st.integers(1, 9), st.integers(0, 20))
 def test_roots_in_brackets(seed: int, degree: int, count: int) -> None:
     rng = np.random.default_rng(seed)

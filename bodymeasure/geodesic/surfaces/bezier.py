@@ -10,6 +10,7 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import bernstein_values, elevate, evaluate
 from bodymeasure.geodesic.numerics.array_libraries import constant, to_numpy
 from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE
+from bodymeasure.native import MOST_COLUMNS, MOST_DEGREE, bezier_jets, is_compiled
 
 
 class BezierSurfaces:
@@ -59,7 +60,11 @@ class BezierSurfaces:
 
     def jet(self, parameters: Array, order: int) -> Array:
         """Return the derivatives in the order of `JET`, shape (derivatives, c, problems, k)."""
-        return self._evaluated(self.nets[:, :, : self.coordinates * JET_SIZE[order]], parameters)
+        columns = self.coordinates * JET_SIZE[order]
+        if is_compiled() and max(self.degrees) <= MOST_DEGREE and columns <= MOST_COLUMNS:
+            jets = bezier_jets(self.nets, self.degrees, columns, parameters)
+            return jets.reshape(JET_SIZE[order], self.coordinates, *parameters.shape[:2])
+        return self._evaluated(self.nets[:, :, :columns], parameters)
 
     def positions(self, parameters: Array) -> Array:
         """Return points, shape (problems, k, 3), without preparing any derivatives."""

@@ -17,19 +17,8 @@ constexpr int64_t JET = 30, FIRST = 3;  // The positions, which come first, are 
 constexpr int SECOND = 10;              // The entries of a symmetric matrix of size 4.
 // The place of the entry of two components of z.
 constexpr int AT[4][4] = {{0, 1, 3, 4}, {1, 2, 5, 6}, {3, 5, 7, 8}, {4, 6, 8, 9}};
-constexpr int64_t MOST_DEGREE = 32;
 // Points whose parts of the Hessian are added at once, since each addition reads and writes it.
 constexpr int64_t AT_ONCE = 4;
-
-void bernstein(int64_t degree, double t, double *values) {
-    const double s = 1.0 - t;
-    values[0] = 1.0;
-    for (int64_t k = 1; k <= degree; ++k) {
-        values[k] = t * values[k - 1];
-        for (int64_t i = k - 1; i > 0; --i) values[i] = s * values[i] + t * values[i - 1];
-        values[0] *= s;
-    }
-}
 
 double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 

@@ -27,6 +27,20 @@
 
 namespace bodymeasure {
 
+// The highest degree of a patch in one parameter for which the kernels have room.
+constexpr int64_t MOST_DEGREE = 32;
+
+// The values of the Bernstein polynomials of a degree at t.
+inline void bernstein(int64_t degree, double t, double *values) {
+    const double s = 1.0 - t;
+    values[0] = 1.0;
+    for (int64_t k = 1; k <= degree; ++k) {
+        values[k] = t * values[k - 1];
+        for (int64_t i = k - 1; i > 0; --i) values[i] = s * values[i] + t * values[i - 1];
+        values[0] *= s;
+    }
+}
+
 // Bezier patches of degrees (m, n), and polynomial paths on them, one for each patch.
 struct Paths {
     int64_t count;
