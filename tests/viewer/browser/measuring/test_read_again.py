@@ -59,7 +59,7 @@ def test_another_body_is_not_read_again(own: tuple[Path, Served], open_page: Ope
     path, served = own
     screen = open_page(served.link)
     screen.drop("other.atlas", path.read_bytes())
-    screen.until("state => state.id === '1'")
+    screen.until("state => state.id.startsWith('1-')")
     asked: list[str] = []
     screen.page.on("request", lambda request: asked.append(request.url))
     with screen.page.expect_event("console", lambda message: message.text == "changed"):
