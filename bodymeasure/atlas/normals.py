@@ -140,12 +140,14 @@ def normals_and_bends(coefficients: Array, x: Array) -> tuple[Array, Array, Arra
     speed = np.linalg.norm(np.stack([s[:, 1, 0], s[:, 0, 1]]), axis=2)
     ratio = speed.min(axis=0) / np.maximum(speed.max(axis=0), np.finfo(np.float64).tiny)
     bad = np.flatnonzero((sine < DEGENERATE) | (ratio < AT_POLE))
-    normal[bad] = _normal_aside(coefficients[bad], x[bad], AT_POLE)[1]
+    if len(bad):
+        normal[bad] = _normal_aside(coefficients[bad], x[bad], AT_POLE)[1]
     regular = sine >= DEGENERATE
     row = np.flatnonzero(~regular | (ratio < NEAR_POLE))
     # Beside a pole, second derivatives are long, and perpendicular to the normal there alone.
     own = normal.copy()
-    s[row], own[row], sine[row] = _normal_aside(coefficients[row], x[row], ASIDE)
+    if len(row):
+        s[row], own[row], sine[row] = _normal_aside(coefficients[row], x[row], ASIDE)
     regular[row] = (ratio[row] < NEAR_POLE) & (sine[row] >= DEGENERATE)
     return position, normal, _bend(s, own, regular)
 

@@ -1,6 +1,7 @@
 """Compiled kernels for what arrays of NumPy do not reach; without them, NumPy does the same."""
 
 from bodymeasure.native.box import box_steps
+from bodymeasure.native.closest import ClosestSettings, closest_in_powers
 from bodymeasure.native.energy import PathTables, energies
 from bodymeasure.native.library import is_compiled
 from bodymeasure.native.points import (
@@ -16,11 +17,13 @@ from bodymeasure.native.unfold import unfolded
 __all__ = [
     "MOST_COLUMNS",
     "MOST_DEGREE",
+    "ClosestSettings",
     "NewtonSettings",
     "PathTables",
     "RouteArrays",
     "bezier_jets",
     "box_steps",
+    "closest_in_powers",
     "energies",
     "is_compiled",
     "power_jets",

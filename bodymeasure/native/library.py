@@ -19,6 +19,7 @@ SWITCH = "BODYMEASURE_NATIVE"
 _POINTER = ctypes.c_void_p
 KERNELS = {
     "bodymeasure_box_step": [_POINTER] * 3,
+    "bodymeasure_closest": [*[ctypes.c_int64] * 2, *[_POINTER] * 5],
     "bodymeasure_energy": [_POINTER, _POINTER, ctypes.c_int64, *[_POINTER] * 4],
     "bodymeasure_jets": [*[ctypes.c_int64] * 5, _POINTER, ctypes.c_int64, *[_POINTER] * 2],
     "bodymeasure_power_jets": [ctypes.c_int64] * 3 + [_POINTER] * 3,

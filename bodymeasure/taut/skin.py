@@ -10,7 +10,7 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.check.degeneracy import collapsed_sides
 from bodymeasure.atlas.normals import normals_and_bends
-from bodymeasure.atlas.queries.closest import descend
+from bodymeasure.atlas.queries.closest import descend_in_powers
 from bodymeasure.atlas.queries.outside import Outside, outward_signs
 from bodymeasure.atlas.seams import AXIS, VALUE, edge_table
 from bodymeasure.atlas.topology.joins import entered, kink_angles, on_sides, over_sides, seams_of
@@ -126,12 +126,7 @@ class Skin:
 
     def descend(self, patch: Ints, positions: Array, start: Array) -> tuple[Array, Array]:
         """Return the closest points of single patches, and the squared distances."""
-        coefficients = self.coefficients[patch]
-
-        def jets_at(rows: Ints, x: Array) -> Array:
-            return jets(coefficients[rows], x)
-
-        return descend(jets_at, positions, start, LAST_STEP)
+        return descend_in_powers(self.coefficients[patch], positions, start, LAST_STEP)
 
     def _cross(self, positions: Array, patch: Ints, x: Array, squared: Array) -> None:
         """Continue over the seams on which searches ended, where that leads closer, in place."""

@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 
 import bodymeasure as bm
 from bodymeasure._typing import Array
-from bodymeasure.bezier.power_form import jets
+from bodymeasure.atlas.queries.closest import descend_in_powers
+from bodymeasure.bezier.power_form import jets, power_coefficients
 from bodymeasure.geodesic.across.routes.ways import first_ways
 from bodymeasure.geodesic.lengths.functionals import energy, energy_of_a_flat_surface
 from bodymeasure.geodesic.numerics.banded import BoxModels
@@ -161,6 +162,19 @@ def test_jets_of_patches_in_powers(seed: int, degree: int, coordinates: int) -> 
     compiled = jets(coefficients, x)
     with by_numpy():
         assert_near(compiled, jets(coefficients, x))
+
+
+@given(seeds, st.integers(1, 5))
+def test_closest_points_of_patches(seed: int, degree: int) -> None:
+    rng = np.random.default_rng(seed)
+    coefficients = power_coefficients(rng.normal(size=(6, degree + 1, degree + 1, 3)))
+    targets, start = rng.normal(size=(6, 3)), rng.random((6, 2))
+    _, compiled = descend_in_powers(coefficients, targets, start, 1e-12)
+    with by_numpy():
+        _, plain = descend_in_powers(coefficients, targets, start, 1e-12)
+    # On a saddle of the distance rounding decides which way a search goes.
+    agree = np.abs(compiled - plain) <= 1e-9 * (1.0 + plain)
+    assert agree.sum() >= 5
 
 
 @pytest.mark.parametrize("sample", ["female_average", "male_average"])

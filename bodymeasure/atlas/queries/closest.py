@@ -11,7 +11,9 @@ from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint, on_edges
 from bodymeasure.bezier import derivatives, evaluate, project
+from bodymeasure.bezier.power_form import jets
 from bodymeasure.errors import InputError
+from bodymeasure.native import MOST_DEGREE, ClosestSettings, closest_in_powers, is_compiled
 from bodymeasure.threads import one_blas_thread
 
 # Samples along a side of each patch. Every local minimum of the sampled distance starts a search,
@@ -266,6 +268,25 @@ def descend(
     # The last steps are too small to lead away.
     offset = jets(np.arange(len(x)), trial)[:, 0, 0] - targets
     return trial, _dot(offset, offset)
+
+
+def descend_in_powers(
+    coefficients: Array, targets: Array, start: Array, last_step: float
+) -> tuple[Array, Array]:
+    """Return what `descend` does, for patches as coefficients of powers.
+
+    Parameters
+    ----------
+    coefficients : ndarray, shape (k, m + 1, m + 1, 3 or 4)
+        From `bodymeasure.bezier.power_form`.
+    targets, start, last_step
+        As in `descend`.
+    """
+    side, coordinates = coefficients.shape[2:]
+    if is_compiled() and coordinates == 3 and side <= MOST_DEGREE + 1:
+        settings = ClosestSettings(MAX_STEPS, last_step, LONGEST_STEP, SINGULAR, DAMPING, ROUNDING)
+        return closest_in_powers(coefficients, targets, start, settings)
+    return descend(lambda rows, x: jets(coefficients[rows], x), targets, start, last_step)
 
 
 def _step(s: Array, offset: Array, x: Array) -> Array:

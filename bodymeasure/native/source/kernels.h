@@ -62,6 +62,10 @@ int64_t energy_room(const Paths &paths);
 double energy_of_path(const Paths &paths, int64_t number, const double *values, bool flat,
                       double *gradient, double *hessian, double *room);
 
+// Derivatives of a patch in powers, i times by u and j times by v: (3, 3, coordinates).
+void power_jet(int64_t side, int64_t coordinates, const double *coefficients, const double *x,
+               double *jet);
+
 // A quadratic model of a function on the box [0, 1]^n, as in `numerics.banded.BoxModels`.
 struct BoxModel {
     int64_t unknowns, bands;
