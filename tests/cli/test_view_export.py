@@ -28,7 +28,7 @@ def test_a_page_is_written_with_the_chart_that_is_asked_for(run: Run, tmp_path: 
         # Where the file lies at home is nobody's business, also in what is packed.
         messages = [gzip.decompress(base64.b64decode(text)) for text in PACKED.findall(page)]
         assert len(messages) == 1 + holds
-        assert any(b'"anna.atlas"' in message for message in messages)
+        assert any(f'"{name}.atlas"'.encode() in message for message in messages)
         for content in (page, *messages):
             assert str(tmp_path).encode() not in content
 

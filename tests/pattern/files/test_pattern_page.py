@@ -60,7 +60,7 @@ def test_the_page_lists_seams_darts_and_edges(bodice: bm.Pattern) -> None:
     (dart,) = bodice["bodice front"].darts
     assert ["waist dart", "bodice front: waist"] in [row[:2] for row in read.rows]
     assert any(f"{1000.0 * dart.intake:.1f}" in row for row in read.rows)
-    edges = [row for row in read.rows if len(row) == 5 and row[0] == "center front"]
+    edges = [row for row in read.rows if len(row) == 6 and row[0] == "center front"]
     assert edges[0][2] == "on the fold"
     assert read.links[-2:] == ["pattern.pdf", "pattern.svg"]
     assert {link[1:] for link in read.links if link.startswith("#")} <= read.ids
