@@ -126,7 +126,9 @@ class Worker:
         self._loop = asyncio.get_running_loop()
         await asyncio.to_thread(self.begin)
         put = tuple(body for body in bodies.values() if self._known.get(body.id) != body.version)
-        job = Job(next(self._numbers), request, put, tuple(bodies), self.own)
+        # Others may come, and be read again, while this is answered; it knows those of now.
+        known = {body.id: body.version for body in bodies.values()}
+        job = Job(next(self._numbers), request, put, tuple(known), self.own)
         future: asyncio.Future[Done] = self._loop.create_future()
         self._waiting = (job.number, future, progress)
         try:
@@ -138,7 +140,7 @@ class Worker:
             raise
         finally:
             self._waiting = None
-        self._known = {body.id: body.version for body in bodies.values()}
+        self._known = known
         return answer
 
     def stop(self) -> None:

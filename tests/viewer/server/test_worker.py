@@ -56,6 +56,24 @@ def test_bodies_come_and_go_with_the_requests() -> None:
     with_worker(test)
 
 
+def test_a_body_that_is_read_again_while_its_old_form_is_measured_is_sent_later() -> None:
+    async def test(worker: Worker, bodies: dict[str, ShownBody]) -> None:
+        bodies["1"] = ShownBody("1", load_sample("paraboloid"), "Bowl")
+        under_way = asyncio.create_task(point(worker, bodies, "1"))
+        while worker._waiting is None:
+            await asyncio.sleep(0)
+        bodies["1"] = ShownBody("1", load_sample("enneper"), "Another", version=2)
+        bodies["2"] = ShownBody("2", load_sample("enneper"), "New")
+        first = await under_way
+        second = await point(worker, bodies, "1")
+        assert isinstance(first, dict)
+        assert isinstance(second, dict)
+        assert second["name"] == bodies["1"].atlas.patch_names[0] != first["name"]
+        assert await point(worker, bodies, "2") == second
+
+    with_worker(test)
+
+
 @pytest.mark.slow
 def test_a_worker_that_was_killed_is_replaced() -> None:
     async def test(worker: Worker, bodies: dict[str, ShownBody]) -> None:
