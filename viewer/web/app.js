@@ -12,8 +12,13 @@ import { Failure } from "./transport/failure.js";
 
 // The answer to what the user has stopped.
 const STOPPED = 409;
+const TAKING = "Taking the measurements…";
 
 export class App {
+  // What the page waits for, in words; and how often a body was chosen.
+  #awaited = [];
+  #choice = 0;
+
   constructor(root, transport, options = {}) {
     this.root = root;
     this.transport = transport;
@@ -52,7 +57,10 @@ export class App {
 
   /** Fetch a body and make it the one that is measured. */
   async open(id = "0") {
-    this.#show(id, await this.transport.body(id));
+    const choice = ++this.#choice;
+    const answer = await this.transport.body(id);
+    // Of two that were chosen, the later one is shown, whichever comes first.
+    if (choice === this.#choice) this.#show(id, answer);
   }
 
   #show(id, { header, arrays }) {
@@ -204,11 +212,10 @@ export class App {
     const changes = this.landmarkChanges;
     const taking = {};
     this.taking = taking;
-    this.emit("progress", { words: "Taking the measurements…", long: true });
     this.emit("chart");
     try {
       const chosen = set ?? this.header.sets?.[0]?.key ?? "default";
-      const chart = await this.transport.chart(bodyId, chosen, changes);
+      const chart = await this.during(TAKING, () => this.transport.chart(bodyId, chosen, changes), { long: true });
       if (!stays()) return;
       this.chart = chart;
       this.chartSet = chosen;
@@ -216,10 +223,7 @@ export class App {
       this.#hideStraight();
       if (this.other) await this.takeOtherChart();
     } finally {
-      if (this.taking === taking) {
-        this.taking = null;
-        this.emit("progress", null);
-      }
+      if (this.taking === taking) this.taking = null;
       this.emit("chart");
     }
   }
@@ -228,7 +232,7 @@ export class App {
   async takeOtherChart() {
     const { chart, other, chartSet } = this;
     if (!chart || !other) return;
-    const otherChart = await this.transport.chart(other.header.id, chartSet, null);
+    const otherChart = await this.during(TAKING, () => this.transport.chart(other.header.id, chartSet, null), { long: true });
     if (this.chart !== chart || this.other !== other) return;
     this.otherChart = otherChart;
     this.emit("chart");
@@ -262,6 +266,28 @@ export class App {
 
   say(text) {
     this.emit("message", { text, tone: "good" });
+  }
+
+  /**
+   * Say that the page waits until something has ended, whoever still wants it then. What takes
+   * `long` can be stopped, and the program tells how far it is.
+   */
+  async during(words, action, { long = false } = {}) {
+    const awaited = { words, long };
+    this.#awaited.push(awaited);
+    this.emit("progress", awaited);
+    try {
+      return await action();
+    } finally {
+      this.#awaited = this.#awaited.filter((one) => one !== awaited);
+      this.emit("progress", this.#awaited.at(-1) ?? null);
+    }
+  }
+
+  /** Show how far something long is; news that come after its end are none. */
+  tellProgress({ done, total, words }) {
+    const long = this.#awaited.findLast((one) => one.long);
+    if (long) this.emit("progress", done < total ? { done, total, words, long: true } : long);
   }
 
   /** Run something that may fail, and tell the user if it does. */

@@ -11,7 +11,6 @@ export function comparing(app, viewport) {
   let beside = true;
   // What was asked for last, which `key` becomes when its answer is here.
   let asked = "none";
-  let computing = false;
   // How often colors, and bodies, were chosen: an answer that comes after a newer choice changes
   // nothing.
   let colored = 0;
@@ -29,8 +28,6 @@ export function comparing(app, viewport) {
       const choice = ++colored;
       const stays = () => choice === colored;
       asked = wanted;
-      if (computing) app.emit("progress", null);
-      computing = false;
       try {
         const field = wanted === "none" ? null : await fieldOf(wanted, stays);
         if (!stays()) return;
@@ -51,17 +48,9 @@ export function comparing(app, viewport) {
     const against = wanted === "distance" ? app.other.header.id : undefined;
     const place = placeOf(wanted);
     if (!fields.has(place)) {
-      computing = true;
-      app.emit("progress", { words: "Computing the colors…" });
-      try {
-        const { header, arrays } = await app.transport.quantity(app.bodyId, wanted, against);
-        if (stays()) fields.set(place, { ...header, label: sentenceCase(header.label), values: arrays.values.data });
-      } finally {
-        if (stays()) {
-          computing = false;
-          app.emit("progress", null);
-        }
-      }
+      const ask = () => app.transport.quantity(app.bodyId, wanted, against);
+      const { header, arrays } = await app.during("Computing the colors…", ask);
+      if (stays()) fields.set(place, { ...header, label: sentenceCase(header.label), values: arrays.values.data });
     }
     return fields.get(place);
   };
@@ -111,14 +100,14 @@ export function comparing(app, viewport) {
   const compare = (file) =>
     app.try(async () => {
       const choice = ++chosen;
-      app.emit("progress", { words: `Opening ${file.name}…` });
-      try {
+      const bring = async () => {
         const { id } = await openFile(app, file);
         if (choice === chosen) await put(id, choice);
+      };
+      try {
+        await app.during(`Opening ${file.name}…`, bring);
       } catch (error) {
         if (choice === chosen) throw error;
-      } finally {
-        if (choice === chosen) app.emit("progress", null);
       }
     });
 

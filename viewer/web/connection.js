@@ -34,7 +34,7 @@ export function connection(app) {
     // A notebook's kernel that is at another cell, or has ended.
     else if ("silent" in news) app.emit("lasting", ["gone", news.silent]);
     if (news.bodies) app.try(() => meet(news.bodies));
-    if (news.progress) app.emit("progress", news.progress.done >= news.progress.total ? null : { ...news.progress, long: true });
+    if (news.progress) app.tellProgress(news.progress);
     if (news.worker) {
       app.emit("message", { text: "The measuring process had to be started anew. What was under way is asked again.", tone: "note" });
       app.measuring.askAgain();

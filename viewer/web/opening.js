@@ -39,14 +39,11 @@ export function opening(app) {
 
   const openBody = async (file) => {
     const choice = ++opened;
-    app.emit("progress", { words: `Opening ${file.name}…` });
-    try {
+    await app.during(`Opening ${file.name}…`, async () => {
       const { id } = await openFile(app, file);
       // Of two files that were dropped, the later one is shown, whichever is read first.
       if (choice === opened) await app.open(id);
-    } finally {
-      if (choice === opened) app.emit("progress", null);
-    }
+    });
   };
 
   return (file) =>

@@ -111,15 +111,12 @@ export function startViewer(root, transport, options = {}) {
 }
 
 async function begin(app, viewport, workbench, parts) {
-  app.emit("progress", { words: "Opening the body…" });
   try {
-    await app.open(app.options.body ?? "0");
+    await app.during("Opening the body…", () => app.open(app.options.body ?? "0"));
   } catch (error) {
-    app.emit("progress", null);
     parts.host.append(h("div", { class: "nothing" }, h("p", {}, error.message)));
     throw error;
   }
-  app.emit("progress", null);
   workbench?.use(app.options.tool ?? (app.header.start?.chart ? "look" : "tape"));
   if (viewport) await new Promise((resolve) => viewport.stage.afterFrame.push(resolve));
   for (const layer of app.header.start?.layers ?? []) {

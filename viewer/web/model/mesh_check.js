@@ -44,9 +44,10 @@ export class MeshCheck {
     if (!tapes.length) return;
     const running = {};
     this.#running = running;
-    app.emit("progress", { words: "Measuring on the mesh…", long: true });
     try {
-      const { lengths } = await app.transport.mesh(app.bodyId, tapes);
+      const { bodyId } = app;
+      const ask = () => app.transport.mesh(bodyId, tapes);
+      const { lengths } = await app.during("Measuring on the mesh…", ask, { long: true });
       if (this.#running !== running) return;
       tapes.forEach((places, n) => this.#known.set(JSON.stringify(places), lengths[n]));
     } catch (error) {
@@ -57,7 +58,6 @@ export class MeshCheck {
     } finally {
       if (this.#running === running) {
         this.#running = null;
-        app.emit("progress", null);
         app.emit("chart");
       }
     }

@@ -70,10 +70,10 @@ export class Layers {
     busy.add(name);
     const { app } = this;
     const stays = () => busy === this.#busy;
-    app.emit("progress", { words: `Computing: ${name}…` });
     try {
       const compared = name === "diagonals" && this.#wantsDifferences;
-      const { header, arrays } = await app.transport.layer(app.bodyId, name, compared);
+      const ask = () => app.transport.layer(app.bodyId, name, compared);
+      const { header, arrays } = await app.during(`Computing: ${name}…`, ask, { long: compared });
       if (stays()) this.#data[name] = { points: arrays.points, normals: arrays.normals, items: header.items ?? [], compared };
     } catch (error) {
       if (stays()) {
@@ -82,7 +82,6 @@ export class Layers {
       }
     } finally {
       busy.delete(name);
-      if (stays()) app.emit("progress", null);
     }
     if (!stays()) return;
     // What was chosen meanwhile may want more than was asked for.

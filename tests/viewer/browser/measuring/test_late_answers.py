@@ -10,6 +10,7 @@ from helpers.viewer_page import Screen, Served, serve
 from playwright.sync_api import Route
 
 import bodymeasure as bm
+from bodymeasure.samples import sample_path
 
 Open = Callable[..., Screen]
 FRAMES = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
@@ -88,6 +89,35 @@ def test_the_chart_of_a_body_that_was_left_is_dropped(pair: Served, open_page: O
     go_to_second(screen)
     release(screen, held, "**/api/chart*")
     assert screen.state()["chart"] == 0
+    assert screen.get("take-chart").is_enabled()
+
+
+def test_the_body_that_was_chosen_last_is_shown(pair: Served, open_page: Open) -> None:
+    screen = open_page(pair.link)
+    held = hold_first(screen, "**/api/body?body=1")
+    screen.get("more").click()
+    screen.get("menu-body-1").click()
+    held_back(screen, held)
+    screen.drop("bowl.atlas", sample_path("paraboloid").read_bytes())
+    screen.until("state => state.patches === 1")
+    release(screen, held, "**/api/body?body=1")
+    assert screen.state()["patches"] == 1
+
+
+def test_nothing_is_said_to_be_under_way_after_a_chart_of_a_body_that_was_left_is_stopped(
+    pair: Served, open_page: Open
+) -> None:
+    screen = open_page(pair.link)
+    screen.expected = ("409",)
+    screen.get("take-chart").click()
+    progress = screen.get("progress")
+    progress.locator("progress").wait_for()
+    go_to_second(screen)
+    # The program is still at it.
+    assert screen.get("stop").is_visible()
+    with screen.page.expect_response("**/api/chart?body=0"):
+        screen.get("stop").click()
+    progress.wait_for(state="hidden")
     assert screen.get("take-chart").is_enabled()
 
 
