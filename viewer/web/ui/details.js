@@ -36,8 +36,9 @@ function valueOf(app, item) {
   const text = item.waiting
     ? "Measuring…"
     : item.failed ? "No length" : item.kind === "length" ? formatLength(item.value, app.unit, exact) : formatValue(item, app.unit);
+  const plainly = () => (item.kind === "length" ? plainLength(item.value, app.unit, app.unit === "in" ? 4 : exact) : String(item.value));
   const copied = () => {
-    const plain = item.kind === "length" ? plainLength(item.value, app.unit, app.unit === "in" ? 4 : exact) : String(item.value);
+    const plain = plainly();
     app.try(async () => {
       await copyText(plain);
       app.say(`Copied ${plain}.`);
@@ -47,9 +48,16 @@ function valueOf(app, item) {
     "div",
     { class: "big" },
     h("output", { class: item.failed ? "value bad" : "value", "data-testid": "length" }, text),
-    item.failed || item.waiting ? "" : h("span", { class: "error", "data-testid": "error" }, item.error === null || item.kind !== "length" ? "" : formatError(item.error, app.unit)),
+    item.failed || item.waiting ? "" : h("span", { class: "error", "data-testid": "error" }, errorOf(app, item, plainly)),
     item.failed || item.waiting ? "" : iconButton("copy", "Copy the value", copied, { "data-testid": "copy" }),
   );
+}
+
+/** The error; a sixteenth of an inch is far more than it, so there it stands with a decimal. */
+function errorOf(app, item, plainly) {
+  if (item.kind !== "length") return "";
+  const error = item.error === null ? "" : formatError(item.error, app.unit);
+  return app.unit === "in" ? `${plainly()} ${error}`.trim() : error;
 }
 
 /** Copy text; pages from files may have no clipboard, and say so. */

@@ -131,6 +131,8 @@ def test_units_change_everywhere_at_once(chart: Screen) -> None:
         over, under = (int(part) for part in shown.split()[1].split("/"))
         assert over * 16 == rest * under
         assert over % 2 == 1
+    # The error is that of the length, not of its nearest sixteenth.
+    assert chart.get("error").inner_text().startswith(f"{length / 0.0254:.4f} ±")
     assert "in" in chart.get("row-chart:bust_girth").locator(".value").inner_text()
 
 
