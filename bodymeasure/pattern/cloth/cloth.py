@@ -36,7 +36,9 @@ class Cloth:
     Where there is ease, places move across the body's axis, along the normal of the level curve,
     so that each level curve is longer by the ease that is asked for, however the skin leans. Where
     the skin is nearly level, as on the shoulders, they move along its normal. In creases, as in an
-    armpit, where that would fold the cloth, they move more alike than their normals point.
+    armpit, where that would fold the cloth, they move more alike than their normals point. Where
+    patches meet at an angle, as they may at the center front, they move between both normals, so
+    that the cloth has no gap there.
     """
 
     atlas: Atlas
@@ -49,12 +51,12 @@ class Cloth:
         if self.ease is None:
             return np.asarray(skin)
         normals = outward_sign(self.atlas) * unit_normals(nets, parameters[:, None])[:, 0]
-        ways = self._ways(normals) + self._in_creases(patch, parameters)
+        ways = self._ways(normals) + _bilinear(self._aside, patch, parameters)
         return np.asarray(skin + self.ease.offsets(skin)[:, None] * ways)
 
     @cached_property
-    def _aside(self) -> dict[int, Array]:
-        """By how much ways differ in creases, at the grids of the patches that have some."""
+    def _aside(self) -> Array:
+        """By how much ways differ at seams and in creases, at the grids of all patches."""
         assert self.ease is not None
         grid = regular_grid(self.atlas)
         patches = len(self.atlas)
@@ -74,17 +76,7 @@ class Cloth:
         places, _ = cell_triangles()
         triangles = grid.vertex[:, places[..., 0], places[..., 1]].reshape(-1, 3)
         even = without_creases(positions, triangles, ways, self.ease.offsets(positions))
-        change = np.abs(even - ways).max(axis=1)[vertex].reshape(patches, -1) > 0.0
-        aside = np.where(change[..., None], (even[vertex] - own).reshape(patches, -1, 3), 0.0)
-        shape = (CELLS + 1, CELLS + 1, 3)
-        return {int(row): aside[row].reshape(shape) for row in np.flatnonzero(change.any(axis=1))}
-
-    def _in_creases(self, patch: Ints, parameters: Array) -> Array:
-        result = np.zeros((len(patch), 3))
-        for number in set(patch.tolist()) & self._aside.keys():
-            rows = np.flatnonzero(patch == number)
-            result[rows] = _bilinear(self._aside[number], parameters[rows])
-        return result
+        return (even[vertex] - own).reshape(patches, CELLS + 1, CELLS + 1, 3)
 
     def _ways(self, normals: Array) -> Array:
         """Return the unit vectors along which places move away from the skin."""
@@ -118,13 +110,13 @@ class Cloth:
         return np.where(usable, normal / np.where(usable, size, 1.0), skin)
 
 
-def _bilinear(values: Array, parameters: Array) -> Array:
-    """Return values (CELLS + 1, CELLS + 1, d) of a grid at parameters (n, 2) between."""
+def _bilinear(values: Array, patch: Ints, parameters: Array) -> Array:
+    """Return values (patches, CELLS + 1, CELLS + 1, d) of grids at places (n,), (n, 2) between."""
     scaled = parameters.clip(0.0, 1.0) * CELLS
     cell = np.minimum(scaled.astype(np.int64), CELLS - 1)
     part = scaled - cell
     i, j = cell.T
     u, v = part[:, :1], part[:, 1:]
-    low = (1.0 - v) * values[i, j] + v * values[i, j + 1]
-    high = (1.0 - v) * values[i + 1, j] + v * values[i + 1, j + 1]
+    low = (1.0 - v) * values[patch, i, j] + v * values[patch, i, j + 1]
+    high = (1.0 - v) * values[patch, i + 1, j] + v * values[patch, i + 1, j + 1]
     return np.asarray((1.0 - u) * low + u * high)
