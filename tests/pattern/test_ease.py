@@ -13,7 +13,9 @@ import bodymeasure as bm
 from bodymeasure._typing import Array
 from bodymeasure.pattern import load_pattern
 from bodymeasure.pattern.cloth.cloth import Cloth
-from bodymeasure.pattern.cloth.ease import ease_of
+from bodymeasure.pattern.cloth.ease import ease_of, landmarks_of
+from bodymeasure.pattern.definitions.landmarks import panel_landmarks
+from bodymeasure.pattern.pieces.edges import EdgeCurves
 from bodymeasure.section import plane_section
 
 EASE = {"bust": 0.04, "waist": 0.02}
@@ -90,7 +92,21 @@ def test_ease_is_the_same_in_other_units() -> None:
         * bm.make_pattern(one, definitions, ease=EASE).pieces[0].edge("waist").cloth_length
         for one in (body, scaled)
     ]
-    assert lengths[0] == pytest.approx(lengths[1], abs=0.1)
+    assert lengths[0] == pytest.approx(lengths[1], abs=1e-6)
+
+
+def test_edges_in_a_row_are_as_long_with_ease_as_the_one_that_they_are_sewn_to() -> None:
+    # The shoulder of the back is one geodesic, that of the princess front two halves of it.
+    body, definitions = bm.load_sample("female_average"), load_pattern("princess")
+    landmarks = panel_landmarks(body, definitions, landmarks_of(EASE))
+    curves = EdgeCurves(Cloth(body, ease_of(body, EASE, landmarks)), landmarks)
+    center, side, back = (
+        1000.0 * curves.on_cloth(edge).length
+        for panel in definitions.panel
+        for edge in panel.edge
+        if edge.seam == "shoulder"
+    )
+    assert center + side == pytest.approx(back, abs=2e-7)
 
 
 @cache
