@@ -13,7 +13,9 @@ MITRE = 2.5
 # with another allowance, the cut line has a step.
 CORNER = 0.5
 # A border that turns by less, as a sine, is straight.
-STRAIGHT = 1e-9
+STRAIGHT = 1e-6
+# In millimeters: the grid on which the parts of an area are put together.
+GRID = 1e-6
 
 
 def widened(ring: Array, allowance: Array, fold: Array | None = None) -> Any:
@@ -37,14 +39,14 @@ def widened(ring: Array, allowance: Array, fold: Array | None = None) -> Any:
     At a corner, both sides are moved outwards and prolonged until they meet, whatever their
     allowances are: the wider one ends where the narrower one is cut.
     """
-    along = np.roll(ring, -1, axis=0) - ring
-    along = along / np.linalg.norm(along, axis=1)[:, None]
+    ring, allowance = _without_straight(ring, allowance)
+    along = _along(ring)
     out = np.stack([along[:, 1], -along[:, 0]], axis=1)
     shift = allowance[:, None] * out
     ends = np.roll(ring, -1, axis=0)
     strips = shapely.polygons(np.stack([ring, ends, ends + shift, ring + shift], axis=1))
     before = np.roll(np.arange(len(ring)), 1)
-    turn = along[before, 0] * along[:, 1] - along[before, 1] * along[:, 0]
+    turn = _turns(along)
     # Each with the allowances on both sides of it.
     parts = [*zip(strips, allowance, allowance, strict=True)]
     trims = []
@@ -69,8 +71,36 @@ def widened(ring: Array, allowance: Array, fold: Array | None = None) -> Any:
             for part, one, other in parts
         ]
     sewn = shapely.make_valid(shapely.polygons(ring))
-    area = shapely.union_all([sewn, *(part for part, one, other in parts if one or other)])
+    every = [sewn, *(part for part, one, other in parts if one or other)]
+    # On a grid, since rounding would leave cracks between strips, which end at the sew line.
+    area = shapely.union_all(every, grid_size=GRID)
     return largest(area if fold is None else shapely.intersection(area, _side_of(fold, area)))
+
+
+def _along(ring: Array) -> Array:
+    along = np.roll(ring, -1, axis=0) - ring
+    return np.asarray(along / np.linalg.norm(along, axis=1)[:, None])
+
+
+def _turns(along: Array) -> Array:
+    """Return the sine by which a border turns at the start of each side, positive at a corner."""
+    before = np.roll(along, 1, axis=0)
+    return np.asarray(before[:, 0] * along[:, 1] - before[:, 1] * along[:, 0])
+
+
+def _without_straight(ring: Array, allowance: Array) -> tuple[Array, Array]:
+    """Return a border without the points at which neither it nor its allowance changes."""
+    kept = np.arange(len(ring))
+    while True:
+        along = _along(ring[kept])
+        onwards = (along * np.roll(along, 1, axis=0)).sum(axis=1) > 0.0
+        same = allowance[kept] == np.roll(allowance[kept], 1)
+        idle = same & onwards & (np.abs(_turns(along)) <= STRAIGHT)
+        # Every other one at a time, so that a slow bend does not pass for straight.
+        idle &= ~(np.roll(idle, 1) & (np.arange(len(kept)) % 2 == 1))
+        if not idle.any() or len(kept) - idle.sum() < 3:
+            return ring[kept], allowance[kept]
+        kept = kept[~idle]
 
 
 def largest(area: Any) -> Any:

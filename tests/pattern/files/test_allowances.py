@@ -148,3 +148,17 @@ def test_the_mouth_of_a_dart_has_a_cap_that_its_fold_needs(bodice: bm.Pattern) -
     folded = 2.0 * ((top - tip) @ leg) * leg - (top - tip) + tip
     assert shapely.distance(line, shapely.points(folded)) == pytest.approx(10.0, abs=1.5)
     assert np.linalg.norm(top - tip) > reach + 12.0
+
+
+@pytest.mark.parametrize("noise", [0.0, 1e-12, 1e-9, 1e-7])
+def test_straight_sides_of_many_points_have_smooth_cut_lines(noise: float) -> None:
+    # Strips along sides that turn by rounding leave cracks between them, down to the sew line.
+    random = np.random.default_rng(0)
+    corners = np.array([[0.0, 0.0], [310.0, 130.0], [170.0, 560.0], [-40.0, 390.0]])
+    ways = zip(corners, np.roll(corners, -1, axis=0), strict=True)
+    ring = np.concatenate([a + (b - a) * np.arange(57)[:, None] / 57 for a, b in ways])
+    ring += noise * random.normal(size=ring.shape)
+    area = widened(ring, np.full(len(ring), 10.0))
+    assert shapely.distance(area.exterior, shapely.points(ring)).min() == pytest.approx(10.0)
+    assert area.symmetric_difference(widened(corners, np.full(4, 10.0))).area < 1e-2
+    assert len(area.exterior.coords) < 20
