@@ -104,6 +104,16 @@ def test_panels_for_both_sides(tmp_path: Path) -> None:
             "edge 'ab' has a plane of 'a'; expected three different landmarks",
         ),
         (HEAD + panel_text() + "ease = 0.01\n", "edge 'ca' has ease, but no seam into which"),
+        (
+            HEAD + 'ease = {m = "4cm"}\n' + panel_text(),
+            "member 'ease': Expected `float`.*docs patterns",
+        ),
+        (HEAD + panel_text(name=" "), "panel ' ' has the name ' '; expected one of printable"),
+        (
+            HEAD + panel_text().replace("'ab'", "''").replace('"ab"', '""'),
+            "edge 1: has the name ''",
+        ),
+        (HEAD + panel_text(name="a\\u0000b"), "expected one of printable"),
     ],
 )
 def test_what_is_wrong_is_named(text: str, words: str, tmp_path: Path) -> None:
@@ -159,16 +169,20 @@ def test_a_place_outside_and_edges_that_cross_are_named() -> None:
         panel = Panel(name="panel", inside=inside, edge=edges)
         return bm.PatternDefinitions(name="panel", panel=(panel,))
 
-    with pytest.raises(bm.InputError, match="reaches the open end of the body"):
+    with pytest.raises(bm.InputError, match=r"panel 'panel': .*open end .*there are 'ab', 'bm'"):
         bm.make_pattern(BODY, of("abm", "d"))
-    with pytest.raises(bm.InputError, match=r"panel 'panel': .*(crosses|both sides|open end)"):
+    # Its edges ac and bd cross, so that one triangle of the bow has no part of da.
+    words = (
+        r"panel 'panel': .*in turn \(round 'inside' there are 'ac', 'cb', 'bd'\); an edge crosses"
+    )
+    with pytest.raises(bm.InputError, match=words):
         bm.make_pattern(BODY, of("acbd", "m"))
 
 
 def test_a_dart_that_reaches_the_other_side_is_named() -> None:
     dart = Dart(name="d", edge="ab", at=0.5, tip="out")
     body = replace(BODY, landmarks={**BODY.landmarks, "out": bm.AtlasPoint(0, 0.97, 0.97)})
-    with pytest.raises(bm.InputError, match="it leaves the piece"):
+    with pytest.raises(bm.InputError, match=r"panel 'panel': dart 'd': it leaves the piece"):
         bm.make_pattern(body, four_geodesics(dart=(dart,)))
 
 

@@ -233,3 +233,16 @@ def test_a_finer_mesh_changes_no_seam_and_hardly_the_strain(skirt: Piece) -> Non
         if edge.name != "hip":
             assert edge.length == pytest.approx(skirt.edge(edge.name).length, abs=1e-12)
     assert fine.rms_strain == pytest.approx(skirt.rms_strain, abs=1e-3)
+
+
+def test_an_outline_that_crosses_itself_is_said_and_no_sound_piece() -> None:
+    # An edge three times as long as its curve: more than a piece of that size can take up.
+    definitions = four_geodesics()
+    (panel,) = definitions.panel
+    long = msgspec.structs.replace(panel.edge[0], seam="side", ease=0.3)
+    panel = msgspec.structs.replace(panel, edge=(long, *panel.edge[1:]))
+    made = make_pattern(interpolated(cylinder), PatternDefinitions(name="p", panel=(panel,)))
+    assert not made.pieces[0].is_simple
+    assert not made.is_sound
+    words = "panel: the outline crosses itself; cut the panel into two, or add a dart"
+    assert words in made.warnings

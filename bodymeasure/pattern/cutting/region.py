@@ -83,19 +83,18 @@ def region_inside(cloth: Cloth, mesh: CutMesh, inside: AtlasPoint, bounds: list[
     halves = dict(zip(pairs, curve.ravel().tolist(), strict=True))
     border = {pair: number for pair, number in halves.items() if pair[::-1] not in halves}
     if -1 in border.values():
+        found = _names(bounds, set(border.values()))
         raise InputError(
             "the piece reaches the open end of the body (neck, wrist or ankle), so that its edges "
-            "do not enclose it; check 'inside', and the order of the edges"
+            f"do not enclose it (round 'inside' there are {found or 'none of them'}); check "
+            "'inside', the other edges, and their order"
         )
     chains, order = _chains(border)
     edges = len(halves) - (len(halves) - len(border)) // 2
     positions = mesh.positions(cloth, kept).reshape(-1, 3)[first]
     turned = _in_turn(chains, order, bounds, positions)
     if len(first) - edges + len(vertex) != 1 or turned is None:
-        found = ", ".join(
-            " or ".join(repr(bound.name) for bound in bounds if bound.curve == number)
-            for number in order
-        )
+        found = _names(bounds, set(order))
         raise InputError(
             f"the edges do not bound one piece in turn (round 'inside' there are {found}); an edge "
             "crosses another, or 'inside' lies outside the piece"
@@ -108,6 +107,11 @@ def region_inside(cloth: Cloth, mesh: CutMesh, inside: AtlasPoint, bounds: list[
         tuple(np.array(chains[row]) for row, _ in turned),
         tuple(number for _, number in turned),
     )
+
+
+def _names(bounds: list[Bound], curves: set[int]) -> str:
+    """Return the names of the edges that lie on some curves, in the panel's order."""
+    return ", ".join(repr(bound.name) for bound in bounds if bound.curve in curves)
 
 
 def _refuse_sides(vertex: Ints, curve: Ints, bounds: list[Bound]) -> None:

@@ -18,6 +18,7 @@ MOST_EASE = 1.0
 
 def panel_faults(panel: Panel) -> Iterator[str]:
     """Yield sentences on what is wrong with a panel."""
+    yield from _name_faults(panel)
     names = [edge.name for edge in panel.edge]
     if len(names) < 3:
         yield f"has {len(names)} edges; expected three or more, in order round the panel"
@@ -47,6 +48,19 @@ def panel_faults(panel: Panel) -> Iterator[str]:
         yield from _extend_faults(panel, panel.extend)
     for dart in panel.dart:
         yield from _dart_faults(dart, names, panel.fold)
+
+
+def _name_faults(panel: Panel) -> Iterator[str]:
+    """Names are the labels of pieces, and identify their paths in files."""
+    yield from _bad_name("", panel.name)
+    for kind, parts in (("edge", panel.edge), ("dart", panel.dart)):
+        for number, part in enumerate(parts, start=1):
+            yield from _bad_name(f"{kind} {number}: ", part.name)
+
+
+def _bad_name(where: str, name: str) -> Iterator[str]:
+    if not name.strip() or not name.isprintable():
+        yield f"{where}has the name {name!r}; expected one of printable characters, on one line"
 
 
 def _allowance_faults(panel: Panel) -> Iterator[str]:

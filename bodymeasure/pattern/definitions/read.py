@@ -22,6 +22,8 @@ from bodymeasure.pattern.definitions.panels import FORMAT, VERSION, PatternDefin
 from bodymeasure.wording import hint
 
 FOLDER = Path(__file__).parents[1] / "data"
+# What to do about a member that is not there, or of another type.
+MEMBERS = "`bodymeasure docs patterns` lists the members, and --print-set bodice prints an example"
 SETS = ("bodice", "princess", "skirt", "sleeve", "trousers")
 
 
@@ -88,7 +90,7 @@ def pattern_from(content: bytes, source: str) -> PatternDefinitions:
     try:
         own = msgspec.structs.replace(msgspec.convert(raw, PatternDefinitions), landmark=rules)
     except msgspec.ValidationError as error:
-        raise InputError(f"{source}: {_in_words(str(error), raw)}") from None
+        raise InputError(f"{source}: {_in_words(str(error), raw)}; {MEMBERS}") from None
     whole = _extended(own, source)
     checked_ease(whole.ease, f"{source}: ease")
     names = [panel.name for panel in whole.panel]
@@ -111,7 +113,8 @@ def _rules(raw: object, source: str) -> tuple[LandmarkRule, ...]:
         rules = msgspec.convert(raw, kinds)
     except msgspec.ValidationError as error:
         words = str(error).replace("`$[", "`$.landmark[")
-        raise InputError(f"{source}: {_in_words(words, {'landmark': raw})}") from None
+        told = _in_words(words, {"landmark": raw})
+        raise InputError(f"{source}: {told}; {MEMBERS}") from None
     return both_sides(rules)
 
 
@@ -176,6 +179,6 @@ def _in_words(reason: str, raw: dict[str, Any]) -> str:
         label = value.get("name") if isinstance(value, dict) else None
         if kind in ("panel", "edge", "dart", "landmark"):
             named.append(f"{kind} {label!r}" if label else f"{kind} {int(number) + 1}")
-    rest = place.rstrip("`").rpartition("]")[2].strip(".")
+    rest = place.rstrip("`").removesuffix("[...]").rpartition("]")[2].strip(".")
     where = ", ".join([*named, *([f"member {rest!r}"] if rest else [])])
     return f"{where}: {words}" if where else words

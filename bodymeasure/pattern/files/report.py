@@ -56,7 +56,7 @@ class SeamRecord(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class PatternRecord(msgspec.Struct, frozen=True, kw_only=True):
-    """A pattern."""
+    """A pattern; its ease is that of girths by their levels, in millimeters."""
 
     schema: str = "bodymeasure pattern report 1"
     body: str
@@ -64,6 +64,8 @@ class PatternRecord(msgspec.Struct, frozen=True, kw_only=True):
     set: str
     unit: str = "mm"
     allowance: float
+    ease: dict[str, float]
+    bridge: bool
     pieces: tuple[PieceRecord, ...]
     seams: tuple[SeamRecord, ...]
     warnings: tuple[str, ...]
@@ -77,6 +79,8 @@ def pattern_record(pattern: Pattern, *, allowance: float = 10.0) -> PatternRecor
         digest=pattern.atlas.digest,
         set=pattern.definitions.name,
         allowance=allowance,
+        ease={level: 1000.0 * girth for level, girth in pattern.ease.items()},
+        bridge=pattern.bridge,
         pieces=tuple(_piece(piece, scale) for piece in pattern.pieces),
         seams=tuple(
             SeamRecord(

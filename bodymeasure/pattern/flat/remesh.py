@@ -36,11 +36,14 @@ class Outline:
         For each edge the lengths from its start at which darts begin, in order.
     darts : tuple of SkinCurve
         From the foot to the tip, in the order of `cuts`.
+    names : tuple of str
+        Of the darts.
     """
 
     edges: tuple[SkinCurve, ...]
     cuts: tuple[tuple[float, ...], ...]
     darts: tuple[SkinCurve, ...]
+    names: tuple[str, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,12 +119,14 @@ def remeshed(region: Region, flat: Array, outline: Outline, step: float) -> Reme
     border_count = first
     feet = [chain[-1] for chains in edges for chain in chains[:-1]]
     darts, dart_steps = [], []
-    for foot, curve in zip(feet, outline.darts, strict=True):
+    for foot, curve, name in zip(feet, outline.darts, outline.names, strict=True):
         count = max(2, round(curve.length / step))
         inner = SkinPlaces(*curve.places(curve.length * np.arange(1, count + 1) / count))
         points, inside = in_layout(region, flat, inner)
         if inside.min() < INSIDE:
-            raise InputError("it leaves the piece; make it shorter, or choose another tip")
+            raise InputError(
+                f"dart {name!r}: it leaves the piece; make it shorter, or choose another tip"
+            )
         places.append(inner)
         layout.append(points)
         darts.append(np.concatenate([[foot], np.arange(first, first + count)]))
@@ -202,11 +207,15 @@ def _triangulated(fixed: Array, inner: Array, segments: Ints, polygon: Any) -> t
         near = (apart < 1.2 * radius).any(axis=1)
         if not near.any():
             raise InputError(
-                "two of its edges lie too near to one another for a mesh; choose a finer step"
+                "two of its edges, or a dart and an edge, lie too near to one another for a mesh; "
+                "move them apart, or take a smaller step (of make_pattern)"
             )
         kept = kept[~near]
     else:
-        raise InputError("its edges are too uneven for a mesh; choose a finer step")
+        raise InputError(
+            "its edges are too uneven for a mesh; let them bend less, or take a smaller step (of "
+            "make_pattern)"
+        )
     one, other = (points[triangles[:, i]] - points[triangles[:, 0]] for i in (1, 2))
     clockwise = one[:, 0] * other[:, 1] < one[:, 1] * other[:, 0]
     triangles[clockwise] = triangles[clockwise][:, ::-1]

@@ -176,7 +176,12 @@ def _laid_flat(
         )
         for number in region.order
     )
-    outline = Outline(edges, cuts, tuple(placed.curve for placed in ordered))
+    outline = Outline(
+        edges,
+        cuts,
+        tuple(placed.curve for placed in ordered),
+        tuple(placed.dart.name for placed in ordered),
+    )
     names = [edge.name for edge in panel.edge]
     fold = region.order.index(names.index(panel.fold)) if panel.fold else None
     even = remeshed(region, layout, outline, step)

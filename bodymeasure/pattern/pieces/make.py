@@ -92,7 +92,8 @@ def make_pattern(
     wider = {**definitions.ease, **_given_ease(ease)}
     landmarks = panel_landmarks(body, definitions, landmarks_of(wider))
     cloth = Cloth(body, ease_of(body, wider, landmarks))
-    curves = EdgeCurves(cloth, landmarks, bridge=definitions.bridge if bridge is None else bridge)
+    bridge = definitions.bridge if bridge is None else bridge
+    curves = EdgeCurves(cloth, landmarks, bridge=bridge)
     pieces, seconds = [], {}
     for number, panel in enumerate(definitions.panel, start=1):
         begin = time.process_time()
@@ -100,7 +101,7 @@ def make_pattern(
         seconds[panel.name] = time.process_time() - begin
         if progress is not None:
             progress(number, len(definitions.panel))
-    return Pattern(body, definitions, landmarks, tuple(pieces), wider, seconds)
+    return Pattern(body, definitions, landmarks, tuple(pieces), wider, bridge, seconds)
 
 
 def _given_ease(ease: Mapping[str, float] | None) -> dict[str, float]:

@@ -23,6 +23,8 @@ class Pattern:
     pieces : tuple of Piece
     ease : mapping of str to float
         By how much girths are wider than those of the body, in meters, by the names of levels.
+    bridge : bool
+        Whether the cloth bridges hollows inside of the pieces.
     seconds : mapping of str to float
         The processor time for each piece.
     """
@@ -32,6 +34,7 @@ class Pattern:
     landmarks: Mapping[str, AtlasPoint]
     pieces: tuple[Piece, ...]
     ease: Mapping[str, float] = field(default_factory=dict)
+    bridge: bool = False
     seconds: Mapping[str, float] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> Piece:
@@ -81,7 +84,7 @@ class Pattern:
         )
         wanted = f", and not by the {ease:.1f} mm of its ease" if ease else ""
         return (
-            f"seam {seam.name!r}: {seam.edges[1]!r} of {seam.pieces[1]!r} is {difference:+.3f} mm "
+            f"seam {seam.name!r}: {seam.edges[1]!r} of {seam.pieces[1]!r} is {difference:+.3g} mm "
             f"longer than {seam.edges[0]!r} of {seam.pieces[0]!r}{wanted}; let both lead through "
             "the same landmarks, or give the longer one that ease"
         )

@@ -1,14 +1,16 @@
 """All files of a pattern, and of one in several sizes, written at once."""
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 import shapely
+from helpers.panels import cylinder, four_geodesics, interpolated
 
 import bodymeasure as bm
 from bodymeasure.errors import InputError
-from bodymeasure.pattern import PieceEdge
+from bodymeasure.pattern import PieceEdge, pattern_json
 from bodymeasure.pattern.files.layout import sheet_of
 
 
@@ -21,6 +23,16 @@ def test_all_files_are_written(bodice: bm.Pattern, tmp_path: Path) -> None:
     assert len(files) == 7
     assert set((tmp_path / "out").iterdir()) == set(files)
     assert all(file.stat().st_size > 1000 for file in files)
+
+
+def test_the_report_says_for_which_ease_pieces_are() -> None:
+    definitions, body = four_geodesics(), interpolated(cylinder)
+    made = bm.make_pattern(body, definitions, ease={"m": 0.04}, bridge=True)
+    content = json.loads(pattern_json(made))
+    assert content["ease"] == {"m": 40.0}
+    assert content["bridge"] is True
+    plain = json.loads(pattern_json(bm.make_pattern(body, definitions)))
+    assert (plain["ease"], plain["bridge"]) == ({}, False)
 
 
 def test_sizes_have_folders_beside_what_holds_all(bodice: bm.Pattern, tmp_path: Path) -> None:
