@@ -53,9 +53,10 @@ def panel_faults(panel: Panel) -> Iterator[str]:
 def _name_faults(panel: Panel) -> Iterator[str]:
     """Names are the labels of pieces, and identify their paths in files."""
     yield from _bad_name("", panel.name)
-    for kind, parts in (("edge", panel.edge), ("dart", panel.dart)):
-        for number, part in enumerate(parts, start=1):
-            yield from _bad_name(f"{kind} {number}: ", part.name)
+    for number, edge in enumerate(panel.edge, start=1):
+        yield from _bad_name(f"edge {number}: ", edge.name)
+    for number, dart in enumerate(panel.dart, start=1):
+        yield from _bad_name(f"dart {number}: ", dart.name)
 
 
 def _bad_name(where: str, name: str) -> Iterator[str]:

@@ -52,7 +52,7 @@ def widened(ring: Array, allowance: Array, fold: Array | None = None) -> Any:
     trims = []
     for corner in np.flatnonzero(turn > STRAIGHT):
         one, other = int(before[corner]), int(corner)
-        meeting = np.linalg.solve(out[[one, other]], allowance[[one, other]])
+        meeting = np.asarray(np.linalg.solve(out[[one, other]], allowance[[one, other]]))
         early = bool(meeting @ along[one] < 0.0), bool(meeting @ along[other] > 0.0)
         if any(early) and turn[corner] < CORNER:
             continue
