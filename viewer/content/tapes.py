@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from bodymeasure.viewer.content.on_scan import on_scan
 from bodymeasure.viewer.content.requests import (
     MeasureClosed,
     MeasureGirth,
@@ -41,11 +42,11 @@ def path_answer(body: ShownBody, request: MeasurePath) -> dict[str, Any]:
         "closed": False,
     }
     if request.kind == "contact":
-        return {**answer, **_path_members(body, contact)}
+        return on_scan(body, {**answer, **_path_members(body, contact)})
     taut = taut_tape(
         atlas, places[0], places[-1], places[1:-1], contact=contact, on_failure="status"
     )
-    return {
+    found = {
         **answer,
         "length": _meters(body, taut.length),
         "error_estimate": _meters(body, taut.error_estimate),
@@ -55,12 +56,14 @@ def path_answer(body: ShownBody, request: MeasurePath) -> dict[str, Any]:
         "gap": _meters(body, taut.gap),
         **_drawn(body, taut.points, taut.normals),
     }
+    return on_scan(body, found)
 
 
 def closed_answer(body: ShownBody, request: MeasureClosed) -> dict[str, Any]:
     """Return the closed geodesic to which the horizontal loop at a point contracts."""
     path = closed_geodesic(body.atlas, place_of(request.location), on_failure="status")
-    return {"kind": "contact", "straight": None, "closed": True, **_path_members(body, path)}
+    answer = {"kind": "contact", "straight": None, "closed": True, **_path_members(body, path)}
+    return on_scan(body, answer)
 
 
 def girth_answer(body: ShownBody, request: MeasureGirth) -> dict[str, Any]:
@@ -74,7 +77,7 @@ def girth_answer(body: ShownBody, request: MeasureGirth) -> dict[str, Any]:
         else "The girth is not known well enough; measure a little higher or lower."
     )
     value = girth.taut if taut else girth.contact
-    return {
+    answer = {
         "kind": request.kind,
         "straight": None,
         "closed": True,
@@ -86,6 +89,7 @@ def girth_answer(body: ShownBody, request: MeasureGirth) -> dict[str, Any]:
         "gap": _meters(body, girth.gap),
         **_section(body, girth.taut_tape if taut else girth.contact_tape),
     }
+    return on_scan(body, answer)
 
 
 def _path_members(body: ShownBody, path: AtlasPath) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from bodymeasure.chart.body import Body
 from bodymeasure.chart.input.slopes import length, turning
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome
 from bodymeasure.chart.kinds.formula import FormulaMeasure
-from bodymeasure.chart.tapes import TapeKind
+from bodymeasure.chart.tapes import Tape, TapeKind
 from bodymeasure.wording import counted
 
 # In meters: the deviations of a fitted surface at two places that are farther apart have little to
@@ -56,7 +56,13 @@ def with_input(found: Measured, body: Body, others: Mapping[str, Measured]) -> M
     if reason := _unseen(body, definition, under):
         return Measured(definition, Outcome.NOT_SCANNED, reason, landmarks=found.landmarks)
     slopes = definition.slopes(body, found, others)
-    surface = found.surface_uncertainty if computed else _surface(body.atlas, found, under)
+    surface = (
+        found.surface_uncertainty
+        if computed
+        else surface_uncertainty(body.atlas, found.tape, under)
+        if len(under)
+        else 0.0
+    )
     places = [_from_landmark(body, name, slope) for name, slope in slopes.items()]
     return replace(
         found,
@@ -66,21 +72,29 @@ def with_input(found: Measured, body: Body, others: Mapping[str, Measured]) -> M
     )
 
 
-def _unseen(body: Body, definition: MeasurementDefinition, under: Ints) -> str:
-    """Return why the scan does not show what is measured; empty if it does."""
-    atlas, scan = body.atlas, body.atlas.scan
-    assert scan is not None
-    guessed = [name for name in definition.landmarks if name in body.trust.unseen]
-    if guessed:
-        root = body.trust.unseen[guessed[0]]
-        follows = "" if root == guessed[0] else f", which {guessed[0]!r} follows from"
-        region = atlas.regions[body.landmarks[root].patch]
-        where = f" ({region})" if region else ""
-        return (
-            f"the scan shows nothing at {root!r}{where}{follows}; its place is a guess of the body "
-            "model; scan the body again there"
-        )
-    bare = np.intersect1d(under, scan.uncovered)
+def surface_uncertainty(atlas: Atlas, tape: Tape, under: Ints) -> float:
+    """Return the standard uncertainty that a tape's length has from the surface below it.
+
+    Parameters
+    ----------
+    atlas : Atlas
+        One that was fitted to a scan.
+    tape : Tape
+    under : ndarray of int, shape (k,)
+        The patches below the tape.
+    """
+    off = _distance(atlas, under)
+    if tape.kind is TapeKind.STRAIGHT:
+        # Both ends of an extent move by themselves.
+        return math.sqrt(2.0) * off
+    stretches = length(tape) * atlas.unit.meters / PATCH_OF_NOISE
+    return turning(tape) * off / math.sqrt(max(stretches, 1.0))
+
+
+def unseen_patches(atlas: Atlas, under: Ints) -> str:
+    """Return which of the patches below a tape the scan does not show; empty if it shows all."""
+    assert atlas.scan is not None
+    bare = np.intersect1d(under, atlas.scan.uncovered)
     if not len(bare):
         return ""
     names = [atlas.patch_names[patch] for patch in bare[:NAMED]]
@@ -94,6 +108,22 @@ def _unseen(body: Body, definition: MeasurementDefinition, under: Ints) -> str:
     )
 
 
+def _unseen(body: Body, definition: MeasurementDefinition, under: Ints) -> str:
+    """Return why the scan does not show what is measured; empty if it does."""
+    atlas = body.atlas
+    guessed = [name for name in definition.landmarks if name in body.trust.unseen]
+    if guessed:
+        root = body.trust.unseen[guessed[0]]
+        follows = "" if root == guessed[0] else f", which {guessed[0]!r} follows from"
+        region = atlas.regions[body.landmarks[root].patch]
+        where = f" ({region})" if region else ""
+        return (
+            f"the scan shows nothing at {root!r}{where}{follows}; its place is a guess of the body "
+            "model; scan the body again there"
+        )
+    return unseen_patches(atlas, under)
+
+
 def _from_landmark(body: Body, name: str, slope: Array) -> float:
     """Return the standard uncertainty that a value has from a landmark."""
     point, scan = body.point(name), body.atlas.scan
@@ -104,18 +134,6 @@ def _from_landmark(body: Body, name: str, slope: Array) -> float:
     aside = body.trust.uncertainty.get(name, 0.0) / math.sqrt(2.0)
     above = _distance(body.atlas, np.array([point.patch]))
     return math.hypot(along * aside, off * above)
-
-
-def _surface(atlas: Atlas, found: Measured, under: Ints) -> float:
-    """Return the standard uncertainty that a value has from the surface below its tape."""
-    if not len(under):
-        return 0.0
-    off = _distance(atlas, under)
-    if found.tape.kind is TapeKind.STRAIGHT:
-        # Both ends of an extent move by themselves.
-        return math.sqrt(2.0) * off
-    stretches = length(found.tape) * atlas.unit.meters / PATCH_OF_NOISE
-    return turning(found.tape) * off / math.sqrt(max(stretches, 1.0))
 
 
 def _distance(atlas: Atlas, patches: Ints) -> float:

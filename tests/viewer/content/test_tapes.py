@@ -9,6 +9,7 @@ from bodymeasure.viewer.content.answers import answer
 from bodymeasure.viewer.content.bodies import Bodies
 from bodymeasure.viewer.content.requests import MeasureClosed, MeasureGirth, MeasurePath
 from bodymeasure.viewer.content.shown import ShownBody
+from helpers.charts.scanned import scanned
 from msgspec import json
 
 import bodymeasure as bm
@@ -131,3 +132,46 @@ def test_a_closed_geodesic_has_the_librarys_length(bodies: Bodies) -> None:
     points = np.array(found["points"])
     np.testing.assert_allclose(points[0], points[-1], atol=1e-6)
     assert found["closed"]
+
+
+@pytest.mark.parametrize("kind", ["path", "taut", "girth", "closed"])
+def test_on_a_scan_its_distance_counts_as_the_error(kind: str) -> None:
+    bodies = Bodies()
+    atlas = bm.load_sample("female_average")
+    requests = {
+        "path": MeasurePath(locations=("bust point left", "back neck point")),
+        "taut": MeasurePath(locations=("bust point left", "back neck point"), kind="taut"),
+        "girth": MeasureGirth(location="crotch point"),
+        "closed": MeasureClosed(location="front waist point"),
+    }
+    bodies.put(ShownBody("0", atlas, "Model"))
+    known = asked(bodies, requests[kind])
+    assert "uncertainty" not in known
+    bodies.put(ShownBody("0", scanned(atlas), "Scan", version=2))
+    found = asked(bodies, requests[kind])
+    assert found["length"] == known["length"]
+    # Of a surface that is off by 0.6 mm, far more than the computation's nanometers.
+    assert 1e-4 < found["uncertainty"] < 2e-3
+    assert "fitted to a scan" in found["words"]
+
+
+def test_the_error_of_a_chart_on_a_scan_is_that_of_the_same_tape() -> None:
+    atlas = scanned(bm.load_sample("female_average"), landmarks=0.0)
+    chart = bm.measure_chart(atlas, only=("bust_girth",))
+    bodies = Bodies()
+    bodies.put(ShownBody("0", atlas, "Scan"))
+    found = asked(bodies, MeasureGirth(location="bust point left"))
+    surface = chart.measured[0].surface_uncertainty
+    assert found["uncertainty"] == pytest.approx(surface, rel=0.05)
+
+
+def test_what_the_scan_does_not_show_has_no_length() -> None:
+    atlas = bm.load_sample("female_average")
+    ends = ("bust point left", "bust point right")
+    patch = atlas.landmarks[ends[0]].patch
+    bodies = Bodies()
+    bodies.put(ShownBody("0", scanned(atlas, [patch]), "Scan"))
+    found = asked(bodies, MeasurePath(locations=ends))
+    assert found["length"] is None
+    assert found["points"]
+    assert found["words"].startswith("The tape crosses 1 patch of which the scan shows less")

@@ -11,6 +11,11 @@ export function placeWords(location, header) {
   return [region, name || `patch ${patch}`].filter(Boolean).join(", ");
 }
 
+/** What a scan leaves open counts as the error, where it is more than the computation's. */
+function errorOf({ error_estimate: computed, uncertainty } = {}) {
+  return Math.max(computed ?? 0, uncertainty ?? 0) || (computed ?? null);
+}
+
 /** A row for a tape of the user's. */
 export function tapeItem(tape, result) {
   return {
@@ -22,7 +27,9 @@ export function tapeItem(tape, result) {
     codes: {},
     kind: "length",
     value: result?.length ?? null,
-    error: result?.error_estimate ?? null,
+    error: errorOf(result),
+    computed: result?.error_estimate ?? null,
+    uncertainty: result?.uncertainty ?? null,
     words: result?.error ?? result?.words ?? (result ? "" : "Measuring…"),
     failed: Boolean(result && (result.error || !Number.isFinite(result.length))),
     waiting: !result,
@@ -47,8 +54,7 @@ export function chartItems(chart, hidden, other) {
       codes: one.codes ?? {},
       kind: one.kind ?? "length",
       value,
-      // What the scan and its landmarks leave open counts, where it is more than the computation's.
-      error: Math.max(one.error_estimate ?? 0, one.input_uncertainty ?? 0) || (one.error_estimate ?? null),
+      error: errorOf({ error_estimate: one.error_estimate, uncertainty: one.input_uncertainty }),
       computed: one.error_estimate ?? null,
       uncertainty: one.input_uncertainty ?? null,
       words: one.reason ?? "",

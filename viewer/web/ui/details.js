@@ -70,6 +70,12 @@ function fact(term, ...description) {
   return [h("dt", {}, term), h("dd", {}, ...description)];
 }
 
+/** The parts of the error, where a scan has one. */
+function errorFacts(app, item, title) {
+  if (item.failed || !item.uncertainty) return [];
+  return [fact(title, formatError(item.uncertainty, app.unit)), fact("Of the computation", formatError(item.computed ?? NaN, app.unit))];
+}
+
 function ofTape(app, item, actions) {
   const { tape, result } = item;
   const name = h("input", { class: "name", value: tape.name, "aria-label": "Name of the tape", "data-testid": "name", maxlength: "100" });
@@ -90,6 +96,7 @@ function ofTape(app, item, actions) {
   }
   const gap = [result, other].find((one) => Number.isFinite(one?.gap))?.gap;
   if (Number.isFinite(gap)) facts.push(fact("Taut is shorter by", formatLength(Math.abs(gap), app.unit)));
+  facts.push(...errorFacts(app, item, "From the scanned surface"));
   facts.push(fact(tape.mode === "path" ? "From, to" : "At", tape.locations.map((location) => placeWords(location, app.header)).join(" → ")));
   const kinds =
     app.transport.can.measure && tape.mode !== "closed"
@@ -117,10 +124,7 @@ function ofMeasurement(app, item, actions) {
   if (Number.isFinite(contact) && Number.isFinite(taut)) {
     facts.push(fact("On the skin", formatLength(contact, app.unit)), fact("Taut", formatLength(taut, app.unit)));
   }
-  if (item.uncertainty) {
-    facts.push(fact("From scan and landmarks", formatError(item.uncertainty, app.unit)));
-    facts.push(fact("Of the computation", formatError(item.computed ?? NaN, app.unit)));
-  }
+  facts.push(...errorFacts(app, item, "From scan and landmarks"));
   for (const [system, codes] of Object.entries(item.codes)) {
     const text = [codes].flat().filter(Boolean).join(", ");
     if (text) facts.push(fact(SYSTEMS[system] ?? system, text));

@@ -1,7 +1,11 @@
 """The tape tool: clicks, points on the way, snapping, the rubber band, ends that are dragged."""
 
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
 import pytest
+from helpers.charts.scanned import scanned
 from helpers.viewer_page import Screen
 
 import bodymeasure as bm
@@ -195,3 +199,19 @@ def test_a_tape_between_landmarks_by_name(screen: Screen, atlas: bm.Atlas) -> No
     path = bm.geodesic_between(atlas, "back neck point", "elbow point left")
     assert tape["result"]["length"] == path.length
     assert tape["name"] == "back neck point to elbow point left"
+
+
+def test_on_a_scan_its_distance_counts_as_the_error(
+    screen: Screen, atlas: bm.Atlas, tmp_path: Path
+) -> None:
+    path = tmp_path / "scan.atlas"
+    bm.write_atlas(replace(scanned(atlas), name="Scan"), path)
+    screen.drop(path.name, path.read_bytes())
+    screen.until("state => state.body === 'Scan'")
+    tape = screen.measure((15, 0.5, 0.5), (173, 0.5, 0.5))
+    told = f"± {1000 * tape['result']['uncertainty']:.2f} mm"
+    assert screen.get("error").inner_text() == told
+    assert screen.get(f"row-{tape['id']}").locator("td").last.inner_text() == told
+    details = screen.get("details").inner_text()
+    assert "Of the computation" in details
+    assert "fitted to a scan" in details

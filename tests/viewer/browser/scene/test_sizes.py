@@ -29,13 +29,16 @@ def test_nothing_is_cut_off(open_page: Callable[..., Screen], size: tuple[int, i
     canvas = screen.page.locator("canvas").bounding_box()
     assert canvas is not None
     # The hint lies over no head, however low the scene is.
-    hint, view = screen.get("hint").bounding_box(), screen.state()["view"]
-    assert hint is not None
+    view = screen.state()["view"]
     body = bm.load_sample("female_average")
     head = float((body.points @ body.axes.up_vector).max())
     middle = canvas["y"] + canvas["height"] / 2
     above = (head - view["target"][1]) / view["height"] * canvas["height"]
-    assert hint["y"] + hint["height"] <= middle - above
+    for tool in ("girth", "loop", "look", "tape"):
+        screen.get(f"tool-{tool}").click()
+        hint = screen.get("hint").bounding_box()
+        assert hint is not None
+        assert hint["y"] + hint["height"] <= middle - above, tool
     assert canvas["width"] * canvas["height"] > 0.3 * size[0] * size[1]
     places = screen.seen(apart=5)
     assert len(places) > 8
