@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from bodymeasure.viewer.content.on_scan import on_scan
 from bodymeasure.viewer.content.requests import (
     MeasureClosed,
     MeasureGirth,
@@ -15,7 +14,10 @@ from bodymeasure.viewer.content.requests import (
 from bodymeasure.viewer.content.shown import ShownBody
 
 from bodymeasure._typing import Array
+from bodymeasure.atlas.queries.approximation_error import nearest_patches
 from bodymeasure.atlas.queries.locations import atlas_point
+from bodymeasure.chart import Tape, TapeKind
+from bodymeasure.chart.input.uncertainty import surface_uncertainty, unseen_patches
 from bodymeasure.geodesic import AtlasPath, geodesic_between
 from bodymeasure.measure import body_girth, closed_geodesic
 from bodymeasure.section import DrawnTape
@@ -26,6 +28,12 @@ SPACING = 1.0 / 300.0
 MOST_STEPS = 1_000
 # Digits of positions in meters and of normals: a tenth of a micrometer is less than a page draws.
 PLACES, PARTS = 7, 4
+# In meters: steps of a tape that are shorter have no direction, since points are rounded.
+LEAST_STEP = 1e-5
+REMARK = (
+    " The body was fitted to a scan: how far its surface is from it counts as the error, where "
+    "that is more; how well the points are placed comes on top."
+)
 
 
 def path_answer(body: ShownBody, request: MeasurePath) -> dict[str, Any]:
@@ -42,7 +50,7 @@ def path_answer(body: ShownBody, request: MeasurePath) -> dict[str, Any]:
         "closed": False,
     }
     if request.kind == "contact":
-        return on_scan(body, {**answer, **_path_members(body, contact)})
+        return _on_scan(body, {**answer, **_path_members(body, contact)})
     taut = taut_tape(
         atlas, places[0], places[-1], places[1:-1], contact=contact, on_failure="status"
     )
@@ -56,14 +64,14 @@ def path_answer(body: ShownBody, request: MeasurePath) -> dict[str, Any]:
         "gap": _meters(body, taut.gap),
         **_drawn(body, taut.points, taut.normals),
     }
-    return on_scan(body, found)
+    return _on_scan(body, found)
 
 
 def closed_answer(body: ShownBody, request: MeasureClosed) -> dict[str, Any]:
     """Return the closed geodesic to which the horizontal loop at a point contracts."""
     path = closed_geodesic(body.atlas, place_of(request.location), on_failure="status")
     answer = {"kind": "contact", "straight": None, "closed": True, **_path_members(body, path)}
-    return on_scan(body, answer)
+    return _on_scan(body, answer)
 
 
 def girth_answer(body: ShownBody, request: MeasureGirth) -> dict[str, Any]:
@@ -89,7 +97,29 @@ def girth_answer(body: ShownBody, request: MeasureGirth) -> dict[str, Any]:
         "gap": _meters(body, girth.gap),
         **_section(body, girth.taut_tape if taut else girth.contact_tape),
     }
-    return on_scan(body, answer)
+    return _on_scan(body, answer)
+
+
+def _on_scan(body: ShownBody, answer: dict[str, Any]) -> dict[str, Any]:
+    """Return the answer about a tape with what the scan leaves open, as a chart tells it.
+
+    A tape over patches that the scan does not show has no length. Other lengths get
+    ``uncertainty``, in meters. On a body that is no fit, the answer stays as it is.
+    """
+    if body.atlas.scan is None or answer["length"] is None:
+        return answer
+    points, normals = np.array(answer["points"]), np.array(answer["normals"])
+    apart = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    kept = np.concatenate([[True], apart > LEAST_STEP])
+    points, normals = points[kept], normals[kept]
+    positions = points @ body.rotation / body.meters
+    under = np.unique(nearest_patches(body.atlas, positions[normals.any(axis=1)]))
+    if unseen := unseen_patches(body.atlas, under):
+        words = f"{unseen[:1].upper()}{unseen[1:]}."
+        return {**answer, "length": None, "status": "not_scanned", "words": words}
+    tape = Tape(TapeKind(answer["kind"]), positions, normals)
+    uncertainty = surface_uncertainty(body.atlas, tape, under) * body.meters
+    return {**answer, "uncertainty": uncertainty, "words": answer["words"] + REMARK}
 
 
 def _path_members(body: ShownBody, path: AtlasPath) -> dict[str, Any]:
