@@ -137,7 +137,10 @@ def made(**members: object) -> bm.Piece:
 @pytest.mark.parametrize(
     ("members", "words"),
     [
-        ({"inside": "x"}, "panel 'panel' needs the landmark 'x', which is not known"),
+        (
+            {"inside": "x"},
+            "panel 'panel' needs the landmark 'x', which neither the body nor a rule has .*pick it",
+        ),
         (
             {"dart": (Dart(name="d", edge="ab", at=0.5, tip="m", length=0.5),)},
             "dart 'd': its length would be 50.0 cm",

@@ -1,7 +1,7 @@
 """`bodymeasure pattern`."""
 
-from collections.abc import Callable
-from contextlib import ExitStack
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -155,7 +155,8 @@ def pattern(
         for folder in folders:
             stack.enter_context(output_folder(folder))
         made: Pattern | GradedPattern
-        with progress_bar("laying flat", len(panels.panel) * len(bodies)) as progress:
+        bar = progress_bar("laying flat", len(panels.panel) * len(bodies))
+        with _naming(definitions), bar as progress:
             advance: Callable[[int, int], None] = lambda done, _all: progress(done)  # noqa: E731
             if graded:
                 made = grade_pattern(bodies, panels, ease=ease, bridge=bridge, progress=advance)
@@ -175,6 +176,19 @@ def pattern(
     for words in made.warnings:
         print_note(words)
     return 0 if made.is_sound else EXIT_LOOK
+
+
+@contextmanager
+def _naming(definitions: str) -> Iterator[None]:
+    """Name the user's file in what cannot be done with its panels."""
+    from bodymeasure.pattern import SETS
+
+    try:
+        yield
+    except InputError as error:
+        if definitions in SETS or "panel '" not in str(error):
+            raise
+        raise InputError(f"{definitions}: {error}") from error
 
 
 def _by_size(bodies: list[Subject], sizes: tuple[str, ...]) -> dict[str, Atlas]:

@@ -45,7 +45,7 @@ def panel_landmarks(
                 reason = f"is missing: {derived.missing[name]}"
             else:
                 known = sorted({*atlas.landmarks, *rules})
-                reason = f"is not known; {hint(name, known)}"
+                reason = f"neither the body nor a rule has ({hint(name, known)})"
             raise InputError(
                 f"panel {panel.name!r} needs the landmark {name!r}, which {reason}; pick it with "
                 "`bodymeasure landmarks add`, or name another"

@@ -4,6 +4,8 @@ from pathlib import Path
 import pytest
 from helpers.command_line import Run
 
+from bodymeasure.pattern import set_text
+
 SMALL = """
 format = "bodymeasure pattern"
 version = 1
@@ -51,6 +53,22 @@ def test_bad_sets_are_refused_before_the_work(run: Run, tmp_path: Path) -> None:
         assert ran.code == 2
         assert words in ran.err
         assert not (tmp_path / "out").exists()
+
+
+def test_what_a_body_cannot_give_names_the_file_that_asks_for_it(run: Run, tmp_path: Path) -> None:
+    path, out = tmp_path / "mine.toml", tmp_path / "out"
+    path.write_text(set_text("skirt").replace("front hip point", "front hip pint"))
+    ran = run("pattern", "female_average", "--set", path, "-o", out)
+    assert ran.code == 2
+    assert f"{path}: panel " in ran.err
+    assert "needs the landmark 'front hip pint'" in ran.err
+    assert "did you mean 'front hip point'" in ran.err
+    # What is wrong with an option is no fault of the file.
+    path.write_text(SMALL)
+    ran = run("pattern", "female_average", "--set", path, "--ease", "hipp=1cm", "-o", out)
+    assert ran.code == 2
+    assert ran.err.startswith("Error: ease is asked for at 'hipp'")
+    assert not out.exists()
 
 
 def test_patches_are_unfolded_into_a_folder(run: Run, part: Path, tmp_path: Path) -> None:
