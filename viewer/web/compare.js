@@ -123,6 +123,11 @@ export function comparing(app, viewport) {
     app.emit("field");
     app.emit("compare");
   });
+  // What is drawn of it, its distance and its chart are all those of its older form.
+  app.on("otherchanged", () => {
+    fields.clear();
+    compareWith(app.other.header.id);
+  });
   const current = () => fields.get(placeOf(key));
   return {
     color,

@@ -40,6 +40,7 @@ export function connection(app) {
       app.measuring.askAgain();
     }
     if (news.error) app.emit("message", { text: news.error, tone: "bad" });
+    if (news.changed && app.other?.header.id === "0") app.emit("otherchanged");
     // The file that is looked after is that of the first body.
     if (news.changed && app.bodyId === "0") {
       app.try(async () => {

@@ -55,6 +55,21 @@ def test_what_is_made_meanwhile_stays_and_can_be_undone(
     assert len(screen.state()["tapes"]) == 2
 
 
+def test_the_body_that_is_compared_with_is_read_again(
+    own: tuple[Path, Served], open_page: Open
+) -> None:
+    path, served = own
+    screen = open_page(served.link)
+    screen.drop("other.atlas", path.read_bytes())
+    screen.until("state => state.id.startsWith('1-')")
+    screen.get("tab-display").click()
+    screen.get("compare-open").select_option("0")
+    marks = screen.until("state => state.second && state.second.landmarks")
+    change(path)
+    screen.until("(state, marks) => state.second && state.second.landmarks > marks", marks)
+    assert screen.state()["id"].startswith("1-")
+
+
 def test_another_body_is_not_read_again(own: tuple[Path, Served], open_page: Open) -> None:
     path, served = own
     screen = open_page(served.link)
