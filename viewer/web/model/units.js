@@ -63,6 +63,13 @@ function rounded(number) {
   return number.toFixed(Math.min(digits, 6));
 }
 
+/** The error of a measurement, which may also be an angle's, in degrees. */
+export function formatErrorOf({ kind }, size, unit) {
+  if (kind === "length" || !Number.isFinite(size)) return formatError(size, unit);
+  if (kind === "angle") return size < 1e-3 ? "± under 0.001°" : `± ${rounded(size)}°`;
+  return `± ${size.toPrecision(2)}`;
+}
+
 /** The value of a measurement, which may also be an angle or a ratio. */
 export function formatValue(item, unit) {
   if (item.value === null || item.value === undefined || !Number.isFinite(item.value)) return "–";

@@ -1,6 +1,6 @@
 // The selected row in full: its value to take away, how far to trust it, and what can be done with it.
 import { MINE, placeWords } from "../model/items.js";
-import { digitsFor, formatError, formatLength, formatValue, plainLength } from "../model/units.js";
+import { digitsFor, formatErrorOf, formatLength, formatValue, plainLength } from "../model/units.js";
 import { h, icon, iconButton } from "./dom.js";
 
 export function details(app, actions) {
@@ -55,9 +55,8 @@ function valueOf(app, item) {
 
 /** The error; a sixteenth of an inch is far more than it, so there it stands with a decimal. */
 function errorOf(app, item, plainly) {
-  if (item.kind !== "length") return "";
-  const error = item.error === null ? "" : formatError(item.error, app.unit);
-  return app.unit === "in" ? `${plainly()} ${error}`.trim() : error;
+  const error = item.error === null ? "" : formatErrorOf(item, item.error, app.unit);
+  return app.unit === "in" && item.kind === "length" ? `${plainly()} ${error}`.trim() : error;
 }
 
 /** Copy text; pages from files may have no clipboard, and say so. */
@@ -73,7 +72,8 @@ function fact(term, ...description) {
 /** The parts of the error, where a scan has one. */
 function errorFacts(app, item, title) {
   if (item.failed || !item.uncertainty) return [];
-  return [fact(title, formatError(item.uncertainty, app.unit)), fact("Of the computation", formatError(item.computed ?? NaN, app.unit))];
+  const part = (size) => formatErrorOf(item, size ?? NaN, app.unit);
+  return [fact(title, part(item.uncertainty)), fact("Of the computation", part(item.computed))];
 }
 
 function ofTape(app, item, actions) {

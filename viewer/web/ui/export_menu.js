@@ -1,5 +1,5 @@
 // Ways out: the list as a file or for a spreadsheet, the scene as a picture, and ways in.
-import { plainLength, UNITS } from "../model/units.js";
+import { digitsFor, plainLength, UNITS } from "../model/units.js";
 import { betweenLandmarks } from "./between.js";
 import { copyText } from "./details.js";
 import { download, h } from "./dom.js";
@@ -48,13 +48,18 @@ function fileName(app) {
 /** The list with a row a line; numbers without units, as spreadsheets want them. */
 export function table(app, separator) {
   const unit = app.unit ? UNITS[app.unit].label : "own unit";
-  const digits = app.unit === "in" ? 4 : undefined;
-  const head = ["name", "group", "side", `value (${unit}, or degrees)`, `error estimate (${unit})`, "status", "ISO 8559-1"];
-  const number = (item, value, exact) => {
+  const head = ["name", "group", "side", `value (${unit}, or degrees)`, `error estimate (${unit}, or degrees)`, "status", "ISO 8559-1"];
+  const number = (item, value) => {
     if (!Number.isFinite(value)) return "";
-    return item.kind === "length" ? plainLength(value, app.unit, exact) : String(Number(value.toFixed(4)));
+    return item.kind === "length" ? plainLength(value, app.unit, digitsFor(item.error, app.unit)) : String(Number(value.toFixed(4)));
   };
-  const rows = app.items.map((item) => [item.name, item.group, item.side, number(item, item.value, digits), number(item, item.error ?? NaN, 8), item.words, [item.codes.iso ?? ""].flat().join(" ")]);
+  // Errors span decades, and none is 0 that is only small.
+  const error = ({ kind, error: size }) => {
+    if (!Number.isFinite(size)) return "";
+    const { perMeter } = UNITS[app.unit] ?? { perMeter: 1 };
+    return (kind === "length" ? size * perMeter : size).toPrecision(2);
+  };
+  const rows = app.items.map((item) => [item.name, item.group, item.side, number(item, item.value), error(item), item.words, [item.codes.iso ?? ""].flat().join(" ")]);
   return [head, ...rows].map((row) => row.map((cell) => escaped(String(cell), separator)).join(separator)).join("\r\n");
 }
 

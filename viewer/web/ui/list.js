@@ -1,7 +1,7 @@
 // The list of tapes and measurements: searched, sorted, and one with the scene.
 import { matches, sorted } from "../model/items.js";
 import { tapeColors } from "../model/tape_colors.js";
-import { formatError, formatLength, formatValue } from "../model/units.js";
+import { formatErrorOf, formatLength, formatValue } from "../model/units.js";
 import { h, icon, iconButton } from "./dom.js";
 
 export function list(app, actions) {
@@ -69,7 +69,7 @@ export function list(app, actions) {
     }, { "aria-pressed": String(item.visible), tabindex: "-1" });
     const third = app.otherChart
       ? item.difference === null || item.difference === undefined ? "" : signed(item, app.unit)
-      : item.failed || item.waiting || item.error === null ? "" : item.kind === "length" ? formatError(item.error, app.unit) : "";
+      : item.failed || item.waiting || item.error === null ? "" : formatErrorOf(item, item.error, app.unit);
     const name = h("button", { type: "button", class: "row-name", tabindex: item.id === current ? "0" : "-1", "data-row": item.id, title: item.name }, swatch(color), h("span", {}, item.name));
     const value = item.waiting ? "…" : item.failed ? "no length" : formatValue(item, app.unit);
     const tr = h(

@@ -173,7 +173,9 @@ def test_files(chart: Screen) -> None:
     listed = list(csv.reader(io.StringIO(file("menu-csv", ".csv", last=False))))
     assert [row[0] for row in listed[1:]] == rows(chart)
     (row,) = [row for row in listed if row[0] == "Bust girth"]
-    assert (row[3], listed[0][3]) == (f"{millimeters:.1f}", "value (mm, or degrees)")
+    assert (row[3], listed[0][3]) == (f"{millimeters:.6f}", "value (mm, or degrees)")
+    # However small an error is, it is not 0.
+    assert float(row[4]) == pytest.approx(1000 * measured["bust_girth"].error_estimate, rel=0.05)
     document = json.loads(file("menu-json", ".json"))
     assert document["unit"] == "mm"
     (one,) = [one for one in document["measurements"] if one["key"] == "bust_girth"]

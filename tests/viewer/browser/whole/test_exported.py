@@ -93,7 +93,11 @@ def test_names_from_files_are_text_and_a_scans_uncertainty_is_the_error(
     """Made-up numbers: where the scan leaves more open than the computation, that is told."""
     known = hand_made_chart().measured
     scan = replace(known[1], input_uncertainty=0.0123)
-    measured = (replace(known[0], input_uncertainty=1e-12), scan, *known[2:])
+    rest = [
+        replace(one, input_uncertainty=0.87) if one.definition.key == "shoulder_slope" else one
+        for one in known[2:]
+    ]
+    measured = (replace(known[0], input_uncertainty=1e-12), scan, *rest)
     chart = hand_made_chart(measured=measured, atlas=scanned(hand_made_chart().atlas))
     path = tmp_path / "anna.html"
     export_page(chart, path)
@@ -106,6 +110,7 @@ def test_names_from_files_are_text_and_a_scans_uncertainty_is_the_error(
     row = screen.get("row-chart:upper_arm_girth_left")
     assert row.locator("td").last.inner_text() == "± 1.2 cm"
     assert screen.get("row-chart:bust_girth").locator("td").last.inner_text() == "± 1.5 nm"
+    assert screen.get("row-chart:shoulder_slope").locator("td").last.inner_text() == "± 0.87°"
     row.locator(".value").click()
     words = screen.get("details").inner_text().replace("\n", " ")
     assert "From scan and landmarks ± 1.2 cm" in words
