@@ -5,13 +5,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from bodymeasure.atlas import Unit, convert_length
-from bodymeasure.report.numbers import at_most
+from bodymeasure.report.numbers import at_most, millimeters
 
 if TYPE_CHECKING:
     from bodymeasure.chart import Measured
     from bodymeasure.geodesic import AtlasPath
     from bodymeasure.measure import Survey
 
+# Points along a tape at which the patch below it is looked up.
+SAMPLES = 101
 DIAGONALS = ("(0, 0) - (1, 1)", "(1, 0) - (0, 1)")
 
 
@@ -63,7 +65,8 @@ def describe_path(path: "AtlasPath", straight: float) -> str:
     Returns
     -------
     str
-        Three lines.
+        Three lines; on a body that was fitted to a scan, one more says how far its surface is
+        from that below the tape.
     """
     unit = path.atlas.unit
     length, error = length_words(path.length, unit), at_most(path.error_estimate, unit)
@@ -72,8 +75,20 @@ def describe_path(path: "AtlasPath", straight: float) -> str:
             f"{length}, error {error}",
             f"straight {length_words(straight, unit)}",
             path.status.sentence,
+            *_from_scan(path),
         ]
     )
+
+
+def _from_scan(path: "AtlasPath") -> list[str]:
+    scan = path.atlas.scan
+    if scan is None:
+        return []
+    under = np.unique(path.path(np.linspace(0.0, 1.0, SAMPLES))[0])
+    if len(np.intersect1d(under, scan.uncovered)):
+        return ["The scan does not show all of it: that part is a guess."]
+    off = millimeters(scan.part(under).rms, Unit.M)
+    return [f"The surface is {off} from the scan there (root mean square)."]
 
 
 def describe_measured(item: "Measured", unit: Unit) -> str:

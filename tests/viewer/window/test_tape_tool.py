@@ -4,8 +4,10 @@ from typing import Any
 import numpy as np
 import pytest
 from bodymeasure.viewer.window import tape_tool
+from bodymeasure.viewer.window.describe import describe_path
 from bodymeasure.viewer.window.patches import Window
 from bodymeasure.viewer.window.places import place_on
+from helpers.charts.scanned import SURFACE, scanned
 from helpers.charts.straight_survey import straight_survey
 
 from bodymeasure.atlas import Atlas, closest_point
@@ -240,3 +242,16 @@ def test_the_help_fits_the_window(window: Any, size: tuple[int, int]) -> None:
     _, y = view.project(window.surface.points, size)[0].T
     assert y.min() > 0
     assert y.max() < size[1] - top
+
+
+def test_on_a_scan_the_words_say_how_far_it_is(body: Atlas) -> None:
+    """The error of the computation is the smallest part of what is unknown there."""
+
+    def words(atlas: Atlas) -> str:
+        return describe_path(geodesic_between(atlas, FROM, TO), 0.1)
+
+    assert "scan" not in words(body)
+    off = f"{1000 * SURFACE:.3f}\N{NO-BREAK SPACE}mm"
+    assert f"The surface is {off} from the scan there" in words(scanned(body))
+    unseen = words(scanned(body, [body.landmarks[FROM].patch]))
+    assert "that part is a guess" in unseen
