@@ -92,7 +92,7 @@ export function serverTransport() {
     chart: (id, set, landmarks) => binary(`api/chart${of(id)}`, { json: { set, landmarks, tab } }),
     mesh: (id, tapes) => object(`api/mesh${of(id)}`, { json: { tapes, tab } }),
     stop: () => object("api/stop", { json: { tab } }),
-    exportFile: (id, request) => file(`api/export${of(id)}`, { json: request }),
+    exportFile: (id, request) => file(`api/export${of(id)}`, { json: { tab, ...request } }),
     save: async (id, request) => {
       const answer = await ask(`api/landmarks${of(id)}`, { json: request });
       if ((answer.headers.get("Content-Type") ?? "").includes("application/json")) {

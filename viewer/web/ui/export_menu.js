@@ -31,13 +31,16 @@ export function exportMenu(app, actions) {
 }
 
 async function exported(app, format) {
-  const { name, content } = await app.transport.exportFile(app.bodyId, {
+  const request = {
     format,
     set: app.chartSet,
     // Of the chart that is shown, whatever was moved since.
     landmarks: app.chartLandmarks,
     unit: { in: "inch", mm: "mm" }[app.unit] ?? "cm",
-  });
+  };
+  // Where another chart is under way, or this one was forgotten, it takes as long as that.
+  const ask = () => app.transport.exportFile(app.bodyId, request);
+  const { name, content } = await app.during("Writing the file…", ask, { long: true });
   download(name, content);
 }
 

@@ -1,5 +1,6 @@
 """An answer that comes late is an answer to what was asked, not to what is shown meanwhile."""
 
+import json
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -119,6 +120,20 @@ def test_nothing_is_said_to_be_under_way_after_a_chart_of_a_body_that_was_left_i
         screen.get("stop").click()
     progress.wait_for(state="hidden")
     assert screen.get("take-chart").is_enabled()
+
+
+def test_a_file_of_the_chart_that_takes_long_is_said_and_stopped(screen: Screen) -> None:
+    screen.take_chart()
+    held = hold_first(screen, "**/api/export*")
+    screen.get("more").click()
+    screen.get("menu-json").click()
+    held_back(screen, held)
+    assert "Writing the file" in screen.get("progress").inner_text()
+    assert screen.get("stop").is_visible()
+    assert json.loads(held[0].request.post_data or "")["tab"]
+    with screen.page.expect_download():
+        held[0].continue_()
+    screen.get("progress").wait_for(state="hidden")
 
 
 def test_a_chart_is_of_the_landmarks_that_were_asked_with(screen: Screen) -> None:
