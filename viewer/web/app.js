@@ -179,6 +179,12 @@ export class App {
     return [...tapes, ...chart];
   }
 
+  /** The same measurements of the body that this one is compared with. */
+  get besideItems() {
+    if (!this.chart || !this.otherChart) return [];
+    return chartItems(this.otherChart.header, this.hiddenKeys).map((item) => ({ ...item, beside: true }));
+  }
+
   item(id) {
     return id ? this.items.find((item) => item.id === id) : undefined;
   }

@@ -77,6 +77,6 @@ function stateOf(app, viewport, workbench) {
     geometries: stage?.renderer.info.memory.geometries ?? 0,
     lines: viewport?.lines.ids ?? [],
     side: Boolean(stage?.second),
-    second: viewport?.second.surface ? { lines: viewport.second.lines.ids, landmarks: viewport.second.dots.count } : null,
+    second: viewport?.second.surface ? { lines: viewport.second.lines.ids, landmarks: viewport.second.dots.count, colors: viewport.second.colors } : null,
   };
 }

@@ -10,8 +10,10 @@ export function tapeColors(app, items = app.items) {
     const of = (item) => (item.source === "tape" ? TAPE_COLOR[theme] : groupColor(groups.indexOf(item.group), theme));
     return { scale: null, of };
   }
-  const value = (item) => ({ length: item.value, error: item.error, difference: app.meshCheck.of(item) })[key];
+  // Of the body beside, no tape is held against a mesh.
+  const difference = (item) => (item.beside ? undefined : app.meshCheck.of(item));
+  const value = (item) => ({ length: item.value, error: item.error, difference: difference(item) })[key];
   const place = (item) => (item.kind === "length" ? toScale(key, value(item) ?? NaN) : NaN);
-  const scale = scaleOf(key, items.map(place));
+  const scale = scaleOf(key, [...items, ...app.besideItems].map(place));
   return { scale, of: (item) => colorOf(place(item), scale) };
 }

@@ -59,6 +59,7 @@ export class Second {
   update(lines, { landmarks, color }) {
     if (!this.surface) return;
     this.lines.set(lines);
+    this.colors = Object.fromEntries(lines.map(({ id, color: own }) => [id, own]));
     this.dots.set(landmarks ? this.landmarks.map(({ position }) => ({ position, color, size: 9 })) : []);
   }
 

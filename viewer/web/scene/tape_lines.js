@@ -97,7 +97,7 @@ export class TapeLines {
     this.#updateSecond(items, colors);
   }
 
-  /** The same measurements on the body beside this one, in the same colors. */
+  /** The same measurements on the body beside this one, in the colors of what they are there. */
   #updateSecond(items, colors) {
     const { app, viewport } = this;
     if (!viewport.second.surface) return;
@@ -105,16 +105,17 @@ export class TapeLines {
     const lines = [];
     const chart = app.otherChart;
     if (chart) {
-      const others = new Map(chart.header.measurements.map((one) => [one.key, one]));
+      const others = new Map(app.besideItems.map((one) => [one.id, one]));
       const tapes = this.#chartTapes(chart);
       for (const item of items) {
         const lit = item.id === app.lit || item.id === app.selected;
         if (item.source !== "chart" || !(lit || (item.visible && layers.tapes))) continue;
-        (others.get(item.measurement.key)?.tapes ?? []).forEach((number, n) => {
+        const other = others.get(item.id);
+        (other?.measurement.tapes ?? []).forEach((number, n) => {
           const { points, through } = tapes[number];
           const line = { id: `${item.id}/${n}`, points, dashed: through ? viewport.radius * 0.01 : 0, through };
           if (lit) lines.push({ ...line, color: LIT_COLOR[app.settings.theme], width: 4.5 });
-          else lines.push({ ...line, color: colors.of(item), width: 2, batched: !through });
+          else lines.push({ ...line, color: colors.of(other), width: 2, batched: !through });
         });
       }
     }

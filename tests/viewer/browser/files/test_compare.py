@@ -1,5 +1,6 @@
 """Two bodies beside each other under one view, or one colored by its distance from the other."""
 
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -41,6 +42,15 @@ def test_side_by_side_and_differences(screen: Screen, heavy: Path) -> None:
     assert beside["landmarks"] == len(bm.load_sample("female_heavy").landmarks)
     assert {"chart:bust_girth/0", "chart:hip_girth/0"} <= set(beside["lines"])
     row = screen.get("row-chart:bust_girth")
+    # By length, its tapes have the colors of their own lengths: the longer one is darker.
+    screen.page.mouse.move(5, 300)
+    screen.get("tab-display").click()
+    screen.get("tapes").select_option("length")
+    screen.get("tab-list").click()
+    style = "element => getComputedStyle(element.querySelector('.swatch')).backgroundColor"
+    shade = [int(part) for part in re.findall(r"\d+", row.evaluate(style))]
+    colored = screen.state()["second"]["colors"]["chart:bust_girth/0"]
+    assert sum(int(colored[k : k + 2], 16) for k in (1, 3, 5)) < sum(shade)
     row.hover()
     row.get_by_role("button", name="Hide").click()
     screen.page.mouse.move(5, 300)
