@@ -11,6 +11,7 @@ export class Second {
     this.app = app;
     this.viewport = viewport;
     this.surface = null;
+    this.bounds = null;
     this.lines = null;
     this.name = h("p", { class: "second-name", hidden: true, "data-testid": "second-name" });
     viewport.host.append(this.name);
@@ -28,6 +29,7 @@ export class Second {
     this.surface.object.position.set(middle(0), first[1] - low[1], middle(2));
     this.surface.object.updateMatrixWorld();
     this.offset = this.surface.object.position;
+    this.bounds = header.bounds;
     scene.add(this.surface.object);
     if (arrays.seams?.shape[0]) {
       const [count, samples] = arrays.seams.shape;
@@ -83,6 +85,7 @@ export class Second {
     this.name.hidden = true;
     this.surface.dispose();
     this.surface = null;
+    this.bounds = null;
     this.viewport.stage.setSecond(null);
   }
 }

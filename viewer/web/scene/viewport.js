@@ -15,6 +15,10 @@ const BEHIND = 4e-3;
 // A line is under the pointer within this many pixels.
 const REACH = 7;
 
+function cornersOf([low, high]) {
+  return [0, 1, 2, 3, 4, 5, 6, 7].map((n) => [0, 1, 2].map((k) => ((n >> k) & 1 ? high : low)[k]));
+}
+
 export class Viewport {
   constructor(app, host, { software }) {
     this.app = app;
@@ -63,8 +67,7 @@ export class Viewport {
 
   /** The corners of the box around the body. */
   get corners() {
-    const [low, high] = this.app.header.bounds;
-    return [0, 1, 2, 3, 4, 5, 6, 7].map((n) => [0, 1, 2].map((k) => ((n >> k) & 1 ? high : low)[k]));
+    return cornersOf(this.app.header.bounds);
   }
 
   /** How far from a point of the body a line is still under the pointer, in meters. */
@@ -112,7 +115,10 @@ export class Viewport {
   /** Fly to a side of the body. */
   viewFrom(direction) {
     const { rig } = this.stage;
-    rig.fly(rig.framing(this.corners, direction));
+    // Of two bodies, both are to be seen whole.
+    const { offset, bounds } = this.second;
+    const beside = bounds ? cornersOf(bounds).map((corner) => corner.map((value, k) => value + offset.getComponent(k))) : [];
+    rig.fly(rig.framing([...this.corners, ...beside], direction));
   }
 
   frameAll() {

@@ -118,7 +118,13 @@ def test_bodies_of_one_file(pair: Served, open_page: Callable[..., Screen]) -> N
     screen.get("compare-open").select_option("1")
     screen.until("state => state.side")
     assert "Taller" in screen.get("second-name").inner_text()
+    height = screen.until("state => !state.moving && state.view")["height"]
     screen.get("more").click()
     screen.get("menu-body-1").click()
     screen.until("state => state.id === '1' && !state.side")
     assert screen.measure((15, 0.5, 0.5), (173, 0.5, 0.5))["result"]["length"] > 0.1
+    # Both are seen whole, whichever is the taller one.
+    screen.get("compare-open").select_option("0")
+    screen.until("state => state.side")
+    view = screen.until("state => !state.moving && state.view")
+    assert view["height"] == pytest.approx(height, rel=5e-3)
