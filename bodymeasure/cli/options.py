@@ -14,7 +14,6 @@ import click
 
 from bodymeasure.atlas import Atlas, FindingKind, Severity, Unit, check_atlas
 from bodymeasure.atlas.axes import DIRECTIONS
-from bodymeasure.cli.commands import EXIT_CODES as EXIT_CODES
 from bodymeasure.cli.console import print_note
 from bodymeasure.errors import InputError, MissingExtraError, ReadWarning
 from bodymeasure.formats import format_of, read_atlas

@@ -4,10 +4,10 @@ from pathlib import Path
 
 import click
 
+from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.measuring.view_page import EVERY, Page, show_page
 from bodymeasure.cli.options import (
     DEFAULT_SAMPLE,
-    EXIT_CODES,
     definitions_option,
     despite_errors_option,
     file_options,
@@ -18,9 +18,7 @@ from bodymeasure.cli.options import (
 SET_SUFFIX = ".toml"
 
 
-@click.command(
-    short_help="Look at a body and measure it by clicking, in the browser.", epilog=EXIT_CODES
-)
+@click.command(epilog=EXIT_CODES)
 @click.argument("atlas", metavar="[ATLAS]", required=False)
 @file_options
 @click.option(

@@ -11,11 +11,11 @@ import numpy as np
 from rich.text import Text
 
 from bodymeasure.atlas import Atlas
+from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_files, print_note, print_table, progress_bar
 from bodymeasure.cli.measuring.subjects import Subject, subjects_of
 from bodymeasure.cli.options import (
     DEFAULT_SAMPLE,
-    EXIT_CODES,
     despite_errors_option,
     folder_option,
     load_sound_atlas,
@@ -52,7 +52,7 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, name: str | None
     ctx.exit()
 
 
-@click.command(short_help="Make the flat pieces of a garment from a body.", epilog=EXIT_CODES)
+@click.command(epilog=EXIT_CODES)
 @several_atlases_argument
 @click.option(
     "--set",
