@@ -11,10 +11,12 @@ from helpers.panels import CORNERS, cylinder, four_geodesics, interpolated
 
 import bodymeasure as bm
 from bodymeasure._typing import Array
+from bodymeasure.bezier import evaluate
 from bodymeasure.pattern import load_pattern
 from bodymeasure.pattern.cloth.cloth import Cloth
 from bodymeasure.pattern.cloth.ease import ease_of, landmarks_of
 from bodymeasure.pattern.definitions.landmarks import panel_landmarks
+from bodymeasure.pattern.flat.level_line import level_line
 from bodymeasure.pattern.pieces.edges import EdgeCurves
 from bodymeasure.section import plane_section
 
@@ -127,6 +129,21 @@ def test_pieces_with_ease_are_sound_and_their_seams_match() -> None:
     for piece in bodice().pieces:
         for edge in piece.edges:
             assert edge.length == pytest.approx(edge.cloth_length, abs=1e-11)
+
+
+@pytest.mark.slow
+def test_a_closed_bodice_has_the_girth_of_the_bust_with_its_ease() -> None:
+    body, whole = bodice().atlas, 0.0
+    up, at = body.axes.up_vector, body.landmarks["bust point left"]
+    for piece in bodice().pieces:
+        mesh = piece.flat.mesh
+        skin = evaluate(body.control_points[mesh.places.patch], mesh.places.parameters)
+        line = level_line(mesh, (skin - body.position(at)) @ up)
+        assert line is not None
+        # Without the condition that it keeps its length, the piece would give there.
+        assert line.measured(piece.flat.positions) == pytest.approx(line.length, abs=1e-9)
+        whole += 2.0 * line.measured(piece.flat.positions)
+    assert whole == pytest.approx(loop_length(Cloth(body), at) + 0.04, abs=1e-3)
 
 
 def test_a_set_has_ease_of_its_own(tmp_path: Path) -> None:

@@ -9,6 +9,7 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.pattern.flat.conformal import flat_conformally
 from bodymeasure.pattern.flat.constraints import Constraints
 from bodymeasure.pattern.flat.energy import Energy, Stretch
+from bodymeasure.pattern.flat.level_line import LevelLine
 from bodymeasure.pattern.flat.mesh import Chain, PieceMesh
 from bodymeasure.pattern.flat.newton import Goal, Stationary, stationary
 
@@ -59,6 +60,7 @@ def flattened(
     fold: int | None = None,
     downwards: bool = False,
     straight: tuple[bool, ...] = (),
+    lines: tuple[LevelLine, ...] = (),
 ) -> Flat:
     """Lay a piece flat.
 
@@ -71,6 +73,8 @@ def flattened(
         Whether that edge runs down the axis, counterclockwise round the piece.
     straight : tuple of bool
         Whether the legs of each dart become straight.
+    lines : tuple of LevelLine
+        Lines inside of it that keep their lengths.
     """
     border = _border(mesh)
     start = flat_conformally(mesh.triangles, mesh.sides, border)
@@ -78,7 +82,7 @@ def flattened(
     energy = Energy(stretch, _smooth_chains(mesh), len(start))
     if stretch.flipped(start).any():
         start = _repaired(mesh, border, stretch, start)
-    task = _Task(mesh, fold, downwards, straight)
+    task = _Task(mesh, fold, downwards, straight, lines)
     size = float(np.ptp(start, axis=0).max())
     rough = Goal(ROUGH * size, ROUGH_STEP * size, FEW_STEPS)
     exact = Goal(EXACT * size, LAST_STEP * size, MOST_STEPS)
@@ -163,9 +167,14 @@ class _Task:
     """The constraints of a piece, from a free border to a straight fold and straight legs."""
 
     def __init__(
-        self, mesh: PieceMesh, fold: int | None, downwards: bool, straight: tuple[bool, ...]
+        self,
+        mesh: PieceMesh,
+        fold: int | None,
+        downwards: bool,
+        straight: tuple[bool, ...],
+        lines: tuple[LevelLine, ...],
     ) -> None:
-        self.mesh, self.downwards = mesh, downwards
+        self.mesh, self.downwards, self.lines = mesh, downwards, lines
         self.fold = None if fold is None else mesh.edges[fold]
         self.legs = [
             chain
@@ -287,4 +296,5 @@ class _Task:
         linear = scipy.sparse.coo_array(
             (weights, (row, columns)), shape=(len(rows), 2 * self.count)
         ).tocsr()
-        return Constraints(np.concatenate(every), np.concatenate(sizes), linear, right)
+        pairs_of, sizes_of = np.concatenate(every), np.concatenate(sizes)
+        return Constraints(pairs_of, sizes_of, linear, right, self.lines)

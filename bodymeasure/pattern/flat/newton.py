@@ -86,7 +86,7 @@ def stationary(
     """
     known = multipliers is not None
     if multipliers is None:
-        multipliers = np.zeros(len(constraints.lengths) + len(constraints.right))
+        multipliers = np.zeros(constraints.count)
     weight, missed, length, steps = 0.0, np.inf, np.inf, 0
     for steps in range(1, goal.steps + 1):
         gradient, hessian = energy.model(flat)
@@ -95,7 +95,7 @@ def stationary(
         for model in _Model if known else (_Model.TENSION,):
             tension = model is _Model.TENSION
             used = np.maximum(multipliers, 0.0) if tension else multipliers
-            curved = (hessian + constraints.curvature(used, energy.count)).tocsr()
+            curved = (hessian + constraints.curvature(used, flat)).tocsr()
             if model is _Model.FULL:
                 curved = (curved + energy.bending(flat)).tocsr()
             solve = _solver(curved, jacobian)

@@ -1,5 +1,6 @@
 """A panel on a body, cut out of the skin and laid flat."""
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -7,8 +8,10 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.queries.outside import outward_sign
+from bodymeasure.bezier import evaluate
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic import geodesic_between
+from bodymeasure.pattern.cloth.cloth import Cloth
 from bodymeasure.pattern.curves.skin_curve import SkinCurve
 from bodymeasure.pattern.cutting.mesh import cut_mesh
 from bodymeasure.pattern.cutting.region import Bound, Region, region_inside
@@ -16,6 +19,8 @@ from bodymeasure.pattern.definitions.panels import Dart, Panel
 from bodymeasure.pattern.flat.bridged import bridged
 from bodymeasure.pattern.flat.conformal import flat_conformally
 from bodymeasure.pattern.flat.flatten import Flat, flattened
+from bodymeasure.pattern.flat.level_line import LevelLine, level_line
+from bodymeasure.pattern.flat.mesh import PieceMesh
 from bodymeasure.pattern.flat.remesh import Outline, remeshed
 from bodymeasure.pattern.flat.slit import slit
 from bodymeasure.pattern.flat.triangles import side_lengths
@@ -189,7 +194,20 @@ def _laid_flat(
         even = bridged(curves.cloth, even, fold)
     mesh = slit(curves.cloth, even)
     straight = tuple(placed.dart.legs == "straight" for placed in ordered)
-    return flattened(mesh, fold=fold, downwards=backwards, straight=straight)
+    lines = tuple(_eased_lines(curves.cloth, mesh))
+    return flattened(mesh, fold=fold, downwards=backwards, straight=straight, lines=lines)
+
+
+def _eased_lines(cloth: Cloth, mesh: PieceMesh) -> Iterator[LevelLine]:
+    """Yield the lines at the levels that have ease, whose girths the garment is to have."""
+    if cloth.ease is None:
+        return
+    skin = evaluate(cloth.atlas.control_points[mesh.places.patch], mesh.places.parameters)
+    heights = skin @ cloth.ease.axis
+    for level, girth in zip(cloth.ease.heights, cloth.ease.girths, strict=True):
+        line = level_line(mesh, heights - level) if girth else None
+        if line is not None:
+            yield line
 
 
 def _openings(flat: Flat) -> list[tuple[float, float]]:
