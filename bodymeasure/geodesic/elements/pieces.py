@@ -81,7 +81,8 @@ class Pieces:
         with np.errstate(all="ignore"):
             quadrature = np.nan_to_num(space.quadrature.error_estimate(self.speed), nan=np.inf)
         error = np.where(self.smooth, self.single.error, SAFETY * QUADRATURE_SAFETY * quadrature)
-        excess = np.maximum(self.lengths - self.chords, 0.0)
+        # A length below the chord is one that the quadrature has missed.
+        excess = np.abs(self.lengths - self.chords)
         return np.asarray(np.where(self.rough, excess + self.outside, error) + rounding)
 
 

@@ -30,7 +30,7 @@ from bodymeasure.geodesic.surfaces.protocol import Surface
 FIRST_ELEMENTS, MOST_ELEMENTS = 8, 160
 # The most steps of Newton's method with the same elements, the work of measuring a path in such
 # steps, and the most work, each step counted once for each element: a third of a second.
-MOST_STEPS, MEASURED, MOST_WORK = 60, 5, 4000
+MOST_STEPS, MEASURED, MOST_WORK = 60, 5, 5200
 # The relative error that is good enough where the one that is asked for needs too much work.
 GOOD_ENOUGH = 1e-6
 # A path that is still longer than a known one by this many times what the latest cuts took off
