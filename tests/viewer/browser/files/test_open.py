@@ -129,6 +129,7 @@ def test_tapes_that_are_none_are_refused(screen: Screen, change: dict[str, Any])
     # Nothing of the file was opened, and the page goes on, also after it is loaded again.
     assert not screen.state()["tapes"]
     screen.drop("mine.tapes.json", json.dumps({**content, "tapes": [GOOD]}).encode())
+    screen.until("state => state.tapes.length > 0")
     assert screen.settle()["tapes"][0]["result"]["length"] > 0.1
 
 
