@@ -5,10 +5,7 @@ import ctypes
 import numpy as np
 
 from bodymeasure._typing import Array, Bools
-from bodymeasure.native.library import address, library
-
-# The most numbers that a column of a factor has beside the bands, and the kernel's other arrays.
-BESIDE = 16 + 3
+from bodymeasure.native.library import address, doubles, kernels
 
 
 class _BoxModel(ctypes.Structure):
@@ -29,13 +26,10 @@ def box_steps(bands: Array, gradient: Array, place: Array, idle: Bools) -> tuple
 
     The parameters are those of `geodesic.numerics.banded.BoxModels`.
     """
-    kernels = library()
-    assert kernels is not None
-    bands, gradient, place = map(np.ascontiguousarray, (bands, gradient, place))
-    idle = np.ascontiguousarray(idle)
+    bands, gradient, place = doubles(bands, gradient, place)
+    idle = np.ascontiguousarray(idle, bool)
     count, width, size = bands.shape
     step, definite = np.zeros((count, size)), np.zeros(count, bool)
-    room = np.empty((width + BESIDE) * size)
     for number in range(count):
         model = _BoxModel(
             size,
@@ -45,8 +39,6 @@ def box_steps(bands: Array, gradient: Array, place: Array, idle: Bools) -> tuple
             address(place[number]),
             address(idle[number]),
         )
-        found = kernels.bodymeasure_box_step(
-            ctypes.byref(model), address(step[number]), address(room)
-        )
+        found = kernels().bodymeasure_box_step(ctypes.byref(model), address(step[number]))
         definite[number] = bool(found)
     return step, definite

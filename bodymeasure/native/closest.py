@@ -5,7 +5,7 @@ import ctypes
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.native.library import address, library
+from bodymeasure.native.library import address, doubles, kernels
 
 
 class ClosestSettings(ctypes.Structure):
@@ -36,12 +36,10 @@ def closest_in_powers(
     x : ndarray, shape (k, 2)
     squared : ndarray, shape (k,)
     """
-    kernels = library()
-    assert kernels is not None
-    coefficients, targets = np.ascontiguousarray(coefficients), np.ascontiguousarray(targets)
+    coefficients, targets = doubles(coefficients, targets)
     count, side = coefficients.shape[:2]
     x, squared = np.array(start, np.float64, order="C"), np.empty(count)
-    kernels.bodymeasure_closest(
+    kernels().bodymeasure_closest(
         count,
         side,
         address(coefficients),

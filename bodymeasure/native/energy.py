@@ -7,11 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.native.library import address, library
+from bodymeasure.native.library import address, doubles, kernels, library
 from bodymeasure.native.points import MOST_DEGREE
 
-# The points that the kernel adds at once, for each of which it needs room.
-AT_ONCE = 4
 # The derivatives of a jet, three coordinates each.
 JET = 30
 
@@ -59,8 +57,7 @@ class PathTables:
         self, nets: Array, degrees: tuple[int, int], place: Array, slopes: Array, weights: Array
     ) -> None:
         self.degrees = degrees
-        contents = map(np.ascontiguousarray, (nets, place, slopes, weights))
-        self._contents = _Contents(*contents)
+        self._contents = _Contents(*doubles(nets, place, slopes, weights))
         self.problems, self.nodes = len(nets), place.shape[1]
 
     @property
@@ -100,16 +97,14 @@ def energies(tables: PathTables, values: Array, flat: bool) -> tuple[Array, Arra
     -------
     tuple of ndarray, shapes (problems,), (problems, 2 * nodes), (problems, 2 * nodes, 2 * nodes)
     """
-    kernels = library()
-    assert kernels is not None
-    values = np.ascontiguousarray(values)
+    (values,) = doubles(values)
     size = 2 * tables.nodes
     value, gradient = np.empty(tables.problems), np.empty((tables.problems, size))
-    hessian, room = np.empty((tables.problems, size, size)), np.empty(AT_ONCE * size)
-    kernels.bodymeasure_energy(
+    hessian = np.empty((tables.problems, size, size))
+    kernels().bodymeasure_energy(
         ctypes.byref(tables.structure),
         address(values),
         flat,
-        *map(address, (value, gradient, hessian, room)),
+        *map(address, (value, gradient, hessian)),
     )
     return value, gradient, hessian

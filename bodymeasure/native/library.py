@@ -11,6 +11,7 @@ from functools import cache
 from importlib.util import find_spec
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 NAME = "bodymeasure.native._kernels"
@@ -18,14 +19,13 @@ SWITCH = "BODYMEASURE_NATIVE"
 # The arguments of each kernel: addresses of arrays, and whole numbers.
 _POINTER = ctypes.c_void_p
 KERNELS = {
-    "bodymeasure_box_step": [_POINTER] * 3,
+    "bodymeasure_box_step": [_POINTER] * 2,
     "bodymeasure_closest": [*[ctypes.c_int64] * 2, *[_POINTER] * 5],
-    "bodymeasure_energy": [_POINTER, _POINTER, ctypes.c_int64, *[_POINTER] * 4],
+    "bodymeasure_energy": [_POINTER, _POINTER, ctypes.c_int64, *[_POINTER] * 3],
     "bodymeasure_jets": [*[ctypes.c_int64] * 5, _POINTER, ctypes.c_int64, *[_POINTER] * 2],
     "bodymeasure_power_jets": [ctypes.c_int64] * 3 + [_POINTER] * 3,
-    "bodymeasure_roots": [ctypes.c_int64] * 2 + [_POINTER] * 5,
-    "bodymeasure_route_newton": [_POINTER] * 8,
-    "bodymeasure_route_room": [_POINTER] * 2,
+    "bodymeasure_roots": [ctypes.c_int64] * 2 + [_POINTER] * 4,
+    "bodymeasure_route_newton": [_POINTER] * 7,
     "bodymeasure_unfold": [_POINTER] * 2,
 }
 
@@ -55,6 +55,13 @@ def _loaded(path: str) -> ctypes.CDLL:
     return result
 
 
+def kernels() -> ctypes.CDLL:
+    """Return the library, where `is_compiled`."""
+    found = library()
+    assert found is not None, "there are no compiled kernels; ask is_compiled first"
+    return found
+
+
 def is_compiled() -> bool:
     """Return whether compiled kernels serve.
 
@@ -65,6 +72,11 @@ def is_compiled() -> bool:
     True
     """
     return library() is not None
+
+
+def doubles(*arrays: NDArray[Any]) -> list[NDArray[np.float64]]:
+    """Return arrays as kernels read them: 64-bit numbers in C order, copied only if need be."""
+    return [np.ascontiguousarray(array, np.float64) for array in arrays]
 
 
 def address(array: NDArray[Any]) -> int:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.native.library import address, library
+from bodymeasure.native.library import address, doubles, kernels
 
 # The highest degree of a patch in one parameter, and the most columns of its nets, for which the
 # kernels have room.
@@ -12,16 +12,10 @@ MOST_DEGREE, MOST_COLUMNS = 32, 40
 
 def roots_in_brackets(coefficients: Array, lower: Array, upper: Array) -> Array:
     """Return the root of each polynomial; see `section.roots.bracketed_roots`."""
-    kernels = library()
-    assert kernels is not None
-    coefficients, lower, upper = (
-        np.ascontiguousarray(each, np.float64) for each in (coefficients, lower, upper)
-    )
+    coefficients, lower, upper = doubles(coefficients, lower, upper)
     count, size = coefficients.shape
-    found, room = np.empty(count), np.empty(size)
-    kernels.bodymeasure_roots(
-        count, size - 1, *map(address, (coefficients, lower, upper, found, room))
-    )
+    found = np.empty(count)
+    kernels().bodymeasure_roots(count, size - 1, *map(address, (coefficients, lower, upper, found)))
     return found
 
 
@@ -32,12 +26,12 @@ def power_jets(coefficients: Array, x: Array) -> Array:
     -------
     ndarray, shape (k, 3, 3, coordinates)
     """
-    kernels = library()
-    assert kernels is not None
-    coefficients, x = np.ascontiguousarray(coefficients), np.ascontiguousarray(x)
+    coefficients, x = doubles(coefficients, x)
     count, side, _, coordinates = coefficients.shape
     jets = np.empty((count, 3, 3, coordinates))
-    kernels.bodymeasure_power_jets(count, side, coordinates, *map(address, (coefficients, x, jets)))
+    kernels().bodymeasure_power_jets(
+        count, side, coordinates, *map(address, (coefficients, x, jets))
+    )
     return jets
 
 
@@ -57,12 +51,10 @@ def bezier_jets(nets: Array, degrees: tuple[int, int], columns: int, parameters:
     -------
     ndarray, shape (columns, problems, k)
     """
-    kernels = library()
-    assert kernels is not None
-    nets, parameters = np.ascontiguousarray(nets), np.ascontiguousarray(parameters)
+    nets, parameters = doubles(nets, parameters)
     problems, points = parameters.shape[:2]
     jets = np.empty((columns, problems, points))
-    kernels.bodymeasure_jets(
+    kernels().bodymeasure_jets(
         problems,
         *degrees,
         nets.shape[2],

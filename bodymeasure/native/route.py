@@ -7,7 +7,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.native.energy import PathTables
-from bodymeasure.native.library import address, library
+from bodymeasure.native.library import address, doubles, kernels
 
 
 class _RouteUnknowns(ctypes.Structure):
@@ -84,11 +84,9 @@ def route_newton(
     idle : ndarray of bool, shape (unknowns,)
     settings : NewtonSettings
     """
-    kernels = library()
-    assert kernels is not None
-    rows, local = (np.ascontiguousarray(each, np.int64) for each in route[:2])
-    sign, offset, fixed = (np.ascontiguousarray(each) for each in route[2:5])
-    idle, place, size = np.ascontiguousarray(idle), np.array(start, np.float64), len(start)
+    rows, local = (np.ascontiguousarray(each, np.int64) for each in (route.rows, route.local))
+    sign, offset, fixed = doubles(route.sign, route.offset, route.fixed)
+    idle, place, size = np.ascontiguousarray(idle, bool), np.array(start, np.float64), len(start)
     unknowns = _RouteUnknowns(
         size,
         route.bands,
@@ -99,10 +97,11 @@ def route_newton(
         address(idle),
         route.epsilon,
     )
-    given = ctypes.byref(tables.structure), ctypes.byref(unknowns)
-    room = np.empty(kernels.bodymeasure_route_room(*given))
     value, gradient, bands = np.empty(1), np.empty(size), np.empty((route.bands, size))
-    steps = kernels.bodymeasure_route_newton(
-        *given, ctypes.byref(settings), *map(address, (place, value, gradient, bands, room))
+    steps = kernels().bodymeasure_route_newton(
+        ctypes.byref(tables.structure),
+        ctypes.byref(unknowns),
+        ctypes.byref(settings),
+        *map(address, (place, value, gradient, bands)),
     )
     return RouteMinimum(place, float(value[0]), gradient, bands, abs(steps), steps > 0)

@@ -1,12 +1,13 @@
 """Strips of triangles unfolded into a plane, compiled."""
 
 import ctypes
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from bodymeasure._typing import Array, Complex, Ints
-from bodymeasure.native.library import address, library
+from bodymeasure.native.library import address, doubles, kernels
 
 
 class _Triangles(ctypes.Structure):
@@ -54,7 +55,7 @@ class UnfoldedStrip(NamedTuple):
 
 
 def unfolded(
-    mesh: tuple[Ints, Complex], strip: Ints, scale: float, weights: tuple[Array, Array]
+    mesh: tuple[Ints, Complex], strip: Ints, scale: float, weights: Sequence[Array]
 ) -> UnfoldedStrip | None:
     """Return a strip unfolded into a plane, and where the shortest path within it bends.
 
@@ -74,8 +75,7 @@ def unfolded(
     UnfoldedStrip or None
         None if two faces in a row share no side.
     """
-    kernels = library()
-    assert kernels is not None
+    weights, strip = doubles(*weights), np.ascontiguousarray(strip, np.int64)
     count = len(strip)
     sides, names = np.empty(count - 1, np.int64), np.empty((count - 1, 2), np.int64)
     left, right = np.empty(count - 1, complex), np.empty(count - 1, complex)
@@ -87,7 +87,7 @@ def unfolded(
         scale,
         *map(address, (*weights, sides, names, left, right, ends, bends)),
     )
-    found = kernels.bodymeasure_unfold(ctypes.byref(triangles), ctypes.byref(whole))
+    found = kernels().bodymeasure_unfold(ctypes.byref(triangles), ctypes.byref(whole))
     if found < 0:
         return None
     return UnfoldedStrip(sides, names, left, right, ends, bends[:found])

@@ -88,9 +88,7 @@ def _minimize_along(
             model = _model(whole, here, place, idle)
         else:
             damping, more = max(damping * more, FIRST), 2.0 * more
-    plain = BoxModels(here.bands[None], here.gradient[None], place[None], idle[None])
-    held = plain.pressed()[0] & ~idle
-    return BoxMinimum(place, here.value, held, converged, iterations, here.bands)
+    return BoxMinimum.at(place, here, idle, converged=converged, iterations=iterations)
 
 
 def _model(whole: PathEnergy, here: SecondOrder, place: Array, idle: Bools) -> BoxModels:

@@ -68,6 +68,15 @@ class BoxMinimum:
     iterations: int
     bands: Array
 
+    @classmethod
+    def at(
+        cls, place: Array, here: SecondOrder, idle: Bools, *, converged: bool, iterations: int
+    ) -> "BoxMinimum":
+        """Return what is known of a place, with the function expanded there."""
+        model = BoxModels(here.bands[None], here.gradient[None], place[None], idle[None])
+        held = model.pressed()[0] & ~idle
+        return cls(place, here.value, held, converged, iterations, here.bands)
+
 
 def steps_allowed(most_steps: int, entries: int) -> int:
     """Return the most steps for a Hessian with so many entries in its bands."""
@@ -120,6 +129,4 @@ def minimize_in_box(
             damping = 0.0 if damping * LESS < LEAST else damping * LESS
         else:
             damping = max(damping * MORE, FIRST)
-    model = BoxModels(here.bands[None], here.gradient[None], place[None], idle[None])
-    held = model.pressed()[0] & ~idle
-    return BoxMinimum(place, here.value, held, converged, iterations, here.bands)
+    return BoxMinimum.at(place, here, idle, converged=converged, iterations=iterations)

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "kernels.h"
 
@@ -121,7 +122,7 @@ double box_decrease(const BoxModel &model, const double *step, double *room) {
 
 }  // namespace bodymeasure
 
-EXPORTED int64_t bodymeasure_box_step(const bodymeasure::BoxModel *model, double *step,
-                                      double *room) {
-    return bodymeasure::box_step(*model, step, room) ? 1 : 0;
+EXPORTED int64_t bodymeasure_box_step(const bodymeasure::BoxModel *model, double *step) {
+    std::vector<double> room(bodymeasure::step_room(*model));
+    return bodymeasure::box_step(*model, step, room.data()) ? 1 : 0;
 }

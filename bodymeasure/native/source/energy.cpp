@@ -6,6 +6,7 @@
 // nodal values.
 
 #include <cmath>
+#include <vector>
 
 #include "kernels.h"
 
@@ -147,12 +148,12 @@ double energy_of_path(const Paths &paths, int64_t number, const double *values, 
 }  // namespace bodymeasure
 
 EXPORTED int64_t bodymeasure_energy(const bodymeasure::Paths *paths, const double *values, int64_t flat,
-                                 double *energies, double *gradients, double *hessians,
-                                 double *room) {
+                                 double *energies, double *gradients, double *hessians) {
     const int64_t size = 2 * paths->nodes;
+    std::vector<double> room(bodymeasure::energy_room(*paths));
     for (int64_t number = 0; number < paths->count; ++number)
         energies[number] = bodymeasure::energy_of_path(
             *paths, number, values + number * size, flat != 0, gradients + number * size,
-            hessians + number * size * size, room);
+            hessians + number * size * size, room.data());
     return paths->count;
 }

@@ -1,7 +1,8 @@
 // What the kernels share: the arrays that come from Python, and what they export.
 //
 // All functions have C's calling convention, take plain arrays of doubles in C order, and hold no
-// state, so that threads may call them at once. Python allocates what they write to.
+// state, so that threads may call them at once. Python allocates the results, and they what they
+// need beside these.
 
 #pragma once
 

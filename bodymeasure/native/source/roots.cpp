@@ -3,6 +3,7 @@
 // Newton's method, with a halving wherever its step would leave the bracket.
 
 #include <cmath>
+#include <vector>
 
 #include "kernels.h"
 
@@ -50,12 +51,12 @@ double root(const double *coefficients, int64_t degree, double lower, double upp
 
 }  // namespace bodymeasure
 
-// Of `count` polynomials, (count, degree + 1); room for degree + 1 doubles.
+// Of `count` polynomials, (count, degree + 1).
 EXPORTED int64_t bodymeasure_roots(int64_t count, int64_t degree, const double *coefficients,
-                                   const double *lower, const double *upper, double *found,
-                                   double *room) {
+                                   const double *lower, const double *upper, double *found) {
+    std::vector<double> room(degree + 1);
     for (int64_t k = 0; k < count; ++k)
         found[k] = bodymeasure::root(coefficients + k * (degree + 1), degree, lower[k], upper[k],
-                                     room);
+                                     room.data());
     return count;
 }

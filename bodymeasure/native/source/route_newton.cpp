@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 #include "kernels.h"
 
@@ -73,22 +74,24 @@ double expand(const Paths &paths, const RouteUnknowns &route, const double *plac
     return whole;
 }
 
-}  // namespace
-
-EXPORTED int64_t bodymeasure_route_room(const Paths *paths, const RouteUnknowns *route) {
-    const int64_t size = 2 * paths->nodes;
-    const BoxModel model{route->unknowns, route->bands, nullptr, nullptr, nullptr, nullptr};
-    return size * (size + 2) + route->moved + energy_room(*paths) + step_room(model) +
-           (2 * route->bands + 3) * route->unknowns;
+// What Newton's method needs beside its results, in doubles.
+int64_t newton_room(const Paths &paths, const RouteUnknowns &route) {
+    const int64_t size = 2 * paths.nodes;
+    const BoxModel model{route.unknowns, route.bands, nullptr, nullptr, nullptr, nullptr};
+    return size * (size + 2) + route.moved + energy_room(paths) + step_room(model) +
+           (2 * route.bands + 3) * route.unknowns;
 }
+
+}  // namespace
 
 // Find the minimum from `place`, which is moved there. Returns the number of steps, negative if the
 // last one did not come to rest; at least one is made. `value` and `bands` are those of the minimum.
 EXPORTED int64_t bodymeasure_route_newton(const Paths *paths, const RouteUnknowns *route,
                                           const NewtonSettings *settings, double *place,
-                                          double *value, double *gradient, double *bands,
-                                          double *room) {
+                                          double *value, double *gradient, double *bands) {
     const int64_t n = route->unknowns, size = 2 * paths->nodes;
+    std::vector<double> whole(newton_room(*paths, *route));
+    double *room = whole.data();
     const auto take = [&room](int64_t count) {
         double *part = room;
         room += count;

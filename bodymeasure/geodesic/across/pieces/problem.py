@@ -23,7 +23,6 @@ from bodymeasure.atlas.topology.neighbors import on_side
 from bodymeasure.bezier import scaled
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.lengths.functionals import energy, path_tables
-from bodymeasure.geodesic.numerics.banded import BoxModels
 from bodymeasure.geodesic.numerics.box_newton import (
     MAX_STEPS,
     BoxMinimum,
@@ -202,11 +201,9 @@ class RouteProblem:
         )
         settings = newton_settings(most_steps, self._size_of_bands)
         found = route_newton(tables, arrays, start, idle, settings)
-        model = BoxModels(found.bands[None], found.gradient[None], found.unknowns[None], idle[None])
-        held = model.pressed()[0] & ~idle
-        return BoxMinimum(
-            found.unknowns, found.value, held, found.converged, found.iterations, found.bands
-        )
+        here = SecondOrder(found.value, found.gradient, found.bands)
+        converged, iterations = found.converged, found.iterations
+        return BoxMinimum.at(found.unknowns, here, idle, converged=converged, iterations=iterations)
 
     def expand(self, unknowns: Array) -> SecondOrder:
         """Return the sum over the pieces, to the second order."""
