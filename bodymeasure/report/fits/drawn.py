@@ -5,13 +5,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from bodymeasure.scene.fits.pictures import FitPictures, Triangles, fit_pictures
+from bodymeasure.scene.drawing.sides import SidePictures
+from bodymeasure.scene.fits.pictures import Triangles, fit_pictures
 
 if TYPE_CHECKING:
     from bodymeasure.fit import FittedBody
 
 
-def drawn(body: "FittedBody", advance: Callable[[str], None] | None = None) -> FitPictures:
+def drawn(body: "FittedBody", advance: Callable[[str], None] | None = None) -> SidePictures:
     """Draw a fitted body over its scan from three sides.
 
     Raises

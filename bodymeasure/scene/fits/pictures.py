@@ -1,7 +1,6 @@
 """A fitted body over its scan from three sides, colored by the distance between the two."""
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -10,10 +9,8 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Axes
 from bodymeasure.mesh.tubes import Mesh
 from bodymeasure.scene.camera import MARGIN, View, framed
-from bodymeasure.scene.drawing import RENDERERS
-from bodymeasure.scene.drawing.opengl_check import choose_renderer
 from bodymeasure.scene.drawing.picture import Picture
-from bodymeasure.scene.figures.canvas import webp
+from bodymeasure.scene.drawing.sides import SidePictures, side_pictures
 from bodymeasure.scene.model import Surface
 
 SIDES = ("front", "left", "back")
@@ -43,26 +40,6 @@ class Triangles(NamedTuple):
     triangles: Ints
 
 
-@dataclass(frozen=True)
-class FitPictures:
-    """The pictures of a fit.
-
-    Parameters
-    ----------
-    body : mapping of str to bytes
-        WebP files by side: ``front``, the wearer's ``left``, and ``back``; to be shown at half
-        their size in pixels.
-    renderer : str
-        The renderer that drew them: ``pyvista`` or ``software``.
-    note : str
-        Why it was not the usual one, as a sentence; empty if it was.
-    """
-
-    body: Mapping[str, bytes]
-    renderer: str
-    note: str
-
-
 def fit_pictures(
     body: Triangles,
     distance: Array,
@@ -70,7 +47,7 @@ def fit_pictures(
     *,
     renderer: str | None = None,
     advance: Callable[[str], None] | None = None,
-) -> FitPictures:
+) -> SidePictures:
     """Draw a fitted body over its scan.
 
     Parameters
@@ -94,20 +71,19 @@ def fit_pictures(
     MissingExtraError
         If matplotlib is not installed.
     """
-    choice = choose_renderer(renderer)
+    return side_pictures(_pictures(body, distance, scan), renderer=renderer, advance=advance)
+
+
+def _pictures(body: Triangles, distance: Array, scan: Triangles) -> Iterator[tuple[str, Picture]]:
+    """Yield what is seen from each side."""
     axes, colors = Axes(), distance_colors(distance)
     surface, normals = surface_of(scan), vertex_normals(body)
     owner = np.zeros(len(body.triangles), dtype=np.int64)
-    pictures = {}
-    with RENDERERS[choice.renderer]() as draw:
-        for side, towards in _directions(axes).items():
-            lifted = body.points + LIFT * towards
-            mesh = Mesh(lifted, normals, body.triangles, colors, owner)
-            view = _view(np.concatenate([surface.points, lifted]), towards, axes.up_vector)
-            pictures[side] = webp(draw(Picture(surface, view, view.size(PIXELS), mesh)))
-            if advance is not None:
-                advance(side)
-    return FitPictures(pictures, choice.renderer, choice.note)
+    for side, towards in _directions(axes).items():
+        lifted = body.points + LIFT * towards
+        mesh = Mesh(lifted, normals, body.triangles, colors, owner)
+        view = _view(np.concatenate([surface.points, lifted]), towards, axes.up_vector)
+        yield side, Picture(surface, view, view.size(PIXELS), mesh)
 
 
 def distance_colors(distance: Array) -> Array:

@@ -1,7 +1,7 @@
 """A body with the panels of a pattern on it, colored by how much their cloth has to give."""
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -11,10 +11,8 @@ from bodymeasure.mesh.tubes import Mesh, joined
 from bodymeasure.pattern import Pattern, Piece, strain_colors
 from bodymeasure.scene.camera import View, framed
 from bodymeasure.scene.diagonals.build import BODY_SEGMENTS, tessellate
-from bodymeasure.scene.drawing import RENDERERS
-from bodymeasure.scene.drawing.opengl_check import choose_renderer
 from bodymeasure.scene.drawing.picture import Picture, Stroke
-from bodymeasure.scene.figures.canvas import webp
+from bodymeasure.scene.drawing.sides import SidePictures, side_pictures
 from bodymeasure.scene.fits.pictures import Triangles, vertex_normals
 
 SIDES = ("front", "left", "right", "back")
@@ -33,32 +31,12 @@ EDGE = (0.1, 0.1, 0.12)
 WIDTH = 3.0
 
 
-@dataclass(frozen=True)
-class PanelPictures:
-    """The pictures of the panels of a pattern.
-
-    Parameters
-    ----------
-    body : mapping of str to bytes
-        WebP files by side: ``front``, the wearer's ``left`` and ``right``, and ``back``, as far as
-        they show panels; to be shown at half their size in pixels.
-    renderer : str
-        The renderer that drew them: ``pyvista`` or ``software``.
-    note : str
-        Why it was not the usual one, as a sentence; empty if it was.
-    """
-
-    body: Mapping[str, bytes]
-    renderer: str
-    note: str
-
-
 def panel_pictures(
     pattern: Pattern,
     *,
     renderer: str | None = None,
     advance: Callable[[str], None] | None = None,
-) -> PanelPictures:
+) -> SidePictures:
     """Draw a body with the panels of a pattern on it.
 
     Parameters
@@ -76,25 +54,19 @@ def panel_pictures(
     MissingExtraError
         If matplotlib is not installed.
     """
-    choice = choose_renderer(renderer)
+    return side_pictures(_pictures(pattern), renderer=renderer, advance=advance)
+
+
+def _pictures(pattern: Pattern) -> Iterator[tuple[str, Picture]]:
+    """Yield what is seen from each side that shows panels."""
     atlas, meters = pattern.atlas, pattern.atlas.unit.meters
     surface = tessellate(atlas, np.arange(len(atlas)), BODY_SEGMENTS)
-    parts, strokes = [], []
-    for piece in pattern.pieces:
-        mesh, lines = _panel(pattern, piece)
-        parts.append(mesh)
-        strokes.append(lines)
+    parts, strokes = zip(*(_panel(pattern, piece) for piece in pattern.pieces), strict=True)
     panels = joined(parts)
-    pictures = {}
-    with RENDERERS[choice.renderer]() as draw:
-        for side, towards in _directions(pattern).items():
-            if (panels.normals @ towards > 0.5).mean() < SEEN:
-                continue
+    for side, towards in _directions(pattern).items():
+        if (panels.normals @ towards > 0.5).mean() >= SEEN:
             view = _view(panels.points, towards, atlas.axes.up_vector, BEFORE / meters)
-            pictures[side] = webp(draw(Picture(surface, view, view.size(PIXELS), panels, strokes)))
-            if advance is not None:
-                advance(side)
-    return PanelPictures(pictures, choice.renderer, choice.note)
+            yield side, Picture(surface, view, view.size(PIXELS), panels, strokes)
 
 
 def _panel(pattern: Pattern, piece: Piece) -> tuple[Mesh, Stroke]:
