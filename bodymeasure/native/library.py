@@ -43,7 +43,7 @@ def library() -> ctypes.CDLL | None:
         return None
     try:
         return _loaded(found.origin)
-    except OSError:  # built for another machine
+    except OSError:  # It was built for another machine.
         return None
 
 

@@ -10,7 +10,7 @@ from bodymeasure._typing import Array
 
 # In millimeters: how far a cubic may be from the points of its edge.
 TOLERANCE = 0.15
-# Of the length: a part that is longer than its chord by less is straight.
+# A part that is longer than its chord by less than this part of its length is straight.
 STRAIGHT = 1e-9
 # The shortest part into which an edge is cut, as a fraction of it.
 FINEST = 1.0 / 64.0

@@ -122,7 +122,7 @@ def _grain(area: Any) -> Array | None:
     if not len(parts):
         return None
     sizes = np.minimum(shapely.length(parts), LONGEST)
-    # Of those that are about as long, the one nearest to the middle.
+    # The one that is nearest to the middle, among those that are about as long, is taken.
     long = parts[sizes > 0.9 * sizes.max()]
     away = [abs(line.centroid.x - area.centroid.x) for line in long]
     line = shapely.get_coordinates(long[int(np.argmin(away))])
