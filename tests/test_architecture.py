@@ -41,8 +41,8 @@ ORDERS = {
     " landmarks/paths, landmarks/places · body, input/slopes, sides · kinds, landmarks/rules ·"
     " approximated, landmarks · input · taken · definitions, sensitivity · needed, reading,"
     " selection, chart · evaluate",
-    "cli": "commands, tables · console · options · fitting · atlases, docs, landmarks, measuring,"
-    " study · patterns · main",
+    "cli": "commands, needs, tables · console · options · inputs · fitting · atlases, docs,"
+    " landmarks, measuring, study · patterns · main",
     "compare": "names, records · readings · gaps, iso20685, plausible, read, shown · comparison,"
     " page",
     "fit": "model, scan · completed, solving · topology · export",

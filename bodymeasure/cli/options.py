@@ -1,44 +1,17 @@
-"""Arguments and options that several commands share."""
+"""Arguments and options that several commands share, and what users gave with them."""
 
 import os
-import warnings
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
-from dataclasses import replace
+from collections.abc import Callable, Sequence
 from functools import partial
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, TypeVar
 
 import click
 
-from bodymeasure.atlas import Atlas, FindingKind, Severity, Unit, check_atlas
+from bodymeasure.atlas import Atlas, Unit
 from bodymeasure.atlas.axes import DIRECTIONS
-from bodymeasure.cli.console import print_note
-from bodymeasure.errors import InputError, MissingExtraError, ReadWarning
-from bodymeasure.formats import format_of, read_atlas
-from bodymeasure.samples import sample_names, sample_path
-from bodymeasure.wording import nearest
 
 DEFAULT_SAMPLE = "female_average"
-# The number of errors that a message lists; the others are counted.
-LISTED = 3
-# Similarity of names from which on one is taken for a misspelling of the other.
-NEAR = 0.7
-# The needs of features: a name for the feature, the module, its package, and the extra that
-# installs the package.
-COMPARISON = ("the comparison (--no-cross-check leaves it out)", "igl", "libigl", "oracle")
-PICTURES = ("drawing (--no-pictures leaves it out)", "matplotlib", "matplotlib", "report")
-PAGE = ("the HTML report", "jinja2", "jinja2", "report")
-CHART_PAGE = ("the page of measurements", "jinja2", "jinja2", "chart")
-CHART_PICTURES = ("drawing (--no-pictures leaves it out)", "matplotlib", "matplotlib", "chart")
-BENCHMARK = (
-    ("the benchmark", "igl", "libigl", "bench"),
-    ("the benchmark", "potpourri3d", "potpourri3d", "bench"),
-)
-BENCHMARK_FIGURE = ("the benchmark's figure", "matplotlib", "matplotlib", "bench")
-VIEWER = ("the viewer", "pyvista", "pyvista", "viewer")
-VIEWER_COLORS = ("the viewer", "matplotlib", "matplotlib", "viewer")
 
 # The key under which `load_atlas` finds what the user says about the file that it is to read.
 _FILE_OPTIONS = f"{__name__}.file_options"
@@ -235,35 +208,6 @@ def available_cores() -> int:
     return os.cpu_count() or 1
 
 
-def load_atlas(
-    name: str, *, if_none: bool = False, corrected: bool = False, **options: Any
-) -> Atlas:
-    """Return an atlas from a file, or a sample by its name if there is no such file.
-
-    `options` are those of `read_atlas`; the unit and the axes are those that the user gave for the
-    file. With `if_none`, they are left out where the file has its own; with `corrected`, such axes
-    take the place of the file's own.
-
-    Raises
-    ------
-    InputError
-        If it is neither, or not a valid atlas.
-    """
-    path = path_of_atlas(name)
-    given = file_settings()
-    if if_none and given:
-        kept = format_of(path).keeps
-        # Formats with landmarks are those of bodymeasure, which have axes too.
-        had = {"unit": "unit", "up": "landmarks", "front": "landmarks"}
-        given = {key: value for key, value in given.items() if had.get(key) not in kept}
-    axes = {}
-    if corrected and "landmarks" in format_of(path, options.get("format")).keeps:
-        axes = {key: given.pop(key) for key in ("up", "front") if key in given}
-    with _notes():
-        atlas = read_atlas(path, **given, **options)
-    return replace(atlas, axes=replace(atlas.axes, **axes)) if axes else atlas
-
-
 def file_settings() -> dict[str, Any]:
     """Return what the user says about a file: its unit, where up and the front are, and quads."""
     context = click.get_current_context(silent=True)
@@ -274,110 +218,3 @@ def given_topology() -> str | None:
     """Return the model whose topology the user says that a mesh has."""
     context = click.get_current_context(silent=True)
     return None if context is None else context.meta.get(_TOPOLOGY)
-
-
-def lacks_unit(name: str) -> bool:
-    """Whether the format of an atlas's file has no unit."""
-    return "unit" not in format_of(path_of_atlas(name)).keeps
-
-
-def path_of_atlas(name: str) -> Path:
-    """Return the file of an atlas or a sample, which may not be there.
-
-    Raises
-    ------
-    InputError
-        If there is neither such a file nor such a sample; the message suggests a sample.
-    """
-    path = Path(name)
-    # A folder may have the name of the sample whose report it holds.
-    if name in sample_names() and not _is_file(path):
-        return sample_path(name)
-    if len(path.parts) == 1 and not _exists(path):
-        # A name with an extension means a file, unless it is nearly the name of a sample.
-        near = nearest(path.stem, sample_names(), similarity=NEAR)
-        hint = "`bodymeasure samples` lists the samples"
-        if near:
-            hint = f"did you mean the sample {near!r}?"
-        if near or not path.suffix:
-            raise InputError(f"{name}: no such file, and no sample of that name; {hint}")
-    return path
-
-
-@contextmanager
-def _notes() -> Iterator[None]:
-    """Print the notes of reading a file as the command line prints notes."""
-    show = warnings.showwarning
-
-    def print_or_show(message: Any, category: Any, *rest: Any, **others: Any) -> None:
-        if issubclass(category, ReadWarning):
-            print_note(str(message))
-        else:
-            show(message, category, *rest, **others)
-
-    with warnings.catch_warnings():
-        warnings.simplefilter("always", ReadWarning)
-        warnings.showwarning = print_or_show
-        yield
-
-
-def _exists(path: Path) -> bool:
-    try:
-        return path.exists()
-    except OSError:  # such as a name that is too long; reading it will say so
-        return True
-
-
-def _is_file(path: Path) -> bool:
-    return _exists(path) and not path.is_dir()
-
-
-def require(*needs: tuple[str, str, str, str]) -> None:
-    """Refuse, before any work, what would fail at its end because a package is missing.
-
-    Raises
-    ------
-    MissingExtraError
-        The feature, the package it needs, and how to install it.
-    """
-    for feature, module, package, extra in needs:
-        if find_spec(module) is None:
-            raise MissingExtraError(feature, package, extra)
-
-
-def load_sound_atlas(name: str, *, despite_errors: bool, if_none: bool = False) -> Atlas:
-    """Return an atlas as `load_atlas` does; refuse one whose check finds errors.
-
-    Raises
-    ------
-    InputError
-        If errors were found and `despite_errors` is false: the errors, and what to do.
-    """
-    atlas = load_atlas(name, if_none=if_none)
-    require_sound(atlas, name, despite_errors=despite_errors)
-    return atlas
-
-
-def require_sound(atlas: Atlas, name: str, *, despite_errors: bool) -> None:
-    """Refuse an atlas whose check finds errors.
-
-    Raises
-    ------
-    InputError
-        If errors were found and `despite_errors` is false: the errors, and what to do.
-    """
-    if despite_errors:
-        return
-    findings = check_atlas(atlas)
-    errors = [f"{f.kind}: {f.message}" for f in findings if f.severity == Severity.ERROR]
-    if errors:
-        more = f"\n  and {len(errors) - LISTED} more" if len(errors) > LISTED else ""
-        listed = "".join(f"\n  {message}" for message in errors[:LISTED])
-        raise InputError(
-            f"{name}: the atlas has {len(errors)} error{'s' if len(errors) > 1 else ''}:{listed}"
-            f"{more}\nRepair it (`bodymeasure check` lists all), or measure --despite-errors."
-        )
-    for finding in findings:
-        # Other warnings leave lengths as they are; this one multiplies all of them.
-        if finding.kind == FindingKind.SIZE:
-            print_note(f"{name}: {finding.message}.")

@@ -6,7 +6,8 @@ from rich.text import Text
 from bodymeasure.atlas import Severity, check_atlas
 from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS
-from bodymeasure.cli.options import atlas_argument, load_atlas
+from bodymeasure.cli.inputs import load_atlas
+from bodymeasure.cli.options import atlas_argument
 from bodymeasure.wording import counted
 
 EXIT_FOUND_ERRORS = 1

@@ -15,7 +15,8 @@ from bodymeasure.atlas import (
 )
 from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_note
-from bodymeasure.cli.options import atlas_argument, load_atlas, path_of_atlas
+from bodymeasure.cli.inputs import load_atlas, path_of_atlas
+from bodymeasure.cli.options import atlas_argument
 from bodymeasure.errors import InputError
 from bodymeasure.files import require_writable
 from bodymeasure.formats import FORMATS, format_of, write_atlas

@@ -15,7 +15,8 @@ from bodymeasure.atlas import (
 )
 from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import print_table
-from bodymeasure.cli.options import atlas_argument, load_atlas
+from bodymeasure.cli.inputs import load_atlas
+from bodymeasure.cli.options import atlas_argument
 from bodymeasure.cli.tables import facts_table
 from bodymeasure.wording import counted
 

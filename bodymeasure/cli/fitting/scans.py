@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from bodymeasure.cli.console import progress_bar
-from bodymeasure.cli.options import file_settings, given_topology, path_of_atlas, require
+from bodymeasure.cli.inputs import path_of_atlas
+from bodymeasure.cli.needs import require
+from bodymeasure.cli.options import file_settings, given_topology
 from bodymeasure.files import read_bytes
 from bodymeasure.formats.obj.triangles import TRIANGLE_MESHES, is_of_triangles
 
@@ -16,7 +18,7 @@ if TYPE_CHECKING:
     from bodymeasure.atlas import Atlas
     from bodymeasure.fit import FittedBody
 
-# The needs of a fit: see `bodymeasure.cli.options`.
+# The needs of a fit: see `bodymeasure.cli.needs`.
 READING = ("reading a mesh", "trimesh", "trimesh", "fit")
 DISTANCES = ("the fit", "igl", "libigl", "fit")
 FIT_PAGE = ("the page of a fit (--no-page leaves it out)", "jinja2", "jinja2", "fit")

@@ -8,12 +8,12 @@ from rich.text import Text
 
 from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_table
+from bodymeasure.cli.inputs import load_atlas
 from bodymeasure.cli.options import (
     atlas_argument,
     definitions_option,
     format_option,
     length_unit,
-    load_atlas,
     unit_option,
 )
 from bodymeasure.cli.tables import new_table

@@ -10,7 +10,8 @@ from rich.text import Text
 from bodymeasure.atlas import Atlas, AtlasPoint, Unit
 from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_note
-from bodymeasure.cli.options import atlas_argument, load_atlas
+from bodymeasure.cli.inputs import load_atlas
+from bodymeasure.cli.options import atlas_argument
 from bodymeasure.errors import InputError
 from bodymeasure.formats import write_atlas
 from bodymeasure.formats.registry import EXTENSIONS

@@ -8,13 +8,13 @@ from rich.text import Text
 
 from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_table
+from bodymeasure.cli.inputs import load_sound_atlas
 from bodymeasure.cli.options import (
     atlas_argument,
     definitions_option,
     despite_errors_option,
     format_option,
     length_unit,
-    load_sound_atlas,
     unit_option,
 )
 from bodymeasure.cli.tables import new_table

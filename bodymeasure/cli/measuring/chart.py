@@ -18,6 +18,7 @@ from bodymeasure.cli.console import (
 )
 from bodymeasure.cli.fitting.files import fitted_in_words, write_fit
 from bodymeasure.cli.fitting.scans import is_scan, require_fit, scan_subject
+from bodymeasure.cli.inputs import load_sound_atlas, require_sound
 from bodymeasure.cli.measuring.chart_tables import (
     population_facts,
     print_chart,
@@ -28,9 +29,8 @@ from bodymeasure.cli.measuring.many_scans import Charting, chart_scans
 from bodymeasure.cli.measuring.paths import check_paths_file, tape_curves, write_curves
 from bodymeasure.cli.measuring.scene import pictures_wanted, scene_of
 from bodymeasure.cli.measuring.subjects import Subject, charts_of, subjects_of
+from bodymeasure.cli.needs import CHART_PAGE, CHART_PICTURES, require
 from bodymeasure.cli.options import (
-    CHART_PAGE,
-    CHART_PICTURES,
     DEFAULT_SAMPLE,
     all_pictures_option,
     definitions_option,
@@ -38,13 +38,10 @@ from bodymeasure.cli.options import (
     folder_option,
     format_option,
     length_unit,
-    load_sound_atlas,
     no_pictures_option,
     only_option,
     paths_option,
     picks_option,
-    require,
-    require_sound,
     several_atlases_argument,
     topology_option,
     unit_option,

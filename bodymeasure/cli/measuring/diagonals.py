@@ -8,13 +8,13 @@ from rich.text import Text
 
 from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_table
+from bodymeasure.cli.inputs import load_sound_atlas
 from bodymeasure.cli.measuring.paths import check_paths_file, diagonal_curves, write_curves
 from bodymeasure.cli.options import (
     atlas_argument,
     despite_errors_option,
     format_option,
     length_unit,
-    load_sound_atlas,
     paths_option,
     unit_option,
 )

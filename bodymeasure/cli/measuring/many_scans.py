@@ -10,14 +10,9 @@ from bodymeasure.cli.console import print_files, print_note, print_table, progre
 from bodymeasure.cli.fitting.batch import Batch, NamedScan, named_scans, print_failures
 from bodymeasure.cli.fitting.done import key_of
 from bodymeasure.cli.fitting.scans import is_scan, scan_files, scan_settings
+from bodymeasure.cli.inputs import load_sound_atlas, path_of_atlas, require_sound
 from bodymeasure.cli.measuring.chart_tables import population_facts
-from bodymeasure.cli.options import (
-    OWN,
-    file_settings,
-    load_sound_atlas,
-    path_of_atlas,
-    require_sound,
-)
+from bodymeasure.cli.options import OWN, file_settings
 from bodymeasure.errors import BodymeasureError, InputError, MissingExtraError
 from bodymeasure.files import output_folder, read_bytes, write_bytes
 

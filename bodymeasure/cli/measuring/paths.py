@@ -8,7 +8,7 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
-from bodymeasure.cli.options import require
+from bodymeasure.cli.needs import require
 from bodymeasure.files import require_writable
 
 if TYPE_CHECKING:

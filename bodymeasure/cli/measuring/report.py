@@ -9,21 +9,18 @@ from rich.text import Text
 
 from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import count_calls, print_files, print_note, print_table, progress_bar
+from bodymeasure.cli.inputs import load_sound_atlas
 from bodymeasure.cli.measuring.scene import pictures_wanted, scene_of
+from bodymeasure.cli.needs import COMPARISON, PAGE, PICTURES, require
 from bodymeasure.cli.options import (
-    COMPARISON,
-    PAGE,
-    PICTURES,
     all_pictures_option,
     despite_errors_option,
     folder_option,
     length_unit,
-    load_sound_atlas,
     no_cross_check_option,
     no_pictures_option,
     optional_atlas_argument,
     processes_option,
-    require,
     unit_option,
 )
 from bodymeasure.cli.tables import facts_table

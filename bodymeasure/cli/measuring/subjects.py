@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from bodymeasure.cli.console import progress_bar
-from bodymeasure.cli.options import path_of_atlas, require_sound
+from bodymeasure.cli.inputs import path_of_atlas, require_sound
 from bodymeasure.errors import InputError
 from bodymeasure.formats import EXTENSIONS, read_population
 

@@ -10,13 +10,9 @@ from bodymeasure.atlas import check_sentences
 from bodymeasure.cli.console import print_note
 from bodymeasure.cli.fitting.files import fitted_in_words
 from bodymeasure.cli.fitting.scans import is_scan, require_fit, scan_subject
-from bodymeasure.cli.options import (
-    DEFAULT_SAMPLE,
-    file_settings,
-    load_atlas,
-    path_of_atlas,
-    require,
-)
+from bodymeasure.cli.inputs import load_atlas, path_of_atlas
+from bodymeasure.cli.needs import require
+from bodymeasure.cli.options import DEFAULT_SAMPLE, file_settings
 from bodymeasure.errors import InputError
 from bodymeasure.formats import read_population
 from bodymeasure.samples import sample_names

@@ -8,15 +8,10 @@ from typing import TYPE_CHECKING
 import click
 
 from bodymeasure.cli.console import print_note, progress_bar
+from bodymeasure.cli.inputs import load_sound_atlas
 from bodymeasure.cli.measuring.chart import measured_chart
 from bodymeasure.cli.measuring.view_page import EVERY, not_installed
-from bodymeasure.cli.options import (
-    COMPARISON,
-    VIEWER,
-    VIEWER_COLORS,
-    load_sound_atlas,
-    require,
-)
+from bodymeasure.cli.needs import COMPARISON, VIEWER, VIEWER_COLORS, require
 from bodymeasure.errors import InputError
 from bodymeasure.files import require_writable
 from bodymeasure.measure import Survey, measure_atlas

@@ -13,14 +13,14 @@ from rich.text import Text
 from bodymeasure.atlas import Atlas
 from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_files, print_note, print_table, progress_bar
+from bodymeasure.cli.inputs import load_sound_atlas
 from bodymeasure.cli.measuring.subjects import Subject, subjects_of
+from bodymeasure.cli.needs import require
 from bodymeasure.cli.options import (
     DEFAULT_SAMPLE,
     despite_errors_option,
     folder_option,
-    load_sound_atlas,
     names_in_list,
-    require,
     several_atlases_argument,
 )
 from bodymeasure.cli.patterns.files import formats_option, needs_of, paper_option

@@ -9,7 +9,8 @@ from rich.text import Text
 
 from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_files, print_note, print_table, progress_bar
-from bodymeasure.cli.options import BENCHMARK, BENCHMARK_FIGURE, folder_option, require
+from bodymeasure.cli.needs import BENCHMARK, BENCHMARK_FIGURE, require
+from bodymeasure.cli.options import folder_option
 from bodymeasure.cli.tables import new_table
 from bodymeasure.files import output_folder
 

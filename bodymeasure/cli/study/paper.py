@@ -8,7 +8,8 @@ from rich.text import Text
 
 from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import print_files, print_table, progress_bar
-from bodymeasure.cli.options import PAGE, folder_option, processes_option, require
+from bodymeasure.cli.needs import PAGE, require
+from bodymeasure.cli.options import folder_option, processes_option
 from bodymeasure.cli.tables import new_table
 from bodymeasure.files import output_folder
 from bodymeasure.paper.data.published import MEAN_LOSS
