@@ -10,7 +10,7 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.check.degeneracy import collapsed_sides
 from bodymeasure.atlas.normals import normals_and_bends
-from bodymeasure.atlas.queries.closest import descend_in_powers
+from bodymeasure.atlas.queries.feet import descend_in_powers
 from bodymeasure.atlas.queries.outside import Outside, outward_signs
 from bodymeasure.atlas.seams import AXIS, VALUE, edge_table
 from bodymeasure.atlas.topology.joins import entered, kink_angles, on_sides, over_sides, seams_of

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 import bodymeasure as bm
 from bodymeasure._typing import Array
-from bodymeasure.atlas.queries.closest import descend_in_powers
+from bodymeasure.atlas.queries.feet import descend_in_powers
 from bodymeasure.bezier.power_form import jets, power_coefficients
 from bodymeasure.geodesic.across.routes.ways import first_ways
 from bodymeasure.geodesic.lengths.functionals import energy, energy_of_a_flat_surface
