@@ -35,7 +35,7 @@ LAYERS = (
 # groups do not import from there.
 ORDERS = {
     "atlas": "approximation, axes, components, normals, point, scan_fit, seams, size, units ·"
-    " faces, tessellation · atlas · topology · queries · check · approximation_words, summary",
+    " contents, faces, tessellation · atlas · topology · queries · check · summary",
     "bench": "problems · entrants · size · records · timing · summary · figure",
     "chart": "accuracy, formula, landmarks/choice, landmarks/names, picks, tapes · entry,"
     " landmarks/paths, landmarks/places · body, input/slopes, sides · kinds, landmarks/rules ·"

@@ -1,7 +1,6 @@
 """The atlas: a body's surface as Bezier patches that share control points."""
 
 import hashlib
-import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -13,10 +12,10 @@ from numpy.typing import ArrayLike
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.approximation import Approximation
 from bodymeasure.atlas.axes import Axes
+from bodymeasure.atlas.contents import check_names, checked_index, checked_points, checked_weights
 from bodymeasure.atlas.faces import FileFaces
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.scan_fit import ScanFit
-from bodymeasure.atlas.seams import EDGES, edge_table, sides_of, weights_differ
 from bodymeasure.atlas.tessellation import tessellate
 from bodymeasure.atlas.units import GivenLength, Unit
 from bodymeasure.bezier import evaluate, homogeneous, project
@@ -25,11 +24,6 @@ from bodymeasure.wording import counted, hint
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
-
-# Lower degrees are written as this one without loss, so that one atlas has one degree.
-LEAST_DEGREE = 3
-# Polynomials of thrice this degree, as the normal of a rational patch, still have their digits.
-LARGEST_DEGREE = 9
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,13 +93,13 @@ class Atlas:
         return f"<Atlas {self.name!r} of {patches} in {self.unit}, {landmarks}>"
 
     def __post_init__(self) -> None:
-        index = _checked_index(self.index)
-        points = _checked_points(self.points, index, tuple(self.patch_names))
+        index = checked_index(self.index)
+        points = checked_points(self.points, index, tuple(self.patch_names))
         set_field = object.__setattr__
         set_field(self, "points", points)
         set_field(self, "index", index)
         if self.weights is not None:
-            set_field(self, "weights", _checked_weights(self.weights, index))
+            set_field(self, "weights", checked_weights(self.weights, index))
         set_field(self, "unit", Unit.parse(self.unit))
         count = len(index)
         set_field(
@@ -117,7 +111,7 @@ class Atlas:
         set_field(self, "landmarks", dict(self.landmarks))
         set_field(self, "provenance", dict(self.provenance))
         set_field(self, "given", dict(self.given))
-        _check_names(self)
+        check_names(count, self.patch_names, self.regions, self.landmarks)
         if self.approximation is not None and len(self.approximation.distance) != count:
             raise InputError(
                 f"the approximation has {len(self.approximation.distance)} numbers for {count} "
@@ -162,7 +156,7 @@ class Atlas:
         index = np.arange(count).reshape(-1, *nets.shape[-3:-1])
         weights = None
         if nets.shape[-1] == 4:
-            weights = _checked_weights(nets[..., 3].reshape(index.shape), index)
+            weights = checked_weights(nets[..., 3].reshape(index.shape), index)
         return cls(project(nets).reshape(-1, 3), index, Unit.parse(unit), weights=weights)
 
     def __len__(self) -> int:
@@ -352,115 +346,3 @@ def require_atlas(value: object) -> None:
         raise InputError(
             f"the atlas is {value!r}; expected an Atlas, as load_sample and read_atlas return it"
         )
-
-
-def _checked_index(index: ArrayLike) -> Ints:
-    try:
-        array = np.asarray(index)
-    except ValueError:
-        raise InputError(
-            "the patch index is ragged; expected (patches, 4, 4): 16 control points for each "
-            "bicubic patch, or the same number for patches of another degree"
-        ) from None
-    if array.ndim == 3 and len(array) == 0:
-        raise InputError("the atlas has no patch; expected at least one")
-    sides = range(LEAST_DEGREE + 1, LARGEST_DEGREE + 2)
-    if array.ndim != 3 or array.shape[1] != array.shape[2] or array.shape[1] not in sides:
-        raise InputError(
-            f"the patch index has shape {array.shape}; expected (patches, 4, 4): 16 control points "
-            f"for each bicubic patch, or as many for one degree up to {LARGEST_DEGREE}"
-        )
-    if array.dtype.kind not in "iu":
-        raise InputError(f"the patch index holds {array.dtype}; expected whole numbers")
-    array = array.astype(np.int64)
-    array.flags.writeable = False
-    return array
-
-
-def _checked_points(points: ArrayLike, index: Ints, names: tuple[str, ...]) -> Array:
-    try:
-        array = np.array(points, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise InputError("control points are not numbers; expected an array of (n, 3)") from None
-    if array.ndim != 2 or array.shape[1] != 3:
-        raise InputError(f"control points have shape {array.shape}; expected (n, 3)")
-    outside = (index < 0) | (index >= len(array))
-    if outside.any():
-        patch = int(np.flatnonzero(outside.any(axis=(1, 2)))[0])
-        number = int(index[patch][outside[patch]][0])
-        called = f" ({names[patch]!r})" if patch < len(names) else ""
-        raise InputError(
-            f"patch {patch}{called} refers to control point {number}, but the points are numbered "
-            f"0 to {len(array) - 1}"
-        )
-    bad = np.flatnonzero(~np.isfinite(array).all(axis=1))
-    if len(bad):
-        raise InputError(
-            f"control point {bad[0]} is {array[bad[0]].tolist()}; expected finite coordinates "
-            f"({len(bad)} such point{'s' if len(bad) > 1 else ''})"
-        )
-    array.flags.writeable = False
-    return array
-
-
-def _checked_weights(weights: ArrayLike, index: Ints) -> Array:
-    try:
-        array = np.array(weights, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise InputError("weights are not numbers; expected one for each control point") from None
-    if array.shape != index.shape:
-        raise InputError(f"weights have shape {array.shape}; expected that of index, {index.shape}")
-    # `not positive` rather than `negative`, so that NaN is refused too.
-    bad = np.argwhere(~((array > 0.0) & (array < np.inf)))
-    if len(bad):
-        patch, i, j = bad[0].tolist()
-        raise InputError(
-            f"patch {patch} has the weight {array[patch, i, j]:g}; expected positive weights, with "
-            "which a patch has no poles"
-        )
-    _check_weights_of_seams(index, array)
-    array.flags.writeable = False
-    return array
-
-
-def _check_weights_of_seams(index: Ints, weights: Array) -> None:
-    table = edge_table(index)
-    along = sides_of(weights)
-    along = np.where(table.reversed[..., None], along[..., ::-1], along)
-    along = along.reshape(-1, along.shape[-1])
-    _, first = np.unique(table.edge, return_index=True)
-    differ = weights_differ(along, along[first[table.edge.ravel()]])
-    bad = np.flatnonzero(differ & ~table.collapsed.ravel())
-    if len(bad):
-        patches = first[table.edge.ravel()[bad[0]]] // len(EDGES), bad[0] // len(EDGES)
-        raise InputError(
-            f"patches {patches[0]} and {patches[1]} share the control points of an edge, but not "
-            "the ratios of its weights, so that points with equal parameters on it differ; give "
-            "both the same weights there"
-        )
-
-
-def _check_names(atlas: Atlas) -> None:
-    for what, names in (("patch names", atlas.patch_names), ("regions", atlas.regions)):
-        if len(names) != len(atlas):
-            raise InputError(f"{len(names)} {what} for {len(atlas)} patches; expected one each")
-    seen: set[str] = set()
-    for name in atlas.patch_names:
-        if not name.strip() or any(unicodedata.category(sign) == "Cc" for sign in name):
-            raise InputError(
-                f"a patch is named {name!r}; expected a name on one line, without control "
-                "characters"
-            )
-        if name in seen:
-            raise InputError(f"two patches are named {name!r}; patch names must be unique")
-        seen.add(name)
-    for name, point in atlas.landmarks.items():
-        if not 0 <= point.patch < len(atlas):
-            raise InputError(
-                f"landmark {name!r} lies on patch {point.patch}, but the patches are numbered "
-                f"0 to {len(atlas) - 1}"
-            )
-        if not (0.0 <= point.u <= 1.0 and 0.0 <= point.v <= 1.0):
-            raise InputError(
-                f"landmark {name!r} has (u, v) = ({point.u}, {point.v}); expected both in [0, 1]"
-            )
