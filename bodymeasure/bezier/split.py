@@ -71,13 +71,14 @@ def split(control_points: ArrayLike, u: float = 0.5, v: float = 0.5) -> Array:
     """
     net = np.asarray(control_points, dtype=np.float64)
     parts = np.empty((*net.shape[:-3], 2, 2, *net.shape[-3:]))
-    for i, rows_u in enumerate(_halves(net.shape[-3] - 1, u)):
+    for i, rows_u in enumerate(halves(net.shape[-3] - 1, u)):
         along_u = np.einsum("ai,...ijc->...ajc", rows_u, net)
-        for j, rows_v in enumerate(_halves(net.shape[-2] - 1, v)):
+        for j, rows_v in enumerate(halves(net.shape[-2] - 1, v)):
             parts[..., i, j, :, :, :] = np.einsum("bj,...ajc->...abc", rows_v, along_u)
     return parts
 
 
 @lru_cache(maxsize=32)
-def _halves(degree: int, t: float) -> tuple[Array, Array]:
+def halves(degree: int, t: float) -> tuple[Array, Array]:
+    """Return the matrices from control points of a curve to those of its parts at t."""
     return _blossom_rows(degree, 0.0, t), _blossom_rows(degree, t, 1.0)

@@ -29,6 +29,7 @@ PAGES = (
     "formats",
     "atlas_format",
     "method",
+    "proofs",
     "accuracy",
     "paper",
     "paper_tables",

@@ -12,6 +12,7 @@ from bodymeasure.geodesic.methods.rbf_collocation import RBFCollocation
 from bodymeasure.geodesic.methods.relaxation import Relaxation
 from bodymeasure.geodesic.methods.ritz import Ritz
 from bodymeasure.geodesic.methods.shooting import Shooting
+from bodymeasure.geodesic.proofs.patches import PatchesOfPaths
 from bodymeasure.geodesic.shortest.search import SEARCHES, Search
 from bodymeasure.geodesic.solution import GeodesicSolution
 from bodymeasure.geodesic.solve import HasDerivatives, solve_geodesic
@@ -38,6 +39,7 @@ __all__ = [
     "LoopKind",
     "Method",
     "MethodResult",
+    "PatchesOfPaths",
     "PathBatch",
     "PathPart",
     "PathPiece",

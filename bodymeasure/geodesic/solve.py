@@ -11,11 +11,13 @@ from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.lengths.coincident import distances_in_one_place
 from bodymeasure.geodesic.lengths.length import UNKNOWN
 from bodymeasure.geodesic.methods.rbf_collocation import RBFCollocation
+from bodymeasure.geodesic.proofs.patches import PatchesOfPaths
 from bodymeasure.geodesic.shortest.search import Search, check_search, is_outside, search_further
 from bodymeasure.geodesic.solution import GeodesicSolution
 from bodymeasure.geodesic.solving.magnified import solve_near_and_far
 from bodymeasure.geodesic.solving.protocol import Method, PathBatch
 from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure, have_length
+from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.geodesic.surfaces.control_points import checked_control_points, of_size_one
 from bodymeasure.geodesic.surfaces.custom import CustomSurface
 from bodymeasure.geodesic.surfaces.protocol import Surface
@@ -240,7 +242,16 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
             for name, array in vars(outcome).items()
         },
         batches=batches,
+        patches=_patches(problems),
     )
+
+
+def _patches(problems: _Problems) -> PatchesOfPaths | None:
+    surfaces = problems.surfaces
+    # Rational patches have no polynomial curvature bound.
+    if not isinstance(surfaces, BezierSurfaces) or surfaces.coordinates != 3:
+        return None
+    return PatchesOfPaths(surfaces.control_points, problems.surface_of, problems.scale)
 
 
 def _checked_parameters(name: str, value: ArrayLike) -> Array:

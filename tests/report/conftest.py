@@ -59,6 +59,7 @@ def make_survey(
             residual=rng.random((4, 2)) * 1e-10,
             status=status,
             functions=np.full((4, 2), 12),
+            proven_shortest=good & (np.arange(8).reshape(4, 2) != 1),
             iterations=np.full((4, 2), 4),
             contacts=contacts,
         ),

@@ -88,6 +88,17 @@ def test_the_summary_counts_and_names_the_worst(page: Page) -> None:
     assert "\u2260 disagrees" in page.text
 
 
+def test_the_summary_and_the_tables_tell_what_is_proven(survey_of: Callable[..., Any]) -> None:
+    survey = survey_of()
+    page = page_of(survey)
+    proven, measured = survey.diagonals.proven_shortest, np.isfinite(survey.diagonals.length)
+    told = f"{proven.sum()} of these {measured.sum()} are proven to be the only shortest ways"
+    assert told in page.text
+    assert page.text.count("proven") > proven.sum()
+    survey.diagonals.proven_shortest = measured
+    assert "Each is proven to be the only shortest way" in page_of(survey).text
+
+
 def test_the_summary_tells_of_paths_along_an_edge(survey_of: Callable[..., Any]) -> None:
     one, none = page_of(survey_of(statuses=(Status.ON_BOUNDARY,))), page_of(survey_of())
     assert "1 of those measured runs along an edge of the patch in part" in one.text

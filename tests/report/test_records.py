@@ -124,6 +124,15 @@ def test_the_summary_agrees_with_the_survey(survey: Any) -> None:
     assert summary["worst"] == "torso front left 1-1 diagonal 2"
 
 
+def test_records_say_what_is_proven(survey: Any) -> None:
+    content = decoded(survey)
+    proven = [m["proven_shortest"] for m in content["measurements"] if m["kind"] == "diagonal"]
+    assert proven == survey.diagonals.proven_shortest.ravel().tolist()
+    assert content["summary"]["proven_shortest"] == sum(proven)
+    sides = {m["proven_shortest"] for m in content["measurements"] if m["kind"] == "boundary"}
+    assert sides == {None}
+
+
 def test_names_are_unique_and_patches_stay_together(survey: Any) -> None:
     records = measurement_records(survey, "cm")
     assert len({record.name for record in records}) == len(records) == 4 * 6

@@ -99,7 +99,7 @@ def diagonals_content(
         Relative differences of the lengths from the mesh.
     """
     points, normals = diagonal_lines(body, solution)
-    statuses = np.asarray(solution.status)
+    statuses, proven = np.asarray(solution.status), solution.proven_shortest
     items = []
     for patch, name in enumerate(body.atlas.patch_names):
         for number in range(2):
@@ -111,6 +111,7 @@ def diagonals_content(
                 "error_estimate": _meters(body, solution.error_estimate[patch, number]),
                 "status": status.name.lower(),
                 "words": status.sentence,
+                "proven": bool(proven[patch, number]),
             }
             if differences is not None and np.isfinite(differences[patch, number]):
                 item["difference"] = float(differences[patch, number])

@@ -66,7 +66,15 @@ def _table(document: "Document") -> "Table":
     from bodymeasure.report.units import FINE_DECIMALS
 
     costs = ("approximation", "on the mesh") if document.approximation else ()
-    table = new_table("diagonal", document.unit, "error", *costs, "status", words=("status",))
+    table = new_table(
+        "diagonal",
+        document.unit,
+        "error",
+        *costs,
+        "shortest",
+        "status",
+        words=("shortest", "status"),
+    )
     decimals = FINE_DECIMALS[document.unit]
     for record in document.measurements:
         length, error = record.length, record.error_estimate
@@ -76,6 +84,7 @@ def _table(document: "Document") -> "Table":
             f"{length:.{decimals}f}" if length is not None else "",
             f"{error:.0e}" if measured and error is not None else "",
             *(_costs(record) if costs else ()),
+            Text("proven" if record.proven_shortest else ""),
             Text(record.status.replace("_", " "), "" if measured else "yellow"),
         )
     return table
@@ -89,6 +98,14 @@ def _costs(record: "PatchRecord") -> tuple[str, str]:
 
 def _explain(document: "Document") -> None:
     """Print what patches approximate, and a sentence on each status except for the usual one."""
+    summary = document.summary
+    RESULTS.print(
+        Text(
+            f"\nshortest: {summary.proven_shortest} of {summary.measured} measured diagonals are "
+            "proven to be the only shortest paths on their patches (`bodymeasure docs proofs`)"
+        ),
+        soft_wrap=True,
+    )
     for sentence in document.approximation or ():
         RESULTS.print(Text(f"\n{sentence}"), soft_wrap=True)
     for status, sentence in document.statuses.items():

@@ -101,6 +101,7 @@ def _diagonals(survey: "Survey", unit: Unit) -> list[PatchRecord]:
         lengths |= _costs(atlas.approximation, lengths["length"])
     plain |= {name: convert_length(each, atlas.unit, unit) for name, each in lengths.items()}
     columns: dict[str, list[list[Any]]] = {name: _finite(each) for name, each in plain.items()}
+    columns["proven_shortest"] = solution.proven_shortest.tolist()
     columns["functions"] = solution.functions.tolist()
     columns["iterations"] = solution.iterations.tolist()
     return [
@@ -194,6 +195,7 @@ def _summary(patches: int, diagonals: list[PatchRecord]) -> Summary:
         patches=patches,
         diagonals=len(diagonals),
         measured=sum(m.length is not None for m in diagonals),
+        proven_shortest=sum(bool(m.proven_shortest) for m in diagonals),
         by_status=dict(Counter(m.status for m in diagonals)),
         by_verdict=dict(Counter(m.verdict for m in diagonals if m.verdict is not None)),
         length=_spread(m.length for m in diagonals),

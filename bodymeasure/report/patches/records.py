@@ -64,6 +64,13 @@ class PatchRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
             "`u = 0 from 0.25 to 0.5`; null if it runs along none."
         ),
     ] = None
+    proven_shortest: Annotated[
+        bool | None,
+        Meta(
+            description="Whether it is proven that no other path on the patch is as short; false "
+            "means that it is not proven. Null for boundaries."
+        ),
+    ] = None
     raw_length: Annotated[
         float | None,
         Meta(description="Length of the computed path before its correction, whatever the status."),
@@ -121,6 +128,10 @@ class Summary(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     patches: int
     diagonals: int
     measured: int
+    proven_shortest: Annotated[
+        int | None,
+        Meta(description="Number of those proven to be the only shortest paths on their patches."),
+    ] = None
     by_status: Annotated[dict[str, int], Meta(description="Number of diagonals of each status.")]
     by_verdict: Annotated[
         dict[str, int],

@@ -130,7 +130,7 @@ def summary_sentences(document: Document) -> list[str]:
         _measured(document),
     ]
     costs = document.approximation or ()
-    return [*sentences, *_checked(document), _precision(document), *costs]
+    return [*sentences, *_proven(document), *_checked(document), _precision(document), *costs]
 
 
 def _measured(document: Document) -> str:
@@ -156,6 +156,18 @@ def _measured(document: Document) -> str:
         f"{missing} could not and {'has' if missing == 1 else 'have'} no length here "
         f"({reasons}). “Not measured” below lists them with the reasons.{along}"
     )
+
+
+def _proven(document: Document) -> list[str]:
+    proven, measured = document.summary.proven_shortest, document.summary.measured
+    if proven is None or not measured:
+        return []
+    if proven == measured:
+        return ["Each is proven to be the only shortest way on its patch."]
+    return [
+        f"{proven} of these {measured} {'is' if proven == 1 else 'are'} proven to be the only "
+        "shortest ways on their patches; of the others, that is not proven."
+    ]
 
 
 def _checked(document: Document) -> list[str]:

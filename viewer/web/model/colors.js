@@ -74,11 +74,13 @@ export function colorOf(value, field) {
 /** Where a value stands on a scale: differences and errors span decades, so by their logarithm. */
 export function toScale(key, value) {
   if (!Number.isFinite(value)) return NaN;
-  return key === "length" ? value : Math.log10(Math.max(Math.abs(value), 1e-16));
+  return key === "length" || key === "proven" ? value : Math.log10(Math.max(Math.abs(value), 1e-16));
 }
 
 /** The scale of what stands on it, but for the outermost hundredths. */
 export function scaleOf(key, places) {
+  // What is proven or not has two colors, even where all of it is.
+  if (key === "proven") return { key, low: 0, high: 1, scale: "sequential", empty: !places.some(Number.isFinite) };
   const known = places.filter(Number.isFinite).sort((a, b) => a - b);
   const at = (part) => known[Math.round(part * (known.length - 1))] ?? 0;
   return { key, low: at(0.01), high: at(0.99), scale: "sequential", empty: !known.length };

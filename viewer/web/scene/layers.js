@@ -146,7 +146,7 @@ export class Layers {
   /** The colors of the diagonals by what the user chose, and their scale for the legend. */
   #lineColors(items, count, samples) {
     const key = this.app.settings.get("lines");
-    const values = items.map((item) => toScale(key, { length: item.length, error: item.error_estimate, difference: item.difference }[key]));
+    const values = items.map((item) => toScale(key, { length: item.length, error: item.error_estimate, difference: item.difference, proven: Number(item.proven) }[key]));
     this.scale = scaleOf(key, values);
     const each = new Float32Array(3 * count);
     colorValues(values, this.scale, each);

@@ -19,7 +19,7 @@ export function displayPanel(app, actions) {
   const lines = h(
     "select",
     { "aria-label": "Color the diagonals by", "data-testid": "lines", onChange: () => app.settings.set("lines", lines.value) },
-    [["length", "Length"], ["difference", "Difference from the mesh"], ["error", "Error estimate"]].map(([key, label]) => h("option", { value: key }, label)),
+    [["length", "Length"], ["difference", "Difference from the mesh"], ["error", "Error estimate"], ["proven", "Proven shortest"]].map(([key, label]) => h("option", { value: key }, label)),
   );
   const tapes = h(
     "select",

@@ -71,7 +71,7 @@ function readoutLines(app, hit, actions) {
   if (field && value !== undefined) lines.push(`${field.label}: ${fieldText(field, value, app.unit)}`);
   for (const item of hit.side ? [] : actions.linesOf(hit)) {
     const difference = Number.isFinite(item.difference) ? `, ${item.difference.toExponential(1)} from the mesh` : "";
-    lines.push(`${item.name}: ${formatLength(item.length ?? NaN, app.unit)} ${formatError(item.error_estimate ?? NaN, app.unit)}${difference}`);
+    lines.push(`${item.name}: ${formatLength(item.length ?? NaN, app.unit)} ${formatError(item.error_estimate ?? NaN, app.unit)}${difference}${item.proven ? ", proven to be the shortest" : ""}`);
   }
   return lines;
 }
@@ -90,7 +90,7 @@ export function fieldText(field, value, unit) {
   return `${Number(value.toPrecision(3))} ${field.unit ?? ""}`.trim();
 }
 
-const TITLES = { length: "Length of", difference: "Difference from the mesh, of", error: "Error estimate of" };
+const TITLES = { length: "Length of", difference: "Difference from the mesh, of", error: "Error estimate of", proven: "Proven to be the shortest on their patches:" };
 
 /** What the colors mean: of the body or its seams, of tapes, of diagonals. */
 function showLegend(app, legend, actions) {
@@ -125,6 +125,7 @@ function legendOf({ title, scale, low, high, end, words }) {
 /** A value of a line as it stands on its scale, where errors and differences are logarithms. */
 function lineText(key, value, unit) {
   if (key === "length") return formatLength(value, unit);
+  if (key === "proven") return value > 0 ? "proven" : "not proven";
   const power = 10 ** value;
   return key === "error" ? formatError(power, unit).replace("± ", "") : power.toExponential(0);
 }
