@@ -30,6 +30,7 @@ def test_a_line_across_a_piece_is_as_long_as_the_piece_lies_flat() -> None:
     assert line is not None
     assert np.abs(line.ways(flat)[:, 1]).max() < 1e-12
     assert line.length == pytest.approx(line.measured(flat), rel=1e-5)
+    assert line.length == pytest.approx(line.lengths.sum())
     assert line.length > 0.5 * float(np.ptp(flat[:, 0]))
 
 

@@ -33,12 +33,13 @@ def without_creases(positions: Array, triangles: Ints, ways: Array, offsets: Arr
     links = _links(triangles, len(positions))
     crease = np.zeros(len(positions), dtype=np.bool_)
     ways = ways.copy()
+    checked = triangles
     for _ in range(ROUNDS):
-        folds = _folded(positions, triangles, positions + offsets[:, None] * ways)
+        folds = _folded(positions, checked, positions + offsets[:, None] * ways)
         if not folds.any():
             break
         wider = np.zeros_like(crease)
-        wider[triangles[folds]] = True
+        wider[checked[folds]] = True
         crease |= wider | (links @ wider)
         inner, rim = np.flatnonzero(crease), np.flatnonzero(~crease & (links @ crease))
         if not len(rim):
@@ -47,6 +48,8 @@ def without_creases(positions: Array, triangles: Ints, ways: Array, offsets: Arr
         within = links[inner][:, inner].astype(np.float64)
         right = links[inner][:, rim].astype(np.float64) @ ways[rim]
         ways[inner] = scipy.sparse.linalg.splu((degree - within).tocsc()).solve(right)
+        # No others move otherwise than in the round before.
+        checked = triangles[crease[triangles].any(axis=1)]
     return ways
 
 

@@ -52,4 +52,5 @@ def curve_of(path: AtlasPath) -> SkinCurve:
     def places(arc: Array) -> tuple[Ints, Array]:
         return path.path(np.interp(arc, run, t))
 
-    return SkinCurve(path.length, tuple(runs), places)
+    turns = np.interp(bounds[1:-1], t, run)
+    return SkinCurve(path.length, tuple(runs), places, turns)

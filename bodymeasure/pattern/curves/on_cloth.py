@@ -1,6 +1,7 @@
 """Curves on the skin as they lie on the cloth above it."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import scipy
@@ -12,9 +13,10 @@ from bodymeasure.pattern.curves.skin_curve import SkinCurve
 # In meters: chords by which a curve on the cloth is measured. Those of half as many tell by how
 # much they are shorter than the arcs.
 CHORD = 0.001
-FEWEST = 64
-# Halvings of a chord that find where it goes over to another patch, to rounding.
-HALVINGS = 40
+# A part of a curve that is shorter than this part of it is rounding.
+LEAST = 1e-9
+# By how much, as such a part, its ends are moved inwards, so that they lie on its own patch.
+BESIDE = 1e-12
 
 
 def on_cloth(curve: SkinCurve, cloth: Cloth) -> SkinCurve:
@@ -27,7 +29,8 @@ def on_cloth(curve: SkinCurve, cloth: Cloth) -> SkinCurve:
     arcs, run = [np.zeros(1)], [np.zeros(1)]
     # Patch by patch: a chord over the kink between two of them would be too short by some 1e-5 mm,
     # and by how much would depend on where it begins, so that seams would differ.
-    for low, high in _spans(curve, cloth.atlas.unit.meters):
+    spans = _spans(curve)
+    for low, high in spans:
         count = 2 * max(4, int(np.ceil((high - low) * cloth.atlas.unit.meters / CHORD)))
         within = low + (high - low) * np.linspace(0.0, 1.0, count + 1)
         points = cloth.positions(*curve.places(within))
@@ -43,27 +46,23 @@ def on_cloth(curve: SkinCurve, cloth: Cloth) -> SkinCurve:
     def places(arc: Array) -> tuple[Ints, Array]:
         return below(to_skin(np.clip(arc, 0.0, length)))
 
-    return replace(curve, length=length, places=places)
+    turns = np.array([part[-1] for part in run[1:-1]])
+    return replace(curve, length=length, places=places, turns=turns)
 
 
-def _spans(curve: SkinCurve, meters: float) -> list[tuple[float, float]]:
+def _spans(curve: SkinCurve) -> list[tuple[float, float]]:
     """Return the parts of a curve that are each on one patch, by lengths from its start."""
-    count = max(FEWEST, int(np.ceil(curve.length * meters / CHORD)))
-    arcs = curve.length * np.linspace(0.0, 1.0, count + 1)
-    patch, _ = curve.places(arcs)
-    over = np.flatnonzero(patch[1:] != patch[:-1])
-    low, high = arcs[over], arcs[over + 1]
-    for _ in range(HALVINGS if len(over) else 0):
-        middle = 0.5 * (low + high)
-        before = curve.places(middle)[0] == patch[over]
-        low, high = np.where(before, middle, low), np.where(before, high, middle)
-    starts, stops = [0.0, *high.tolist()], [*low.tolist(), curve.length]
+    bounds = [0.0, *curve.turns.tolist(), curve.length]
     # What is shorter than rounding is no part: a curve may end just beyond a side.
-    least = 1e-9 * curve.length
-    return [(a, b) for a, b in zip(starts, stops, strict=True) if b - a > least]
+    least, aside = LEAST * curve.length, BESIDE * curve.length
+    return [(low + aside, high - aside) for low, high in pairwise(bounds) if high - low > least]
 
 
 def stretched(curve: SkinCurve, length: float) -> SkinCurve:
     """Return a curve with another length, evenly stretched."""
     below, part = curve.places, curve.length / length
-    return replace(curve, length=length, places=lambda arc: below(part * arc))
+
+    def places(arc: Array) -> tuple[Ints, Array]:
+        return below(part * arc)
+
+    return replace(curve, length=length, places=places, turns=curve.turns / part)

@@ -97,4 +97,4 @@ def _curve(atlas: Atlas, loop: SectionLoop) -> SkinCurve:
             fraction = np.clip(fraction, 0.0, 1.0)
         return here.patch, loop.surface.parameters(here, fraction[:, None])[:, 0]
 
-    return SkinCurve(float(bounds[-1]), tuple(runs), places)
+    return SkinCurve(float(bounds[-1]), tuple(runs), places, bounds[1:-1])

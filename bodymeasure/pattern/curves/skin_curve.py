@@ -53,11 +53,14 @@ class SkinCurve:
         In order.
     places : callable
         Takes lengths (n,) from the start, and returns patches (n,) and (u, v) (n, 2) there.
+    turns : ndarray, shape (k,)
+        The lengths from the start at which it goes over to another patch, growing.
     """
 
     length: float
     runs: tuple[Run, ...]
     places: Callable[[Array], tuple[Ints, Array]]
+    turns: Array
 
     @property
     def reversed(self) -> "SkinCurve":
@@ -67,6 +70,7 @@ class SkinCurve:
             self,
             runs=tuple(run.reversed for run in self.runs[::-1]),
             places=lambda arc: places(length - arc),
+            turns=length - self.turns[::-1],
         )
 
     def with_ends(self, start: AtlasPoint, end: AtlasPoint) -> "SkinCurve":

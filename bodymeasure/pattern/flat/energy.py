@@ -71,33 +71,38 @@ class Stretch:
         scale = np.sqrt(self.area / 32.0)
         return np.asarray(packed * scale.reshape(-1, *(1,) * (packed.ndim - 1)))
 
-    def linearized(self, flat: Array) -> tuple[Array, Array]:
-        """Return the residuals (k, 3), and their derivatives by the corners (k, 6, 3)."""
+    def gradient(self, flat: Array) -> Array:
+        """Return the derivatives of half the sum of squares by the corners, shape (k, 3, 2)."""
+        f = self.deformations(flat)
+        c = f.transpose(0, 2, 1) @ f
+        inverse = inverses(c)
+        m = (self.area / 32.0)[:, None, None] * (c - inverse)
+        pull = f @ (m + inverse @ m @ inverse)
+        return np.asarray(2.0 * self._gradients @ pull.transpose(0, 2, 1))
+
+    def curvature(self, flat: Array, *, full: bool) -> Array:
+        """Return the second derivatives of half the sum of squares by the corners, (k, 6, 6).
+
+        Those of Gauss and Newton, which are positive, leave out what the residuals' own second
+        derivatives add, unless `full`.
+        """
         f, g = self.deformations(flat), self._gradients
         c = f.transpose(0, 2, 1) @ f
         inverse = inverses(c)
         # The change of F when a corner's coordinate grows has one row, that corner's gradient.
         change = np.einsum("kda,kcb->kcdab", f, g)
         change = (change + change.swapaxes(-1, -2)).reshape(-1, 6, 2, 2)
-        total = change + inverse[:, None] @ change @ inverse[:, None]
-        return self._packed(c - inverse), self._packed(total)
-
-    def bending(self, flat: Array) -> Array:
-        """Return the second derivatives of half the sum of squares that residuals add, (k, 6, 6).
-
-        They are what the product of the first derivatives leaves out.
-        """
-        f, g = self.deformations(flat), self._gradients
-        c = f.transpose(0, 2, 1) @ f
-        inverse = inverses(c)
+        by_inverse = change @ inverse[:, None]
+        residuals = self._packed(change + inverse[:, None] @ by_inverse)
+        result = residuals @ residuals.transpose(0, 2, 1)
+        if not full:
+            return np.asarray(result)
         m = (self.area / 32.0)[:, None, None] * (c - inverse)
         p, q = m + inverse @ m @ inverse, inverse @ m @ inverse
-        change = np.einsum("kda,kcb->kcdab", f, g)
-        change = (change + change.swapaxes(-1, -2)).reshape(-1, 6, 2, 2)
-        left = (q[:, None] @ change @ inverse[:, None]).reshape(-1, 6, 4)
+        left = (q[:, None] @ by_inverse).reshape(-1, 6, 4)
         right = change.swapaxes(-1, -2).reshape(-1, 6, 4)
         product = left @ right.transpose(0, 2, 1)
-        result = -(product + product.transpose(0, 2, 1))
+        result -= product + product.transpose(0, 2, 1)
         same = 2.0 * g @ p @ g.transpose(0, 2, 1)
         result[:, 0::2, 0::2] += same
         result[:, 1::2, 1::2] += same
@@ -132,6 +137,14 @@ class Energy:
         self._ripple = scipy.sparse.kron(third.T @ third, scipy.sparse.eye_array(2)).tocsr()
         corners = stretch.triangles
         self._index = np.stack([2 * corners, 2 * corners + 1], axis=2).reshape(-1, 6)
+        rows = np.repeat(self._index, 6, axis=1).ravel()
+        columns = np.tile(self._index, (1, 6)).ravel()
+        # Where each entry of the triangles' own matrices goes, found once for all steps.
+        key = rows * (2 * count) + columns
+        self._order = np.argsort(key, kind="stable")
+        key = key[self._order]
+        self._first = np.flatnonzero(np.concatenate([[True], key[1:] != key[:-1]]))
+        self._entries = np.divmod(key[self._first], 2 * count)
 
     def value(self, flat: Array) -> float:
         """Return half the sum of squares; infinite where a triangle is flipped."""
@@ -143,25 +156,15 @@ class Energy:
         x = flat.ravel()
         return 0.5 * float((residuals**2).sum() + x @ (self._ripple @ x))
 
-    def model(self, flat: Array) -> tuple[Array, scipy.sparse.csr_array]:
-        """Return the gradient (2 n,) and the Hessian of Gauss and Newton."""
-        residuals, change = self.stretch.linearized(flat)
-        x = flat.ravel()
-        gradient = self._ripple @ x
-        gradient += np.bincount(
-            self._index.ravel(),
-            weights=np.einsum("kic,kc->ki", change, residuals).ravel(),
-            minlength=2 * self.count,
-        )
-        blocks = change @ change.transpose(0, 2, 1)
-        return gradient, (self._assembled(blocks) + self._ripple).tocsr()
+    def gradient(self, flat: Array) -> Array:
+        """Return the derivatives by all coordinates, shape (2 n,)."""
+        own = self.stretch.gradient(flat).ravel()
+        summed = np.bincount(self._index.ravel(), weights=own, minlength=2 * self.count)
+        return np.asarray(summed + self._ripple @ flat.ravel())
 
-    def bending(self, flat: Array) -> scipy.sparse.csr_array:
-        """Return what the Hessian of Gauss and Newton leaves out."""
-        return self._assembled(self.stretch.bending(flat))
-
-    def _assembled(self, blocks: Array) -> scipy.sparse.csr_array:
-        rows = np.repeat(self._index, 6, axis=1).ravel()
-        columns = np.tile(self._index, (1, 6)).ravel()
+    def curvature(self, flat: Array, *, full: bool) -> scipy.sparse.csr_array:
+        """Return the second derivatives; those of Gauss and Newton, unless `full`."""
+        blocks = self.stretch.curvature(flat, full=full).ravel()[self._order]
+        entries = np.add.reduceat(blocks, self._first), self._entries
         shape = (2 * self.count, 2 * self.count)
-        return scipy.sparse.coo_array((blocks.ravel(), (rows, columns)), shape=shape).tocsr()
+        return (scipy.sparse.coo_array(entries, shape=shape).tocsr() + self._ripple).tocsr()

@@ -22,12 +22,18 @@ class LevelLine:
         The vertices between which both ends of each segment lie.
     weights : ndarray, shape (m, 4)
         The way along a segment is the sum of its vertices' places, times these.
+    triangles : ndarray of int, shape (m,)
+        The triangles that they cross.
+    lengths : ndarray, shape (m,)
+        What they measure before the piece is laid flat.
     length : float
-        What all of them together measure before the piece is laid flat.
+        What all of them together have to measure in the piece.
     """
 
     vertices: Ints
     weights: Array
+    triangles: Ints
+    lengths: Array
     length: float
 
     def ways(self, flat: Array) -> Array:
@@ -63,8 +69,8 @@ def level_line(mesh: PieceMesh, above: Array) -> LevelLine | None:
     places = _corners(mesh.sides[rows])
     at = np.arange(len(rows))[:, None]
     ends = (1.0 - part)[..., None] * places[at, side] + part[..., None] * places[at, (side + 1) % 3]
-    length = float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
-    return LevelLine(vertices, weights, length)
+    lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    return LevelLine(vertices, weights, rows, lengths, float(lengths.sum()))
 
 
 def _corners(sides: Array) -> Array:

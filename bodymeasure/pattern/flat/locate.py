@@ -38,24 +38,31 @@ def in_layout(region: Region, flat: Array, places: SkinPlaces) -> tuple[Array, A
     """
     positions = np.full((len(places.patch), 2), np.nan)
     least = np.full(len(places.patch), -np.inf)
-    for row, (patch, place) in enumerate(zip(*places, strict=True)):
-        candidates = np.flatnonzero(region.patch == patch)
-        if len(candidates):
-            part = barycentric(region.parameters[candidates], place)
-            best = int(part.min(axis=1).argmax())
-            least[row] = part[best].min()
-            positions[row] = part[best] @ flat[region.triangles[candidates[best]]]
+    for patch in np.intersect1d(places.patch, region.patch).tolist():
+        rows, candidates = np.flatnonzero(places.patch == patch), region.patch == patch
+        corners, layout = region.parameters[candidates], flat[region.triangles[candidates]]
+        part = barycentric(corners, places.parameters[rows, None])
+        best = part.min(axis=2).argmax(axis=1)
+        part = np.take_along_axis(part, best[:, None, None], axis=1)[:, 0]
+        least[rows] = part.min(axis=1)
+        positions[rows] = np.einsum("nc,ncd->nd", part, layout[best])
     return positions, least
 
 
-def on_skin(region: Region, flat: Array, points: Array) -> tuple[SkinPlaces, Bools]:
-    """Return the places on the skin of points of a layout (n, 2), and which of them lie in it."""
-    corners = flat[region.triangles]
+def triangles_at(corners: Array, points: Array) -> Ints:
+    """Return which of some triangles (k, 3, 2) each point (n, 2) lies in, -1 for none, (n,)."""
     closed = np.concatenate([corners, corners[:, :1]], axis=1)
     tree = shapely.STRtree(shapely.polygons(closed))
     row, triangle = tree.query(shapely.points(points), predicate="intersects")
     found = np.full(len(points), -1, dtype=np.int64)
     found[row] = triangle
+    return found
+
+
+def on_skin(region: Region, flat: Array, points: Array) -> tuple[SkinPlaces, Bools]:
+    """Return the places on the skin of points of a layout (n, 2), and which of them lie in it."""
+    corners = flat[region.triangles]
+    found = triangles_at(corners, points)
     there = found >= 0
     part = barycentric(corners[found[there]], points[there])
     parameters = np.full((len(points), 2), np.nan)

@@ -1,8 +1,6 @@
 """Newton's method for the least energy under constraints."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from enum import Enum
 
 import numpy as np
 import scipy
@@ -10,6 +8,7 @@ import scipy
 from bodymeasure._typing import Array
 from bodymeasure.pattern.flat.constraints import Constraints
 from bodymeasure.pattern.flat.energy import Energy
+from bodymeasure.pattern.flat.equations import StepEquations
 
 # Parts of a Newton step that are tried; less than the last one leads nowhere.
 HALVINGS = 30
@@ -17,14 +16,13 @@ HALVINGS = 30
 DESCENT = 1e-4
 # The factor by which the merit's weight of constraints exceeds the largest multiplier.
 HEAVIER = 1.5
-
-
-class _Model(Enum):
-    """The second derivatives of a step, from the quickest to the safest."""
-
-    FULL = "all of the Lagrangian"
-    GAUSS_NEWTON = "those of the constraints, and of the energy by Gauss and Newton"
-    TENSION = "the same without the constraints under pressure, which buckle"
+# A step of which less than this part leads down is sought anew, with a shift.
+SHORT = 0.2
+# The least shift of the curvature, whose own eigenvalues are about 1; by what a shift grows while it
+# does not serve, and what is left of it for the next step. It ends with `MOST_SHIFT`.
+LEAST_SHIFT, MORE, LESS, MOST_SHIFT = 1e-3, 8.0, 0.25, 1e6
+# A step at the end, as a part of the goal's, at which rounding hides whether it leads down.
+HIDDEN = 1e3
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,6 +66,15 @@ class Goal:
     steps: int
 
 
+@dataclass(frozen=True, eq=False)
+class _Step:
+    """A step that was taken, and the multipliers and the shift with which it was found."""
+
+    flat: Array
+    multipliers: Array
+    shift: float
+
+
 def stationary(
     energy: Energy,
     constraints: Constraints,
@@ -79,65 +86,63 @@ def stationary(
 
     Notes
     -----
-    Each step solves the equations of the Lagrangian, with the energy's curvature by Gauss and
-    Newton and the full curvature of the constraints. Where that step does not lead down, only
-    constraints whose multipliers are positive keep their curvature: sides under tension, which
-    resist, but not sides under pressure, which buckle.
+    Each step solves the equations of the Lagrangian. Sides under pressure buckle, so that on the
+    way the piece passes saddles, from which Newton's method would not lead away. There the
+    curvature is shifted by as little as makes it positive along the constraints, and also where
+    only a short part of a step leads down.
     """
     known = multipliers is not None
     if multipliers is None:
         multipliers = np.zeros(constraints.count)
-    weight, missed, length, steps = 0.0, np.inf, np.inf, 0
+    missed, length, shift, steps = np.inf, np.inf, 0.0, 0
     for steps in range(1, goal.steps + 1):
-        gradient, hessian = energy.model(flat)
-        values, jacobian = constraints.values(flat), constraints.jacobian(flat)
-        moved = None
-        for model in _Model if known else (_Model.TENSION,):
-            tension = model is _Model.TENSION
-            used = np.maximum(multipliers, 0.0) if tension else multipliers
-            curved = (hessian + constraints.curvature(used, flat)).tocsr()
-            if model is _Model.FULL:
-                curved = (curved + energy.bending(flat)).tocsr()
-            solve = _solver(curved, jacobian)
-            step, found = solve(-gradient, -values)
-            weight = HEAVIER * float(np.abs(found).max(initial=0.0))
-            slope = float(gradient @ step) - weight * float(np.abs(values).sum())
-            bends = float(step @ (curved @ step))
-            if slope < 0.0 and bends > 0.0:
-                moved = _moved(
-                    energy, constraints, flat, step.reshape(-1, 2), (weight, slope), solve
-                )
-            if moved is not None:
-                break
-        if moved is None:
-            # Near the end rounding hides the descent; a whole step that flips nothing is right.
-            whole = flat + step.reshape(-1, 2)
-            if np.abs(step).max() > 1e3 * goal.step or not np.isfinite(energy.value(whole)):
-                return Stationary(flat, multipliers, missed, length, steps)
-            moved = whole
-        length = float(np.abs(moved - flat).max())
-        flat, multipliers, known = moved, found, True
+        curved = energy.curvature(flat, full=known)
+        if known:
+            curved = curved + constraints.curvature(multipliers, flat)
+        taken = _taken(energy, constraints, (flat, curved.tocsr()), shift, goal)
+        if taken is None:
+            return Stationary(flat, multipliers, missed, length, steps)
+        length = float(np.abs(taken.flat - flat).max())
+        flat, multipliers, known = taken.flat, taken.multipliers, True
+        shift = LESS * taken.shift if LESS * taken.shift >= LEAST_SHIFT else 0.0
         missed = float(np.abs(constraints.values(flat)).max(initial=0.0))
         if missed <= goal.missed and length <= goal.step:
             break
     return Stationary(flat, multipliers, missed, length, steps)
 
 
-def _solver(
-    hessian: scipy.sparse.csr_array, jacobian: scipy.sparse.csr_array
-) -> Callable[[Array, Array], tuple[Array, Array]]:
-    """Return what solves the equations of a step, for both of their right sides."""
-    matrix = scipy.sparse.block_array([[hessian, jacobian.T], [jacobian, None]]).tocsc()
-    factors = scipy.sparse.linalg.splu(matrix)
-
-    def solve(upper: Array, lower: Array) -> tuple[Array, Array]:
-        right = np.concatenate([upper, lower])
-        found = factors.solve(right)
-        # One round of refinement takes the rounding of the large matrix out of the lengths.
-        found += factors.solve(right - matrix @ found)
-        return found[: len(upper)], found[len(upper) :]
-
-    return solve
+def _taken(
+    energy: Energy,
+    constraints: Constraints,
+    model: tuple[Array, scipy.sparse.csr_array],
+    shift: float,
+    goal: Goal,
+) -> _Step | None:
+    """Return a step from a layout with its curvature, shifted as it has to be; None if none is."""
+    flat, curved = model
+    gradient = energy.gradient(flat)
+    values, jacobian = constraints.values(flat), constraints.jacobian(flat)
+    unit = scipy.sparse.eye_array(flat.size).tocsr()
+    best: _Step | None = None
+    while shift <= MOST_SHIFT:
+        equations = StepEquations(curved + shift * unit if shift else curved, jacobian)
+        if equations.lead_down:
+            step, multipliers = equations.solved(-gradient, -values)
+            weight = HEAVIER * float(np.abs(multipliers).max(initial=0.0))
+            slope = float(gradient @ step) - weight * float(np.abs(values).sum())
+            way = step.reshape(-1, 2)
+            moved, part = _moved(energy, constraints, flat, way, (weight, slope), equations)
+            if part >= SHORT:
+                return _Step(moved, multipliers, shift)
+            if np.abs(step).max() <= HIDDEN * goal.step:
+                # Near the end rounding hides the descent; a whole step that flips nothing is right.
+                whole = flat + way
+                if np.isfinite(energy.value(whole)):
+                    return _Step(whole, multipliers, shift)
+            if part > 0.0 and best is None:
+                best = _Step(moved, multipliers, shift)
+        shift = max(MORE * shift, LEAST_SHIFT)
+    return best
 
 
 def _moved(
@@ -146,9 +151,9 @@ def _moved(
     flat: Array,
     step: Array,
     merit: tuple[float, float],
-    solve: Callable[[Array, Array], tuple[Array, Array]],
-) -> Array | None:
-    """Return a layout along a step in which the merit has fallen enough; None if there is none."""
+    equations: StepEquations,
+) -> tuple[Array, float]:
+    """Return a layout along a step in which the merit has fallen enough, and the part of it."""
     weight, slope = merit
 
     def value(layout: Array) -> float:
@@ -158,12 +163,12 @@ def _moved(
     for _ in range(HALVINGS):
         tried = flat + part * step
         if value(tried) <= before + DESCENT * part * slope:
-            return tried
+            return tried, part
         if part == 1.0:
             # A long step misses the lengths by its square; the same equations take that back.
             missed = constraints.values(tried)
-            mended = tried + solve(np.zeros(flat.size), -missed)[0].reshape(-1, 2)
+            mended = tried + equations.solved(np.zeros(flat.size), -missed)[0].reshape(-1, 2)
             if value(mended) <= before + DESCENT * slope:
-                return mended
+                return mended, part
         part *= 0.5
-    return None
+    return flat, 0.0

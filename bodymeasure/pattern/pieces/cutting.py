@@ -1,6 +1,7 @@
 """A panel on a body, cut out of the skin and laid flat."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -17,6 +18,7 @@ from bodymeasure.pattern.cutting.mesh import cut_mesh
 from bodymeasure.pattern.cutting.region import Bound, Region, region_inside
 from bodymeasure.pattern.definitions.panels import Dart, Panel
 from bodymeasure.pattern.flat.bridged import bridged
+from bodymeasure.pattern.flat.cloth_line import length_on_cloth
 from bodymeasure.pattern.flat.conformal import flat_conformally
 from bodymeasure.pattern.flat.flatten import Flat, flattened
 from bodymeasure.pattern.flat.level_line import LevelLine, level_line
@@ -33,6 +35,7 @@ from bodymeasure.pattern.pieces.piece import (
     dart_angle,
     outline_of,
 )
+from bodymeasure.section import Plane
 from bodymeasure.wording import counted
 
 # A piece whose cloth has to give more than this, in the root mean square, is worth a seam more.
@@ -194,20 +197,21 @@ def _laid_flat(
         even = bridged(curves.cloth, even, fold)
     mesh = slit(curves.cloth, even)
     straight = tuple(placed.dart.legs == "straight" for placed in ordered)
-    lines = tuple(_eased_lines(curves.cloth, mesh))
+    lines = tuple(_eased_lines(curves.cloth, (region, layout), mesh))
     return flattened(mesh, fold=fold, downwards=backwards, straight=straight, lines=lines)
 
 
-def _eased_lines(cloth: Cloth, mesh: PieceMesh) -> Iterator[LevelLine]:
+def _eased_lines(cloth: Cloth, cut: tuple[Region, Array], mesh: PieceMesh) -> Iterator[LevelLine]:
     """Yield the lines at the levels that have ease, whose girths the garment is to have."""
     if cloth.ease is None:
         return
+    axis = cloth.ease.axis
     skin = evaluate(cloth.atlas.control_points[mesh.places.patch], mesh.places.parameters)
-    heights = skin @ cloth.ease.axis
     for level, girth in zip(cloth.ease.heights, cloth.ease.girths, strict=True):
-        line = level_line(mesh, heights - level) if girth else None
+        line = level_line(mesh, skin @ axis - level) if girth else None
         if line is not None:
-            yield line
+            plane = Plane(level * axis, axis)
+            yield replace(line, length=length_on_cloth(cloth, cut, mesh, line, plane))
 
 
 def _openings(flat: Flat) -> list[tuple[float, float]]:

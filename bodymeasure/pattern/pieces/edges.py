@@ -180,7 +180,8 @@ def dart_curve(
             f"{100.0 * whole.length * meters:.1f} cm from its foot to where it leads; change "
             "'short' or 'length'"
         )
-    return arc, SkinCurve(length, (), whole.places)
+    turns = whole.turns[whole.turns < length]
+    return arc, SkinCurve(length, (), whole.places, turns)
 
 
 def point_at(curve: SkinCurve, arc: float) -> AtlasPoint:

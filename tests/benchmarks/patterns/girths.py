@@ -1,6 +1,7 @@
-"""How wide the closed bodice is at the level of the bust, against the skin, with and without ease.
+"""How wide the closed bodice is at the bust and at the waist, against the skin, with its ease.
 
-Edges of pieces are exact; inside of a piece, the cloth gives, and this says by how much.
+Edges of pieces are exact; inside of a piece, the cloth gives, and this says by how much. The waist
+is that of the bodice's seam, which dips toward the back.
 """
 
 import bodymeasure as bm
@@ -12,18 +13,26 @@ BODIES = ("female_average", "female_full_bust", "female_heavy", "female_old", "m
 EASE = {"bust": 0.04, "waist": 0.02}
 
 
-def in_pieces(body: bm.Atlas, ease: dict[str, float] | None) -> float:
+def at_bust(pattern: bm.Pattern) -> float:
     """The line at the bust's level round the whole body, as it is in the pieces, in mm."""
+    body = pattern.atlas
     up = body.axes.up_vector
     height = body.position(body.landmarks["bust point left"]) @ up
     length = 0.0
-    for piece in bm.make_pattern(body, "bodice", ease=ease).pieces:
+    for piece in pattern.pieces:
         mesh = piece.flat.mesh
         skin = evaluate(body.control_points[mesh.places.patch], mesh.places.parameters)
         line = level_line(mesh, skin @ up - height)
         length += line.measured(piece.flat.positions) if line else 0.0
     # Both pieces are halves.
     return 2000.0 * body.unit.meters * length
+
+
+def at_waist(pattern: bm.Pattern) -> tuple[float, float]:
+    """The waist's seam round the whole body, on the skin and in the pieces, in mm."""
+    edges = [piece.edge("waist") for piece in pattern.pieces]
+    scale = 2000.0 * pattern.atlas.unit.meters
+    return scale * sum(edge.skin_length for edge in edges), scale * sum(e.length for e in edges)
 
 
 def on_skin(body: bm.Atlas) -> float:
@@ -34,10 +43,12 @@ def on_skin(body: bm.Atlas) -> float:
 
 
 if __name__ == "__main__":
-    print(f"{'body':18}{'skin':>8}{'pieces':>8}{'wider':>8}{'with ease':>11}{'wider':>8}  (mm)")
+    print(f"{'body':18}{'bust':>8}{'pieces':>8}{'wider':>8}{'with ease':>11}{'wider':>8}", end="")
+    print(f"{'waist':>10}{'with ease':>11}{'wider':>8}  (mm)")
     for name in BODIES:
         sample = bm.load_sample(name)
-        skin, bare, eased = on_skin(sample), in_pieces(sample, None), in_pieces(sample, EASE)
-        print(
-            f"{name:18}{skin:8.1f}{bare:8.1f}{bare - skin:+8.1f}{eased:11.1f}{eased - skin:+8.1f}"
-        )
+        bare, eased = (bm.make_pattern(sample, "bodice", ease=ease) for ease in (None, EASE))
+        skin, own, wide = on_skin(sample), at_bust(bare), at_bust(eased)
+        print(f"{name:18}{skin:8.1f}{own:8.1f}{own - skin:+8.1f}{wide:11.1f}", end="")
+        waist, grown = at_waist(eased)
+        print(f"{wide - skin:+8.1f}{waist:10.1f}{grown:11.1f}{grown - waist:+8.2f}")
