@@ -50,9 +50,14 @@ class Cloth:
         skin = evaluate(nets, parameters)
         if self.ease is None:
             return np.asarray(skin)
-        normals = outward_sign(self.atlas) * unit_normals(nets, parameters[:, None])[:, 0]
+        normals = self._outward * unit_normals(nets, parameters[:, None])[:, 0]
         ways = self._ways(normals) + _bilinear(self._aside, patch, parameters)
         return np.asarray(skin + self.ease.offsets(skin)[:, None] * ways)
+
+    @cached_property
+    def _outward(self) -> float:
+        """The sign that turns normals outwards, found once."""
+        return outward_sign(self.atlas)
 
     @cached_property
     def _aside(self) -> Array:
@@ -65,7 +70,7 @@ class Cloth:
         nets = self.atlas.control_points
         every = np.broadcast_to(parameters, (patches, *parameters.shape))
         skin = evaluate(nets, every).reshape(-1, 3)
-        normals = outward_sign(self.atlas) * unit_normals(nets, every).reshape(-1, 3)
+        normals = self._outward * unit_normals(nets, every).reshape(-1, 3)
         own = self._ways(normals)
         vertex = grid.vertex.reshape(-1)
         positions, ways = np.zeros((grid.count, 3)), np.zeros((grid.count, 3))
