@@ -18,8 +18,8 @@ DESCENT = 1e-4
 HEAVIER = 1.5
 # A step of which less than this part leads down is sought anew, with a shift.
 SHORT = 0.2
-# The least shift of the curvature, whose own eigenvalues are about 1; by what a shift grows while it
-# does not serve, and what is left of it for the next step. It ends with `MOST_SHIFT`.
+# The least shift of the curvature, whose own eigenvalues are about 1; by what a shift grows while
+# it does not serve, and what is left of it for the next step. It ends with `MOST_SHIFT`.
 LEAST_SHIFT, MORE, LESS, MOST_SHIFT = 1e-3, 8.0, 0.25, 1e6
 # A step at the end, as a part of the goal's, at which rounding hides whether it leads down.
 HIDDEN = 1e3
