@@ -52,7 +52,7 @@ def length_on_cloth(
     plane : Plane
         Of the level.
     """
-    lifted = (mesh.lift[mesh.triangles] > 0.0).any(axis=1)
+    lifted = np.asarray((mesh.lift[mesh.triangles] > 0.0).any(axis=1), dtype=np.bool_)
     total = float(line.lengths[lifted[line.triangles]].sum())
     for loop in plane_section(cloth.atlas, plane).loops:
         chords = _chords(loop, cut[0], CHORD / cloth.atlas.unit.meters)

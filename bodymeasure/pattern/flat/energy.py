@@ -123,28 +123,17 @@ class Energy:
 
     def __init__(self, stretch: Stretch, chains: list[Ints], count: int) -> None:
         self.stretch, self.count = stretch, count
-        rows = [
-            np.stack([chain[i : len(chain) - 3 + i] for i in range(4)], axis=1)
-            for chain in chains
-            if len(chain) > 3
-        ]
-        columns = np.concatenate(rows) if rows else np.zeros((0, 4), dtype=np.int64)
-        row = np.repeat(np.arange(len(columns)), 4)
-        weights = np.tile(SMOOTH * np.array([-1.0, 3.0, -3.0, 1.0]), len(columns))
-        third = scipy.sparse.coo_array(
-            (weights, (row, columns.ravel())), shape=(len(columns), count)
-        ).tocsr()
-        self._ripple = scipy.sparse.kron(third.T @ third, scipy.sparse.eye_array(2)).tocsr()
+        self._ripple = _ripple(chains, count)
         corners = stretch.triangles
         self._index = np.stack([2 * corners, 2 * corners + 1], axis=2).reshape(-1, 6)
         rows = np.repeat(self._index, 6, axis=1).ravel()
         columns = np.tile(self._index, (1, 6)).ravel()
         # Where each entry of the triangles' own matrices goes, found once for all steps.
-        key = rows * (2 * count) + columns
-        self._order = np.argsort(key, kind="stable")
-        key = key[self._order]
-        self._first = np.flatnonzero(np.concatenate([[True], key[1:] != key[:-1]]))
-        self._entries = np.divmod(key[self._first], 2 * count)
+        keys = rows * (2 * count) + columns
+        self._order = np.argsort(keys, kind="stable")
+        keys = keys[self._order]
+        self._first = np.flatnonzero(np.concatenate([[True], keys[1:] != keys[:-1]]))
+        self._entries = np.divmod(keys[self._first], 2 * count)
 
     def value(self, flat: Array) -> float:
         """Return half the sum of squares; infinite where a triangle is flipped."""
@@ -168,3 +157,18 @@ class Energy:
         entries = np.add.reduceat(blocks, self._first), self._entries
         shape = (2 * self.count, 2 * self.count)
         return (scipy.sparse.coo_array(entries, shape=shape).tocsr() + self._ripple).tocsr()
+
+
+def _ripple(chains: list[Ints], count: int) -> scipy.sparse.csr_array:
+    """Return the quadratic form of third differences along chains, shape (2 n, 2 n)."""
+    rows = [
+        np.stack([chain[i : len(chain) - 3 + i] for i in range(4)], axis=1)
+        for chain in chains
+        if len(chain) > 3
+    ]
+    columns = np.concatenate(rows) if rows else np.zeros((0, 4), dtype=np.int64)
+    row = np.repeat(np.arange(len(columns)), 4)
+    weights = np.tile(SMOOTH * np.array([-1.0, 3.0, -3.0, 1.0]), len(columns))
+    shape = (len(columns), count)
+    third = scipy.sparse.coo_array((weights, (row, columns.ravel())), shape=shape).tocsr()
+    return scipy.sparse.kron(third.T @ third, scipy.sparse.eye_array(2)).tocsr()

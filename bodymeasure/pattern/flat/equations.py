@@ -40,7 +40,7 @@ class StepEquations:
             diag_pivot_thresh=0.0,
             options={"SymmetricMode": True},
         )
-        self.falling = int((self._factors.U.diagonal() < 0.0).sum()) - count
+        self.falling: int = int((self._factors.U.diagonal() < 0.0).sum()) - count
 
     @property
     def lead_down(self) -> bool:
