@@ -2,6 +2,13 @@
 
 from bodymeasure.native.box import box_steps
 from bodymeasure.native.closest import ClosestSettings, closest_in_powers
+from bodymeasure.native.diagonal import (
+    DiagonalProblems,
+    DiagonalSettings,
+    DiagonalSpace,
+    QuadratureTables,
+    diagonal_paths,
+)
 from bodymeasure.native.energy import PathTables, energies
 from bodymeasure.native.library import is_compiled
 from bodymeasure.native.points import (
@@ -18,12 +25,17 @@ __all__ = [
     "MOST_COLUMNS",
     "MOST_DEGREE",
     "ClosestSettings",
+    "DiagonalProblems",
+    "DiagonalSettings",
+    "DiagonalSpace",
     "NewtonSettings",
     "PathTables",
+    "QuadratureTables",
     "RouteArrays",
     "bezier_jets",
     "box_steps",
     "closest_in_powers",
+    "diagonal_paths",
     "energies",
     "is_compiled",
     "power_jets",

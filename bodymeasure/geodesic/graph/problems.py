@@ -1,6 +1,7 @@
 """Problems turned so that each runs from corner (0, 0) to corner (1, 1) of its own patch."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import array_api_compat
@@ -8,7 +9,6 @@ import array_api_compat
 from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import restrict
 from bodymeasure.geodesic.numerics.array_libraries import constant, to_numpy
-from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 
 # The rounding errors of the control points of a part of a patch of size 1.
 RESTRICTION = 2e-15
@@ -20,38 +20,47 @@ class OffsetProblems:
 
     Parameters
     ----------
-    columns : array, shape ((m + 1) * (n + 1), 3, problems)
-        The control points of the patches, each restricted to the rectangle between its two points.
+    nets : array, shape (problems, m + 1, n + 1, 3)
+        The control points of the patches: whole ones, where all points are corners, else each
+        restricted to the rectangle between its two points.
     start, end : ndarray, shape (problems, 2)
         Those points, in the parameters of the whole patches.
-    degrees : tuple of int
-        m and n.
+    are_corners : bool
     """
 
-    columns: Any
+    nets: Any
     start: Array
     end: Array
-    degrees: tuple[int, int]
+    are_corners: bool
 
     @classmethod
-    def of(cls, surface: BezierSurfaces, start: Array, end: Array) -> "OffsetProblems":
+    def of(cls, nets: Any, start: Array, end: Array) -> "OffsetProblems":
         """Return the problems of going from start to end, no coordinate of which may be equal."""
-        nets = surface.control_points
-        xp = array_api_compat.array_namespace(nets)
-        # Only differences matter, and they have smaller rounding errors near the origin.
-        nets = nets - 0.5 * (nets[:, :1, :1, :] + nets[:, -1:, -1:, :])
         if _are_corners(start, end):
+            return cls(nets, start, end, True)
+        xp = array_api_compat.array_namespace(nets)
+        parts = constant(restrict(to_numpy(_centered(nets)), start, end), nets, xp)
+        return cls(parts, start, end, False)
+
+    @cached_property
+    def columns(self) -> Any:
+        """The control points, each patch turned, shape ((m + 1) * (n + 1), 3, problems)."""
+        nets, xp = self.nets, self.xp
+        if self.are_corners:
+            nets = _centered(nets)
             for axis in (0, 1):
-                turned = start[:, axis] == 1.0
+                turned = self.start[:, axis] == 1.0
                 if turned.any():
                     turned = constant(turned, nets, xp)[:, None, None, None]
                     nets = xp.where(turned, xp.flip(nets, axis=axis + 1), nets)
-        else:
-            nets = constant(restrict(to_numpy(nets), start, end), nets, xp)
         flat = xp.permute_dims(xp.reshape(nets, (nets.shape[0], -1, 3)), (1, 2, 0))
         # Joining two axes and splitting them again makes the array contiguous.
-        columns = xp.reshape(xp.reshape(flat, (flat.shape[0], -1)), flat.shape)
-        return cls(columns, start, end, surface.degrees)
+        return xp.reshape(xp.reshape(flat, (flat.shape[0], -1)), flat.shape)
+
+    @property
+    def degrees(self) -> tuple[int, int]:
+        """m and n."""
+        return self.nets.shape[1] - 1, self.nets.shape[2] - 1
 
     @property
     def count(self) -> int:
@@ -61,17 +70,17 @@ class OffsetProblems:
     @property
     def xp(self) -> Any:
         """The namespace of the array library of the control points."""
-        return array_api_compat.array_namespace(self.columns)
+        return array_api_compat.array_namespace(self.nets)
 
     @property
     def rounding(self) -> float:
         """The error that rounding of the control points causes in any length."""
-        return 0.0 if _are_corners(self.start, self.end) else RESTRICTION
+        return 0.0 if self.are_corners else RESTRICTION
 
     def take(self, rows: Ints) -> "OffsetProblems":
         """Return some of the problems."""
-        columns = self.xp.take(self.columns, constant(rows, self.columns, self.xp), axis=2)
-        return OffsetProblems(columns, self.start[rows], self.end[rows], self.degrees)
+        nets = self.xp.take(self.nets, constant(rows, self.nets, self.xp), axis=0)
+        return OffsetProblems(nets, self.start[rows], self.end[rows], self.are_corners)
 
     def parameters(self, times: Array, offset: Any) -> list[Any]:
         """Return u and v in the whole patches for offsets of shape (times, problems)."""
@@ -81,6 +90,11 @@ class OffsetProblems:
             first, last = (constant(x[:, axis], offset, self.xp) for x in (self.start, self.end))
             result.append(first + (last - first) * (t + sign * offset))
         return result
+
+
+def _centered(nets: Any) -> Any:
+    """Patches near the origin, where rounding errors of their differences are smaller."""
+    return nets - 0.5 * (nets[:, :1, :1, :] + nets[:, -1:, -1:, :])
 
 
 def _are_corners(start: Array, end: Array) -> bool:

@@ -56,7 +56,7 @@ def length_and_error(space: TrialSpace, along: PathGeometry, xp: Any) -> Length:
     """
     speed, kappa, curvature = along
     quadrature = space.quadrature
-    modes = _modes(quadrature, space.size)
+    modes = modes_on(quadrature, space.size)
     weights = constant(quadrature.weights, speed, xp)
     length = weights @ speed
     # The Galerkin system of the Jacobi equation, with d/ds = (1 / speed) d/dt and ds = speed dt.
@@ -124,7 +124,7 @@ def _curvature_variation(quadrature: Quadrature, along: PathGeometry, xp: Any) -
     return xp.max(change / slower, axis=0) + most
 
 
-def _beyond(quadrature: Quadrature, along: PathGeometry, modes: "_Modes", xp: Any) -> Any:
+def _beyond(quadrature: Quadrature, along: PathGeometry, modes: "Modes", xp: Any) -> Any:
     """The part of the correction that belongs to all modes that are left out.
 
     K hardly matters to modes that vary so quickly. Without it, psi' is the integral of the
@@ -155,7 +155,7 @@ def _next_order(
 
 
 @dataclass(frozen=True)
-class _Modes:
+class Modes:
     """Functions on [0, 1] that vanish at its ends, at the points of a quadrature.
 
     Integrated Legendre polynomials, scaled so that their slopes are orthonormal: the Jacobi
@@ -205,15 +205,15 @@ class _Modes:
 
 
 @lru_cache(maxsize=32)
-def _modes_on(points: tuple[float, ...], count: int) -> _Modes:
+def _modes_on(points: tuple[float, ...], count: int) -> Modes:
     x = 2.0 * np.array(points) - 1.0
     basis = legendre.legvander(x, count + 1)
     k = np.arange(1, count + 1)
     values = (basis[:, 2:] - basis[:, :-2]) / (2.0 * np.sqrt(2.0 * k + 1.0))
     slopes = np.sqrt(2.0 * k + 1.0) * basis[:, 1:-1]
-    return _Modes(values, slopes)
+    return Modes(values, slopes)
 
 
-def _modes(quadrature: Quadrature, size: int) -> _Modes:
-    """Twice as many modes as the path has, which is as far as the quadrature reaches."""
+def modes_on(quadrature: Quadrature, size: int) -> Modes:
+    """Return twice as many modes as the path has, which is as far as the quadrature reaches."""
     return _modes_on(tuple(quadrature.points), min(2 * size, len(quadrature.points) - 3))

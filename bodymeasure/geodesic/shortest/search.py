@@ -120,7 +120,7 @@ def is_outside(batch: PathBatch) -> Bools:
     """Return which paths leave their patch; the legs of those along edges are checked already."""
     if batch.contacts:
         return np.zeros(len(batch.problems), bool)
-    return batch.space.leaves_patch(batch.values, OUTSIDE)
+    return batch.leaves_patch(OUTSIDE)
 
 
 def _taken(result: MethodResult, place: Ints) -> list[PathBatch]:

@@ -54,6 +54,8 @@ class PathBatch:
     speed : ndarray, shape (k, points), optional
         The speed at the points of the space's quadrature, if it is not constant: then t is not the
         part of the length that has been covered.
+    reach : ndarray, shape (k,), optional
+        How far the paths go outside their patch in u or v, below 0 inside, if that is known.
     """
 
     problems: Ints
@@ -64,6 +66,7 @@ class PathBatch:
     singular: Bools
     contacts: tuple[EdgeContact, ...] = ()
     speed: Array | None = None
+    reach: Array | None = None
 
     def take(self, rows: Ints) -> "PathBatch":
         """Return some of the paths, by their place in this batch."""
@@ -76,7 +79,15 @@ class PathBatch:
             self.singular[rows],
             self.contacts,
             None if self.speed is None else self.speed[rows],
+            None if self.reach is None else self.reach[rows],
         )
+
+    def leaves_patch(self, margin: float) -> Bools:
+        """Return which paths go further than a margin outside [0, 1], in u or v."""
+        if self.reach is None:
+            return self.space.leaves_patch(self.values, margin)
+        result: Bools = self.reach > margin
+        return result
 
     def points(self, parts: Array) -> Array:
         """Return (u, v) after parts of the paths' lengths, shape (problems, parts, 2)."""

@@ -35,15 +35,15 @@ class Quadrature:
         self.weights = (self.widths[:, None] * weights / 2.0).ravel()
 
     @cached_property
-    def _coefficients(self) -> Array:
+    def coefficients(self) -> Array:
         """The map from values on a piece to its Legendre coefficients beyond the first quarter."""
         nodes, weights = legendre.leggauss(self.count)
         transform = legendre.legvander(nodes, self.count - 1) * weights[:, None]
         transform *= np.arange(self.count) + 0.5
-        return np.ascontiguousarray(transform[:, self._edges[0] :].T)
+        return np.ascontiguousarray(transform[:, self.quarters[0] :].T)
 
     @property
-    def _edges(self) -> tuple[int, int, int]:
+    def quarters(self) -> tuple[int, int, int]:
         """The degrees at which their second, third and last quarters begin."""
         return self.count // 4, self.count // 2, 3 * self.count // 4
 
@@ -82,8 +82,8 @@ class Quadrature:
         array, shape (functions,)
         """
         pieces = xp.reshape(values, (len(self.widths), self.count, -1))
-        sizes = xp.abs(constant(self._coefficients, values, xp) @ pieces)
-        second, third, last = (part - self._edges[0] for part in self._edges)
+        sizes = xp.abs(constant(self.coefficients, values, xp) @ pieces)
+        second, third, last = (part - self.quarters[0] for part in self.quarters)
         before = xp.max(sizes[:, second:third, :], axis=1)
         middle = xp.max(sizes[:, third:last, :], axis=1)
         final = xp.max(sizes[:, last:, :], axis=1)

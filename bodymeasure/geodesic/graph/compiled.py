@@ -1,0 +1,129 @@
+"""Newton's method and lengths on one trial space, compiled, for bicubic patches."""
+
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from bodymeasure.geodesic.graph.problems import OffsetProblems
+from bodymeasure.geodesic.graph.rung import (
+    GUESS_STEPS,
+    LONGEST_STEP,
+    MAX_OFFSET,
+    Climbed,
+    Rung,
+    guess_space,
+    inner_maps,
+)
+from bodymeasure.geodesic.lengths import jacobi
+from bodymeasure.geodesic.lengths.length import TRUSTED_CORRECTION, TRUSTED_RESIDUAL, Length
+from bodymeasure.geodesic.lengths.measure import STEEP
+from bodymeasure.geodesic.solving.on_spaces import FAR_OUTSIDE
+from bodymeasure.geodesic.solving.protocol import PathBatch
+from bodymeasure.geodesic.spaces.quadrature import FALLS, ROUNDING
+from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+from bodymeasure.native import (
+    DiagonalProblems,
+    DiagonalSettings,
+    DiagonalSpace,
+    QuadratureTables,
+    diagonal_paths,
+    is_compiled,
+)
+
+# The degrees of the patches that the kernel is written for.
+DEGREES = (3, 3)
+
+
+def are_served(problems: OffsetProblems) -> bool:
+    """Return whether there is a kernel for these patches."""
+    return is_compiled() and isinstance(problems.nets, np.ndarray) and problems.degrees == DEGREES
+
+
+def is_served(space: TrialSpace) -> bool:
+    """Return whether there is a kernel for a space: it is made for single, smooth pieces."""
+    return space.size >= jacobi.FEW and len(space.quadrature.widths) == 1
+
+
+def guess(problems: OffsetProblems) -> Any:
+    """Return offsets at the inner nodes of `guess_space`, shape (n - 1, problems)."""
+    settings = _settings(problems, GUESS_STEPS, 0.0, 0.0)
+    rows, nothing = np.arange(problems.count), np.zeros((problems.count, 0))
+    return diagonal_paths(_given(problems), rows, _guessing(), settings, nothing).offset.T
+
+
+def climb(problems: OffsetProblems, rest: Any, rung: Rung, offset: Any) -> Climbed:
+    """Return what becomes of problems on a trial space; see `arrays.climb`."""
+    settings = _settings(problems, rung.steps, rung.small, rung.tolerance)
+    tables = _tables(rung.before, rung.space)
+    found = diagonal_paths(_given(problems), rest, tables, settings, offset.T)
+    length = Length(
+        found.raw, found.correction, found.error, found.residual, found.index, found.trusted
+    )
+    done = PathBatch(
+        found.problem,
+        rung.space.with_lines,
+        found.values,
+        length,
+        found.good,
+        np.zeros(len(found.good), bool),
+        speed=found.speed,
+        reach=found.reach,
+    )
+    return Climbed(done, found.left, found.offset.T)
+
+
+def _given(problems: OffsetProblems) -> DiagonalProblems:
+    return DiagonalProblems(problems.nets, problems.start, problems.end, problems.are_corners)
+
+
+def _settings(
+    problems: OffsetProblems, steps: int, small: float, tolerance: float
+) -> DiagonalSettings:
+    return DiagonalSettings(
+        steps=steps,
+        twice_falls=round(2.0 * FALLS),
+        longest_step=LONGEST_STEP,
+        small=small,
+        most_offset=MAX_OFFSET,
+        far_outside=FAR_OUTSIDE,
+        tolerance=tolerance,
+        steep=STEEP,
+        rounding=problems.rounding,
+        noise=ROUNDING,
+        safety=jacobi.SAFETY,
+        quadrature_safety=jacobi.QUADRATURE_SAFETY,
+        curvature_variation=jacobi.CURVATURE_VARIATION,
+        path_rounding=jacobi.ROUNDING,
+        lyapunov=jacobi.LYAPUNOV_BOUND,
+        eigenvalue_rounding=jacobi.EIGENVALUE_ROUNDING,
+        trusted_correction=TRUSTED_CORRECTION,
+        trusted_residual=TRUSTED_RESIDUAL,
+    )
+
+
+@lru_cache(maxsize=1)
+def _guessing() -> DiagonalSpace:
+    space = guess_space()
+    times = space.nodes[1:-1]
+    return DiagonalSpace(times, np.zeros((len(times), 0)), inner_maps(space, times)[1:], None)
+
+
+@lru_cache(maxsize=64)
+def _tables(before: TrialSpace, space: TrialSpace) -> DiagonalSpace:
+    times, quadrature = space.nodes[1:-1], space.quadrature
+    modes = jacobi.modes_on(quadrature, space.size)
+    beside = space.times_between
+    tables = QuadratureTables(
+        times=quadrature.points,
+        weights=quadrature.weights,
+        maps=inner_maps(space, quadrature.points),
+        modes=np.stack([modes.values, modes.slopes]),
+        coefficients=quadrature.coefficients,
+        quarters=quadrature.quarters,
+        beside=beside,
+        # These are functions that vanish at the ends, so that they need no straight lines.
+        across=space.between_nodes[:, 1:-1],
+    )
+    carry = inner_maps(before, times)[0]
+    return DiagonalSpace(times, carry, inner_maps(space, times)[1:], tables)

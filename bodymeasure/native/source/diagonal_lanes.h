@@ -1,0 +1,491 @@
+// The kernel of `diagonal.cpp` for vectors of LANES doubles: one problem a lane. It is included once
+// for each kind of processor, within a namespace of its own.
+
+#if LANES > 1
+typedef double Lanes __attribute__((vector_size(8 * LANES), aligned(8 * LANES)));
+typedef int64_t Mask __attribute__((vector_size(8 * LANES), aligned(8 * LANES)));
+INLINE double lane(const Lanes &x, int i) { return x[i]; }
+INLINE void put(Lanes &x, int i, double value) { x[i] = value; }
+#else
+typedef double Lanes;
+INLINE double lane(const Lanes &x, int) { return x; }
+INLINE void put(Lanes &x, int, double value) { x = value; }
+#endif
+
+INLINE Lanes all(double x) { return x - Lanes{}; }
+INLINE Lanes size(Lanes x) { return x < all(0.0) ? -x : x; }
+// The larger one; a NaN stays.
+INLINE Lanes larger(Lanes a, Lanes b) { return (a >= b) | (a != a) ? a : b; }
+INLINE Lanes root(Lanes x) {
+    Lanes result = x;
+    for (int i = 0; i < LANES; ++i) put(result, i, std::sqrt(lane(x, i)));
+    return result;
+}
+
+// A point of space for each lane.
+struct Point {
+    Lanes c[3];
+};
+INLINE Lanes dot(const Point &a, const Point &b) {
+    return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2];
+}
+
+// The patches, and their differences along v.
+struct Nets {
+    Lanes place[3][4][4], first[3][4][3], second[3][4][2], third[3][4];
+    Lanes start[2], end[2], way[2];
+};
+
+// Bernstein polynomials of degrees 3, 2 (times 3) and 1 (times 6).
+struct Basis {
+    Lanes cubic[4], quadratic[3], linear[2];
+};
+INLINE void fill(Basis &b, Lanes x) {
+    const Lanes y = 1.0 - x, xx = x * x, yy = y * y, xy = x * y;
+    b.cubic[0] = yy * y, b.cubic[1] = 3.0 * xy * y, b.cubic[2] = 3.0 * xy * x, b.cubic[3] = xx * x;
+    b.quadratic[0] = 3.0 * yy, b.quadratic[1] = 6.0 * xy, b.quadratic[2] = 3.0 * xx;
+    b.linear[0] = 6.0 * y, b.linear[1] = 6.0 * x;
+}
+INLINE Lanes sum(const Lanes *weights, const Lanes *x, int count) {
+    Lanes result = weights[0] * x[0];
+    for (int k = 1; k < count; ++k) result += weights[k] * x[k];
+    return result;
+}
+INLINE void differences(const Lanes *x, int count, Lanes *result) {
+    for (int k = 0; k < count; ++k) result[k] = x[k + 1] - x[k];
+}
+
+INLINE void load(const DiagonalProblems &problems, int64_t begin, Nets &nets) {
+    for (int i = 0; i < LANES; ++i) {
+        // Past the last problem the last one is solved again.
+        const int64_t number = begin + i < problems.count ? begin + i : problems.count - 1;
+        const int64_t row = problems.rows[number];
+        const double *net = problems.nets + 48 * row, *start = problems.start + 2 * row;
+        int turned[2];
+        for (int axis = 0; axis < 2; ++axis) {
+            put(nets.start[axis], i, start[axis]);
+            put(nets.end[axis], i, problems.end[2 * row + axis]);
+            turned[axis] = problems.are_corners && start[axis] == 1.0 ? 3 : 0;
+        }
+        const double *first = net + 3 * (4 * turned[0] + turned[1]);
+        const double *last = net + 3 * (15 - 4 * turned[0] - turned[1]);
+        for (int c = 0; c < 3; ++c) {
+            // Only differences matter, and they have smaller rounding errors near the origin.
+            const double middle = 0.5 * (first[c] + last[c]);
+            for (int a = 0; a < 4; ++a)
+                for (int b = 0; b < 4; ++b)
+                    put(nets.place[c][a][b], i,
+                        net[3 * (4 * (a ^ turned[0]) + (b ^ turned[1])) + c] - middle);
+        }
+    }
+    for (int axis = 0; axis < 2; ++axis) nets.way[axis] = nets.end[axis] - nets.start[axis];
+    for (int c = 0; c < 3; ++c)
+        for (int a = 0; a < 4; ++a) {
+            differences(nets.place[c][a], 3, nets.first[c][a]);
+            differences(nets.first[c][a], 2, nets.second[c][a]);
+            nets.third[c][a] = 6.0 * (nets.second[c][a][1] - nets.second[c][a][0]);
+        }
+}
+
+// Derivatives of T(t, q) = S(t + q, t - q): those that paths have, and those that only Newton's
+// method needs.
+struct Jet {
+    Point t, q, tt, tq, qq, ttq, tqq, qqq;
+};
+
+INLINE void derive(const Nets &nets, Lanes time, Lanes offset, bool newton, Jet &jet) {
+    Basis u, v;
+    fill(u, time + offset);
+    fill(v, time - offset);
+    for (int c = 0; c < 3; ++c) {
+        Lanes place[4], by_v[4], by_vv[4], e[3], ee[2], f[3], g[3];
+        for (int a = 0; a < 4; ++a) {
+            place[a] = sum(v.cubic, nets.place[c][a], 4);
+            by_v[a] = sum(v.quadratic, nets.first[c][a], 3);
+            by_vv[a] = sum(v.linear, nets.second[c][a], 2);
+        }
+        differences(place, 3, e);
+        differences(e, 2, ee);
+        differences(by_v, 3, f);
+        const Lanes s_u = sum(u.quadratic, e, 3), s_v = sum(u.cubic, by_v, 4);
+        const Lanes s_uu = sum(u.linear, ee, 2), s_uv = sum(u.quadratic, f, 3);
+        const Lanes s_vv = sum(u.cubic, by_vv, 4);
+        jet.t.c[c] = s_u + s_v;
+        jet.q.c[c] = s_u - s_v;
+        jet.tt.c[c] = (s_uu + s_vv) + 2.0 * s_uv;
+        jet.tq.c[c] = s_uu - s_vv;
+        jet.qq.c[c] = (s_uu + s_vv) - 2.0 * s_uv;
+        if (!newton) continue;
+        differences(by_vv, 3, g);
+        const Lanes s_uuu = 6.0 * (ee[1] - ee[0]), s_uvv = sum(u.quadratic, g, 3);
+        const Lanes s_uuv = u.linear[0] * (f[1] - f[0]) + u.linear[1] * (f[2] - f[1]);
+        const Lanes s_vvv = sum(u.cubic, nets.third[c], 4);
+        jet.ttq.c[c] = (s_uuu - s_vvv) + (s_uuv - s_uvv);
+        jet.tqq.c[c] = (s_uuu + s_vvv) - (s_uuv + s_uvv);
+        jet.qqq.c[c] = (s_uuu - s_vvv) - 3.0 * (s_uuv - s_uvv);
+    }
+}
+
+// The left side F of the equation and its derivatives, as in `graph.equation.linearize`.
+struct Row {
+    Lanes left, by_offset, by_slope, by_bend;
+};
+
+INLINE void linearize(const Jet &x, Lanes slope, Lanes bend, Row &row) {
+    const Lanes e = dot(x.t, x.t), f = dot(x.t, x.q), g = dot(x.q, x.q);
+    const Lanes tq_q = dot(x.tq, x.q), tq_t = dot(x.tq, x.t);
+    const Lanes qq_q = dot(x.qq, x.q), qq_t = dot(x.qq, x.t);
+    const Lanes e_q = 2.0 * tq_t, f_q = tq_q + qq_t, g_q = 2.0 * qq_q;
+    const Lanes along = e + f * slope, across = f + g * slope;
+    Point h, h_q;
+    for (int c = 0; c < 3; ++c) {
+        h.c[c] = x.tt.c[c] + (2.0 * x.tq.c[c] + x.qq.c[c] * slope) * slope;
+        h_q.c[c] = x.ttq.c[c] + (2.0 * x.tqq.c[c] + x.qqq.c[c] * slope) * slope;
+    }
+    const Lanes by_q = dot(h, x.q), by_t = dot(h, x.t), area = e * g - f * f;
+    row.left = area * bend + along * by_q - across * by_t;
+    row.by_offset = (e_q * g + e * g_q - 2.0 * f * f_q) * bend + (e_q + f_q * slope) * by_q -
+                    (f_q + g_q * slope) * by_t + along * (dot(h_q, x.q) + dot(h, x.qq)) -
+                    across * (dot(h_q, x.t) + dot(h, x.tq));
+    row.by_slope = f * by_q - g * by_t +
+                   2.0 * (along * (tq_q + qq_q * slope) - across * (tq_t + qq_t * slope));
+    row.by_bend = area;
+}
+
+INLINE Lanes mapped(const double *row, const Lanes *x, int64_t count) {
+    Lanes result = row[0] * x[0];
+    for (int64_t k = 1; k < count; ++k) result += row[k] * x[k];
+    return result;
+}
+
+// Newton's steps from offsets at the inner nodes. Returns the size of the last one. The room is for
+// (inner + 1) inner vectors.
+INLINE Lanes newton(const DiagonalSpace &space, const DiagonalSettings &settings, const Nets &nets,
+                    Lanes *offset, Lanes *room) {
+    const int64_t n = space.inner, width = n + 1;
+    Lanes largest{};
+    for (int64_t step = 0; step < settings.steps; ++step) {
+        for (int64_t i = 0; i < n; ++i) {
+            const double *first = space.first + i * n, *second = space.second_map + i * n;
+            Jet jet;
+            Row row;
+            derive(nets, all(space.times[i]), offset[i], true, jet);
+            linearize(jet, mapped(first, offset, n), mapped(second, offset, n), row);
+            Lanes *line = room + i * width;
+            for (int64_t k = 0; k < n; ++k) line[k] = row.by_slope * first[k] + row.by_bend * second[k];
+            line[i] += row.by_offset;
+            line[n] = -row.left;
+        }
+        // Elimination without pivoting: what would need it ends in numbers that are not finite.
+        for (int64_t i = 0; i < n; ++i) {
+            const Lanes *pivot = room + i * width, inverse = 1.0 / pivot[i];
+            for (int64_t r = i + 1; r < n; ++r) {
+                Lanes *line = room + r * width;
+                const Lanes factor = line[i] * inverse;
+                for (int64_t k = i + 1; k < width; ++k) line[k] -= factor * pivot[k];
+            }
+        }
+        for (int64_t i = n - 1; i >= 0; --i) {
+            Lanes *line = room + i * width, value = line[n];
+            for (int64_t k = i + 1; k < n; ++k) value -= line[k] * room[k * width + n];
+            line[n] = value / line[i];
+        }
+        largest = Lanes{};
+        for (int64_t i = 0; i < n; ++i) largest = larger(largest, size(room[i * width + n]));
+        const Lanes longest = all(settings.longest_step);
+        const Lanes part = largest > longest ? longest / largest : all(1.0);
+        for (int64_t i = 0; i < n; ++i) offset[i] += part * room[i * width + n];
+    }
+    return largest;
+}
+
+// The geometry of paths at the points of the quadrature; each array has room for all points.
+struct Along {
+    Lanes *speed, *inverse, *kappa, *curvature;
+};
+
+INLINE void follow(const DiagonalSpace &space, const Nets &nets, const Lanes *offset,
+                   const Along &along) {
+    const int64_t n = space.inner;
+    for (int64_t p = 0; p < space.points; ++p) {
+        const Lanes slope = mapped(space.slope + p * n, offset, n);
+        const Lanes bend = mapped(space.bend + p * n, offset, n);
+        Jet x;
+        derive(nets, all(space.quadrature[p]), mapped(space.place + p * n, offset, n), false, x);
+        Point velocity, acceleration, normal;
+        for (int c = 0; c < 3; ++c) {
+            velocity.c[c] = x.t.c[c] + x.q.c[c] * slope;
+            acceleration.c[c] = x.tt.c[c] + (2.0 * x.tq.c[c] + x.qq.c[c] * slope) * slope +
+                                x.q.c[c] * bend;
+            const int a = (c + 1) % 3, b = (c + 2) % 3;
+            normal.c[c] = x.t.c[a] * x.q.c[b] - x.t.c[b] * x.q.c[a];
+        }
+        const Lanes area = dot(normal, normal), square = dot(velocity, velocity);
+        const Lanes bent = dot(velocity, x.t) * dot(acceleration, x.q) -
+                           dot(velocity, x.q) * dot(acceleration, x.t);
+        const Lanes twist = dot(x.tq, normal);
+        along.speed[p] = root(square);
+        along.inverse[p] = 1.0 / along.speed[p];
+        along.kappa[p] = bent / (square * root(square * area));
+        along.curvature[p] =
+            (dot(x.tt, normal) * dot(x.qq, normal) - twist * twist) / (area * area);
+    }
+}
+
+// Sums and differences of the values at points that lie opposite each other about the middle.
+INLINE void halved(const Lanes *x, int64_t points, Lanes *even, Lanes *odd) {
+    for (int64_t h = 0; h < points / 2; ++h) {
+        even[h] = x[h] + x[points - 1 - h];
+        odd[h] = x[h] - x[points - 1 - h];
+    }
+}
+
+// The quadrature's estimate of its own error, as in `spaces.quadrature.Quadrature.error_estimate`.
+INLINE Lanes quadrature_error(const DiagonalSpace &space, const DiagonalSettings &settings,
+                              const Lanes *speed, Lanes *even, Lanes *odd) {
+    const int64_t half = space.points / 2;
+    halved(speed, space.points, even, odd);
+    Lanes before{}, middle{}, last{}, most{};
+    for (int64_t degree = space.second; degree < space.points; ++degree) {
+        const double *row = space.coefficients + (degree - space.second) * half;
+        const Lanes one = size(mapped(row, degree % 2 ? odd : even, half));
+        Lanes &part = degree < space.third ? before : degree < space.last ? middle : last;
+        part = larger(part, one);
+    }
+    for (int64_t p = 0; p < space.points; ++p) most = larger(most, speed[p]);
+    const Lanes fall = last / middle, average = root(last / before);
+    Lanes slower = fall > average ? fall : average;
+    slower = root(slower > all(1.0) ? all(1.0) : slower);
+    Lanes excess = last;
+    for (int64_t k = 0; k < settings.twice_falls; ++k) excess *= slower;
+    return last <= settings.noise * double(space.points) * most ? all(0.0) : excess;
+}
+
+struct Measured {
+    Lanes raw, correction, error, residual, index;
+};
+
+// Lengths, their correction and their error, as in `lengths.jacobi.length_and_error`. The room is
+// for 6 points + modes (modes + 5) / 2 + 1 vectors.
+INLINE void measure(const DiagonalSpace &space, const DiagonalSettings &settings,
+                    const Along &along, Lanes *room, Measured &result) {
+    const int64_t points = space.points, half = points / 2, modes = space.modes;
+    Lanes *density = room, *stiff = density + points, *mass = stiff + points, *load = mass + points;
+    Lanes *shift = load + points, *tilt = shift + points, *triangle = tilt + points;
+    Lanes *solution = triangle + modes * (modes + 1) / 2 + 1;
+    // Each of the four holds its even half, then its odd half.
+    Lanes length{}, inverses{}, positive{}, turn{}, bend{}, change{};
+    for (int64_t p = 0; p < points; ++p) density[p] = space.weights[p] * along.inverse[p];
+    halved(density, points, stiff, stiff + half);
+    for (int64_t p = 0; p < points; ++p) {
+        const Lanes weighted = space.weights[p] * along.speed[p];
+        length += weighted;
+        inverses += density[p];
+        density[p] = weighted * along.curvature[p];
+        positive += density[p] > all(0.0) ? density[p] : all(0.0);
+        turn = larger(turn, size(along.kappa[p]));
+        bend = larger(bend, size(along.curvature[p]));
+    }
+    halved(density, points, mass, mass + half);
+    for (int64_t p = 0; p < points; ++p)
+        density[p] = space.weights[p] * along.speed[p] * along.kappa[p];
+    halved(density, points, load, load + half);
+    for (int64_t p = 0; p + 1 < points; ++p) {
+        const Lanes apart = size(along.curvature[p + 1] - along.curvature[p]) * space.gaps[p];
+        change = larger(change, apart * larger(along.inverse[p + 1], along.inverse[p]));
+    }
+    const Lanes variation = change + settings.curvature_variation * bend / length;
+    // The Galerkin system.
+    for (int64_t block = 0; block < space.blocks; ++block) {
+        const double *products = space.products + block * half * 8;
+        const Lanes *s = stiff + (space.is_even[block] ? 0 : half);
+        const Lanes *m = mass + (space.is_even[block] ? 0 : half);
+        Lanes entries[4] = {};
+        for (int64_t h = 0; h < half; ++h)
+            for (int k = 0; k < 4; ++k)
+                entries[k] += products[8 * h + k] * s[h] - products[8 * h + 4 + k] * m[h];
+        for (int k = 0; k < 4; ++k) triangle[space.places[4 * block + k]] = entries[k];
+    }
+    Lanes *loads = solution + modes;
+    for (int64_t k = 0; k < modes; ++k) {
+        const Lanes *part = load + (k % 2 ? half : 0);
+        Lanes whole = space.values[k] * part[0];
+        for (int64_t h = 1; h < half; ++h) whole += space.values[h * modes + k] * part[h];
+        loads[k] = solution[k] = whole;
+    }
+    // L D L', column by column; as many pivots are negative as eigenvalues are.
+    Lanes negative{}, determinant = all(1.0);
+    const Lanes unit = 1.0 / inverses;
+    Lanes *column = triangle;
+    for (int64_t j = 0; j < modes; ++j) {
+        const int64_t below = modes - j;
+        const Lanes pivot = column[0], inverse = 1.0 / pivot;
+        negative += pivot < all(0.0) ? all(1.0) : all(0.0);
+        determinant *= pivot * unit;
+        Lanes *other = column + below;
+        for (int64_t k = 1; k < below; ++k) {
+            const Lanes factor = column[k] * inverse;
+            for (int64_t r = k; r < below; ++r) other[r - k] -= factor * column[r];
+            solution[j + k] -= factor * solution[j];
+            other += below - k;
+            // What the solution needs once more stands where it is not changed again.
+            column[k] = factor;
+        }
+        solution[j] *= inverse;
+        column += below;
+    }
+    for (int64_t j = modes - 1; j >= 0; --j) {
+        column -= modes - j;
+        for (int64_t k = 1; k < modes - j; ++k) solution[j] -= column[k] * solution[j + k];
+    }
+    Lanes correction{}, left_out{};
+    for (int64_t k = 0; k < modes; ++k) {
+        const Lanes part = 0.5 * loads[k] * solution[k];
+        correction += part;
+        if (k >= modes - 2) left_out += size(part);
+    }
+    Lanes cubic{}, rest{}, farthest{};
+    for (int64_t h = 0; h < half; ++h) {
+        Lanes value[2] = {}, slope[2] = {};
+        for (int64_t k = 0; k < modes; ++k) {
+            value[k % 2] += space.values[h * modes + k] * solution[k];
+            slope[k % 2] += space.slopes[h * modes + k] * solution[k];
+        }
+        shift[h] = value[0] + value[1], shift[points - 1 - h] = value[0] - value[1];
+        tilt[h] = slope[1] + slope[0], tilt[points - 1 - h] = slope[1] - slope[0];
+    }
+    for (int64_t p = 0; p < points; ++p) {
+        const Lanes weighted = space.weights[p] * along.speed[p], away = size(shift[p]);
+        const Lanes slope = tilt[p] * along.inverse[p], steep = slope * slope;
+        const Lanes square = shift[p] * shift[p], bent = along.curvature[p] * square;
+        farthest = larger(farthest, away);
+        cubic += away * square * weighted;
+        rest += (size(along.kappa[p]) * away * steep * 0.5 + steep * steep * 0.125 + bent * bent) *
+                weighted;
+    }
+    left_out += cubic * variation * (1.0 / 6.0) + rest;
+    left_out += settings.quadrature_safety *
+                quadrature_error(space, settings, along.speed, density, density + half);
+    const Lanes error = settings.safety * left_out +
+                        settings.path_rounding * (11.0 + double(space.inner)) * length;
+    const Lanes infinite = all(INFINITY);
+    const auto known = size(error) < infinite;
+    constexpr double PI = 3.14159265358979323846;
+    const Lanes uncertainty = variation * farthest * length * length * (1.0 / (PI * PI));
+    const auto clear = size(determinant) > uncertainty + settings.eigenvalue_rounding;
+    const Lanes counted = clear ? negative : all(-1.0);
+    const Lanes index = positive * length < all(settings.lyapunov) ? all(0.0) : counted;
+    result.raw = length;
+    result.correction = correction;
+    result.error = (known ? error : infinite) + settings.rounding;
+    result.residual = turn * length;
+    result.index = known ? index : all(-1.0);
+}
+
+// How far paths go outside [0, 1], in u or v; less than 0 inside.
+INLINE Lanes reach(const DiagonalSpace &space, const Nets &nets, const Lanes *offset) {
+    Lanes low[2] = {all(0.0), all(0.0)}, high[2] = {all(1.0), all(1.0)};
+    for (int64_t p = 0; p < space.between; ++p) {
+        const Lanes q = mapped(space.across + p * space.inner, offset, space.inner);
+        for (int axis = 0; axis < 2; ++axis) {
+            const Lanes x = axis ? space.beside[p] - q : space.beside[p] + q;
+            low[axis] = x < low[axis] ? x : low[axis];
+            high[axis] = x > high[axis] ? x : high[axis];
+        }
+    }
+    Lanes result = all(-1.0);
+    for (int axis = 0; axis < 2; ++axis)
+        for (const Lanes &x : {low[axis], high[axis]}) {
+            const Lanes there = nets.start[axis] + nets.way[axis] * x;
+            result = larger(result, larger(-there, there - 1.0));
+        }
+    return result;
+}
+
+INLINE void leave(const Lanes *offset, int64_t inner, int i, int64_t problem, DiagonalPaths &paths) {
+    const int64_t row = paths.counts[1]++;
+    paths.left[row] = problem;
+    for (int64_t k = 0; k < inner; ++k) paths.offset[row * inner + k] = lane(offset[k], i);
+}
+
+// A path is done where Newton's method came to rest, and its length is good, or it runs far outside.
+INLINE void write(const DiagonalSpace &space, const DiagonalSettings &settings, const Nets &nets,
+                  const Lanes *offset, const Lanes &last_step, const Along &along,
+                  const Measured &measured, Lanes *room, int64_t begin, int count,
+                  DiagonalPaths &paths) {
+    const int64_t n = space.inner, points = space.points, nodes = 2 * (n + 2);
+    Lanes way{}, most{};
+    for (int axis = 0; axis < 2; ++axis) {
+        Lanes *line = room + axis * (n + 2);
+        line[0] = nets.start[axis];
+        line[n + 1] = nets.end[axis];
+        for (int64_t k = 0; k < n; ++k) {
+            const Lanes x = axis ? space.times[k] - offset[k] : space.times[k] + offset[k];
+            line[k + 1] = nets.start[axis] + nets.way[axis] * x;
+        }
+        for (int64_t k = 0; k <= n; ++k) way += size(line[k + 1] - line[k]);
+    }
+    for (int64_t k = 0; k < n; ++k) most = larger(most, size(offset[k]));
+    const Lanes out = reach(space, nets, offset);
+    for (int i = 0; i < count; ++i) {
+        const double raw = lane(measured.raw, i), correction = lane(measured.correction, i);
+        const double error = lane(measured.error, i), residual = lane(measured.residual, i);
+        // The correction is of leading order; and steep lengths need differences of neighboring
+        // points first, which this form does not take.
+        const bool trusted = std::fabs(correction) <= settings.trusted_correction * raw &&
+                             residual <= settings.trusted_residual;
+        const bool good = trusted && error <= settings.tolerance * raw &&
+                          !(raw < settings.steep * lane(way, i));
+        const bool at_rest = lane(last_step, i) < settings.small;
+        if (!(at_rest && (good || lane(out, i) > settings.far_outside))) {
+            if (lane(most, i) < settings.most_offset) leave(offset, n, i, begin + i, paths);
+            continue;
+        }
+        const int64_t row = paths.counts[0]++;
+        paths.problem[row] = begin + i;
+        for (int64_t k = 0; k < nodes; ++k) paths.values[row * nodes + k] = lane(room[k], i);
+        for (int64_t p = 0; p < points; ++p) paths.speed[row * points + p] = lane(along.speed[p], i);
+        paths.raw[row] = raw, paths.correction[row] = correction;
+        paths.error[row] = error, paths.residual[row] = residual;
+        paths.index[row] = int64_t(lane(measured.index, i));
+        paths.reach[row] = lane(out, i);
+        paths.trusted[row] = trusted, paths.good[row] = good;
+    }
+}
+
+// Solve all problems, from offsets at the nodes of the space before: (count, before).
+static void solve(const DiagonalProblems &problems, const DiagonalSpace &space,
+                  const DiagonalSettings &settings, const double *before, DiagonalPaths &paths) {
+    const int64_t n = space.inner, points = space.points, modes = space.modes;
+    const int64_t system = (n + 1) * n, values = 2 * (n + 2);
+    const int64_t jacobi = 6 * points + modes * (modes + 5) / 2 + 1;
+    const int64_t most = jacobi > system ? jacobi : system;
+    const int64_t vectors = n + space.before + 4 * points + (most > values ? most : values);
+    std::vector<double> whole((vectors + 1) * LANES);
+    const uintptr_t align = sizeof(Lanes), place = reinterpret_cast<uintptr_t>(whole.data());
+    Lanes *offset = reinterpret_cast<Lanes *>((place + align - 1) / align * align);
+    Lanes *old = offset + n, *speed = old + space.before;
+    const Along along{speed, speed + points, speed + 2 * points, speed + 3 * points};
+    Lanes *room = speed + 4 * points;
+    Nets nets;
+    for (int64_t begin = 0; begin < problems.count; begin += LANES) {
+        const int64_t rest = problems.count - begin;
+        const int count = rest < LANES ? int(rest) : LANES;
+        load(problems, begin, nets);
+        for (int64_t k = 0; k < space.before; ++k)
+            for (int i = 0; i < LANES; ++i)
+                put(old[k], i, before[(begin + (i < count ? i : count - 1)) * space.before + k]);
+        for (int64_t i = 0; i < n; ++i)
+            offset[i] = space.before ? mapped(space.carry + i * space.before, old, space.before)
+                                     : all(0.0);
+        const Lanes step = newton(space, settings, nets, offset, room);
+        if (points == 0) {
+            for (int i = 0; i < count; ++i) leave(offset, n, i, begin + i, paths);
+            continue;
+        }
+        follow(space, nets, offset, along);
+        Measured measured;
+        measure(space, settings, along, room, measured);
+        write(space, settings, nets, offset, step, along, measured, room, begin, count, paths);
+    }
+}
