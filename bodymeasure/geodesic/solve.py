@@ -1,6 +1,7 @@
 """The one entry to geodesics on patches: it checks, scales and solves, and says how good it is."""
 
 from dataclasses import dataclass
+from functools import cache
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -18,7 +19,7 @@ from bodymeasure.geodesic.solving.magnified import solve_near_and_far
 from bodymeasure.geodesic.solving.protocol import Method, PathBatch
 from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure, have_length
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
-from bodymeasure.geodesic.surfaces.control_points import checked_control_points, of_size_one
+from bodymeasure.geodesic.surfaces.control_points import checked_with_extremes, of_size_one
 from bodymeasure.geodesic.surfaces.custom import CustomSurface
 from bodymeasure.geodesic.surfaces.protocol import Surface
 from bodymeasure.geodesic.surfaces.rational import surfaces_of
@@ -109,7 +110,7 @@ def solve_geodesic(
         search = "quick" if method is None else "straight"
     check_search(search)
     check_on_failure(on_failure)
-    method = RBFCollocation() if method is None else method
+    method = _default_method() if method is None else method
     # A class is no method yet: it lacks its settings.
     if isinstance(method, type) or not hasattr(method, "solve"):
         raise InputError(
@@ -119,9 +120,15 @@ def solve_geodesic(
         surface, _checked_parameters("start", start), _checked_parameters("end", end)
     )
     solution = _solve(problems, method, search)
-    if on_failure == "raise" and not np.all(solution.converged):
+    # What has no length that can be trusted is not a number.
+    if on_failure == "raise" and np.isnan(solution.length).any():
         raise ConvergenceError(_failures(solution))
     return solution
+
+
+@cache
+def _default_method() -> Method:
+    return RBFCollocation()
 
 
 class _Problems(NamedTuple):
@@ -156,14 +163,16 @@ def _problems(surface: ArrayLike | HasDerivatives, start: Array, end: Array) -> 
         surfaces, size = CustomSurface(surface.derivatives).of_size_one()
         surface_of, scale = np.zeros(count, np.int64), np.full(count, size)
     else:
-        nets = checked_control_points(surface)
+        nets, extremes = checked_with_extremes(surface)
         shape = _broadcast(nets.shape[:-3], start.shape[:-1], end.shape[:-1])
         # Each patch is prepared once, however many problems it has.
         patches = np.arange(int(np.prod(nets.shape[:-3]))).reshape(nets.shape[:-3])
         surface_of = np.broadcast_to(patches, shape).ravel()
-        nets, sizes = of_size_one(nets.reshape((-1, *nets.shape[-3:])))
+        nets, sizes = of_size_one(nets.reshape((-1, *nets.shape[-3:])), extremes)
         surfaces, scale = surfaces_of(nets), sizes[surface_of]
-    starts, ends = (np.broadcast_to(x, (*shape, 2)).reshape(-1, 2).copy() for x in (start, end))
+    starts, ends = np.empty((2, *shape, 2))
+    starts[...], ends[...] = start, end
+    starts, ends = starts.reshape(-1, 2), ends.reshape(-1, 2)
     return _Problems(surfaces, surface_of, starts, ends, scale, shape)
 
 
@@ -225,15 +234,21 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
     # A million patches with a problem each are not copied once more.
     each_once = np.array_equal(surface_of[apart], np.arange(len(starts)))
     part = surfaces if each_once else surfaces.take(surface_of[apart])
-    result = solve_near_and_far(method, part, starts[apart], ends[apart])
-    result = search_further(part, (starts[apart], ends[apart]), result, search, method.tolerance)
-    outcome.iterations[apart] = result.iterations
-    batches = tuple(batch.renumbered(apart[batch.problems]) for batch in result.batches)
+    here = slice(None) if len(apart) == len(starts) else apart
+    result = solve_near_and_far(method, part, starts[here], ends[here])
+    result = search_further(part, (starts[here], ends[here]), result, search, method.tolerance)
+    outcome.iterations[here] = result.iterations
+    batches = result.batches
+    if len(apart) < len(starts):
+        batches = tuple(batch.renumbered(apart[batch.problems]) for batch in batches)
     for batch in batches:
         outcome.put(batch, scale)
-    known = is_known(outcome.length, outcome.error_estimate, scale)
-    outcome.status[have_length(outcome.status) & ~known] = Status.INACCURATE
-    outcome.length[~have_length(outcome.status)] = np.nan
+    known, has_length = (
+        is_known(outcome.length, outcome.error_estimate, scale),
+        have_length(outcome.status),
+    )
+    outcome.status[has_length & ~known] = Status.INACCURATE
+    outcome.length[~(has_length & known)] = np.nan
     return GeodesicSolution(
         start=starts.reshape(*shape, 2),
         end=ends.reshape(*shape, 2),

@@ -15,6 +15,7 @@ from bodymeasure.native.points import (
     MOST_COLUMNS,
     MOST_DEGREE,
     bezier_jets,
+    extremes,
     power_jets,
     roots_in_brackets,
 )
@@ -37,6 +38,7 @@ __all__ = [
     "closest_in_powers",
     "diagonal_paths",
     "energies",
+    "extremes",
     "is_compiled",
     "power_jets",
     "roots_in_brackets",

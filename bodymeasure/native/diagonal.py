@@ -1,6 +1,7 @@
 """Geodesics from corner to corner of bicubic patches, compiled: many at once."""
 
 import ctypes
+from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
@@ -55,8 +56,8 @@ class _Paths(ctypes.Structure):
 
     _fields_ = (
         *((name, ctypes.c_void_p) for name in ("problem", "values", "speed", "raw", "correction")),
-        *((name, ctypes.c_void_p) for name in ("error", "residual", "reach", "index", "trusted")),
-        *((name, ctypes.c_void_p) for name in ("good", "left", "offset")),
+        *((name, ctypes.c_void_p) for name in ("error", "residual", "reach", "chord", "index")),
+        *((name, ctypes.c_void_p) for name in ("trusted", "good", "left", "offset")),
         ("counts", ctypes.c_int64 * 2),
     )
 
@@ -183,7 +184,8 @@ class DiagonalProblems(NamedTuple):
     are_corners: bool
 
 
-class DiagonalPaths(NamedTuple):
+@dataclass(frozen=True)
+class DiagonalPaths:
     """The paths that are done, k of them, and those that are left to another space, j of them.
 
     Parameters
@@ -197,6 +199,8 @@ class DiagonalPaths(NamedTuple):
         See `geodesic.lengths.length.Length`.
     reach : ndarray, shape (k,)
         How far the path goes outside of its patch in u or v; less than 0 inside.
+    chord : ndarray, shape (k,)
+        The distance of its ends in space.
     index : ndarray of int, shape (k,)
     trusted, good : ndarray of bool, shape (k,)
         Good ones are known to the tolerance, too.
@@ -213,6 +217,7 @@ class DiagonalPaths(NamedTuple):
     error: Array
     residual: Array
     reach: Array
+    chord: Array
     index: Ints
     trusted: Bools
     good: Bools
@@ -245,18 +250,22 @@ def diagonal_paths(
     count, inner = len(rows), space.inner
     most = count if space.points else 0
     # Pages of memory that are not written to are not taken.
-    paths = DiagonalPaths(
-        np.empty(most, np.int64),
-        np.empty((most, 2, inner + 2)),
-        np.empty((most, space.points)),
-        *(np.empty(most) for _ in range(5)),
-        np.empty(most, np.int64),
-        *(np.empty(most, bool) for _ in range(2)),
-        np.empty(count, np.int64),
-        np.empty((count, inner)),
-    )
+    numbers, reals = np.empty((3, count), np.int64), np.empty((6, most))
+    answers = np.empty((2, most), bool)
+    values, speed = np.empty((most, 2, inner + 2)), np.empty((most, space.points))
+    offset = np.empty((count, inner))
     given = _Problems(count, *map(address, (rows, nets, start, end)), problems.are_corners)
-    found = _Paths(*map(address, paths))
+    # An address takes a microsecond, so that those of rows follow from one.
+    number, real, answer = map(address, (numbers, reals, answers))
+    found = _Paths(
+        number,
+        *map(address, (values, speed)),
+        *(real + 8 * most * row for row in range(6)),
+        number + 8 * count,
+        *(answer, answer + most),
+        number + 16 * count,
+        address(offset),
+    )
     kernels().bodymeasure_diagonals(
         ctypes.byref(given),
         ctypes.byref(space.structure),
@@ -266,6 +275,20 @@ def diagonal_paths(
         MOST_LANES,
     )
     done, left = found.counts
+    raw, correction, error, residual, reach, chord = (row[:done] for row in reals)
     return DiagonalPaths(
-        *(each[:done] for each in paths[:-2]), *(each[:left] for each in paths[-2:])
+        problem=numbers[0, :done],
+        values=values[:done],
+        speed=speed[:done],
+        raw=raw,
+        correction=correction,
+        error=error,
+        residual=residual,
+        reach=reach,
+        chord=chord,
+        index=numbers[1, :done],
+        trusted=answers[0, :done],
+        good=answers[1, :done],
+        left=numbers[2, :left],
+        offset=offset[:left],
     )

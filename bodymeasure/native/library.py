@@ -23,6 +23,7 @@ KERNELS = {
     "bodymeasure_closest": [*[ctypes.c_int64] * 2, *[_POINTER] * 5],
     "bodymeasure_diagonals": [*[_POINTER] * 5, ctypes.c_int64],
     "bodymeasure_energy": [_POINTER, _POINTER, ctypes.c_int64, *[_POINTER] * 3],
+    "bodymeasure_extremes": [ctypes.c_int64] * 2 + [_POINTER] * 3,
     "bodymeasure_jets": [*[ctypes.c_int64] * 5, _POINTER, ctypes.c_int64, *[_POINTER] * 2],
     "bodymeasure_power_jets": [ctypes.c_int64] * 3 + [_POINTER] * 3,
     "bodymeasure_roots": [ctypes.c_int64] * 2 + [_POINTER] * 4,

@@ -64,3 +64,12 @@ def bezier_jets(nets: Array, degrees: tuple[int, int], columns: int, parameters:
         *map(address, (parameters, jets)),
     )
     return jets
+
+
+def extremes(points: Array) -> tuple[Array, Array]:
+    """Return the least and greatest coordinates of patches (count, k, 3), two arrays (count, 3)."""
+    (points,) = doubles(points)
+    count, size = points.shape[:2]
+    low, high = np.empty((count, 3)), np.empty((count, 3))
+    kernels().bodymeasure_extremes(count, size, *map(address, (points, low, high)))
+    return low, high

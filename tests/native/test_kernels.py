@@ -20,7 +20,8 @@ from bodymeasure.geodesic.lengths.functionals import energy, energy_of_a_flat_su
 from bodymeasure.geodesic.numerics.banded import BoxModels
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
-from bodymeasure.native import is_compiled
+from bodymeasure.geodesic.surfaces.control_points import extremes
+from bodymeasure.native import diagonal, is_compiled
 from bodymeasure.native.library import SWITCH, library
 from bodymeasure.section.roots import bracketed_roots
 
@@ -200,6 +201,88 @@ def test_a_loop_round_a_body() -> None:
     with by_numpy():
         plain = bm.closed_geodesic(atlas, "side waist point left")
     assert compiled.length == pytest.approx(plain.length, rel=1e-14)
+
+
+def random_nets(rng: np.random.Generator, count: int, kind: str) -> Array:
+    """Mild and wild patches over a square, and ones without any shape."""
+    if kind == "shapeless":
+        return rng.normal(size=(count, 4, 4, 3))
+    even, nets = np.linspace(0.0, 1.0, 4), np.zeros((count, 4, 4, 3))
+    nets[..., 0], nets[..., 1] = even[:, None], even
+    nets[..., 2] = {"mild": 0.3, "wild": 2.0}[kind] * rng.random((count, 4, 4))
+    return nets
+
+
+@pytest.mark.parametrize("lanes", [2, 4, 8])
+@pytest.mark.parametrize("kind", ["mild", "wild", "shapeless"])
+@pytest.mark.parametrize("ends", ["corners", "anywhere"])
+def test_diagonals(kind: str, ends: str, lanes: int, rng: np.random.Generator) -> None:
+    # One more than vectors hold.
+    nets = random_nets(rng, 41, kind)
+    start = rng.integers(0, 2, (41, 2)).astype(float) if ends == "corners" else rng.random((41, 2))
+    end = 1.0 - start if ends == "corners" else rng.random((41, 2))
+
+    def solve() -> bm.GeodesicSolution:
+        return bm.solve_geodesic(nets, start, end, search="straight", on_failure="status")
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(diagonal, "MOST_LANES", lanes)
+        compiled = solve()
+    with by_numpy():
+        plain = solve()
+    for name in ("status", "index", "functions", "iterations"):
+        np.testing.assert_array_equal(getattr(compiled, name), getattr(plain, name))
+    np.testing.assert_allclose(compiled.length, plain.length, rtol=1e-14)
+    # What is estimated of differences that nearly vanish is rounding.
+    allowed = 1e-3 * plain.error_estimate + 1e-15 * plain.raw_length
+    assert (
+        np.abs(compiled.error_estimate - plain.error_estimate)[compiled.converged]
+        <= allowed[compiled.converged]
+    ).all()
+    times = np.linspace(0.0, 1.0, 9)
+    one, other = (each.path(times)[compiled.converged] for each in (compiled, plain))
+    np.testing.assert_allclose(one, other, rtol=0.0, atol=1e-9)
+
+
+@pytest.mark.parametrize("sample", ["female_average", "male_average"])
+def test_diagonals_of_bodies(sample: str) -> None:
+    atlas = bm.load_sample(sample)
+    compiled = bm.diagonals(atlas, search="straight", on_failure="status")
+    with by_numpy():
+        plain = bm.diagonals(atlas, search="straight", on_failure="status")
+    np.testing.assert_array_equal(compiled.status, plain.status)
+    np.testing.assert_array_equal(compiled.index, plain.index)
+    np.testing.assert_allclose(compiled.length, plain.length, rtol=1e-14)
+
+
+def test_kernels_that_do_not_serve_a_space_leave_it_to_numpy(rng: np.random.Generator) -> None:
+    nets = random_nets(rng, 20, "mild")
+    # Too few functions first, then ones in several pieces, and then others.
+    for method in (
+        bm.RBFCollocation(functions=(4, 8, 24), tolerance=1e-13),
+        bm.RBFCollocation(bm.WU_C2, functions=(8, 12)),
+        bm.PolynomialCollocation((7, 9)),
+    ):
+        compiled = bm.solve_geodesic(nets, (0, 0), (1, 1), method=method, on_failure="status")
+        with by_numpy():
+            plain = bm.solve_geodesic(nets, (0, 0), (1, 1), method=method, on_failure="status")
+        np.testing.assert_array_equal(compiled.status, plain.status)
+        np.testing.assert_array_equal(compiled.functions, plain.functions)
+        np.testing.assert_allclose(compiled.length, plain.length, rtol=1e-14)
+
+
+@given(seeds, st.integers(0, 5), st.integers(1, 11))
+def test_extremes_of_patches(seed: int, count: int, points: int) -> None:
+    rng = np.random.default_rng(seed)
+    nets = rng.normal(size=(count, points, 1, 3))
+    if count:
+        nets[0, 0, 0, 1] = rng.choice([np.nan, np.inf, -np.inf, -3.0])
+    with by_numpy():
+        plain = extremes(nets)
+    for one, other in zip(extremes(nets), plain, strict=True):
+        finite = np.isfinite(plain[0]) & np.isfinite(plain[1])
+        np.testing.assert_array_equal(one[finite], other[finite])
+        assert not np.isfinite(one[~finite]).any()
 
 
 @pytest.mark.parametrize(("value", "expected"), [("0", "False"), ("", "True")])

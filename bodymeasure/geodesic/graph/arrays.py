@@ -84,6 +84,9 @@ def _chunks(problems: OffsetProblems, rest: Ints) -> list[tuple[slice, OffsetPro
 
 def slices(count: int, size: int) -> Iterator[slice]:
     """Yield the range of a number of problems in nearly equal parts of at most a size."""
+    if 0 < count <= size:
+        yield slice(0, count)
+        return
     edges = np.linspace(0, count, -(-count // size) + 1).astype(int)
     for first, last in pairwise(edges):
         yield slice(int(first), int(last))

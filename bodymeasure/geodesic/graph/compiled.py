@@ -69,6 +69,7 @@ def climb(problems: OffsetProblems, rest: Any, rung: Rung, offset: Any) -> Climb
         np.zeros(len(found.good), bool),
         speed=found.speed,
         reach=found.reach,
+        chord=found.chord,
     )
     return Climbed(done, found.left, found.offset.T)
 

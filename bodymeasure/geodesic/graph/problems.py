@@ -59,7 +59,7 @@ class OffsetProblems:
 
     @property
     def degrees(self) -> tuple[int, int]:
-        """m and n."""
+        """The degrees m and n of the patches."""
         return self.nets.shape[1] - 1, self.nets.shape[2] - 1
 
     @property

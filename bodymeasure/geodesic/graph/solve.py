@@ -58,17 +58,18 @@ def solve_offsets(
     iterations = np.zeros(len(start), np.int64)
     batches: dict[TrialSpace, list[PathBatch]] = {}
     # The straight line between points on one line of u or v has no width to be a graph in.
-    across = np.flatnonzero((start != end).all(axis=1))
+    across = np.flatnonzero((start[:, 0] != end[:, 0]) & (start[:, 1] != end[:, 1]))
     is_whole = len(across) == len(start)
     # A system without a solution ends in numbers that are not finite, and its problem is left over.
     with np.errstate(all="ignore"):
         for rows in arrays.slices(len(across), BLOCK):
             block = across[rows]
             # What is in a row need not be copied.
+            here = rows if is_whole else block
             nets = surface.control_points[rows, ...] if is_whole else _taken(surface, block)
-            problems = OffsetProblems.of(nets, start[block], end[block])
+            problems = OffsetProblems.of(nets, start[here], end[here])
             result = _solve_block(spaces, problems, tolerance)
-            iterations[block] = result.iterations
+            iterations[here] = result.iterations
             for batch in result.batches:
                 parts = batches.setdefault(batch.space, [])
                 parts.append(batch.renumbered(block[batch.problems]))
@@ -109,9 +110,7 @@ def _solve_block(
     return MethodResult(tuple(batches), iterations)
 
 
-def _climbed(
-    problems: OffsetProblems, rest: Ints, rung: Rung, offset: Any
-) -> Iterator[Climbed]:
+def _climbed(problems: OffsetProblems, rest: Ints, rung: Rung, offset: Any) -> Iterator[Climbed]:
     if compiled.are_served(problems) and compiled.is_served(rung.space):
         yield compiled.climb(problems, rest, rung, offset)
     else:
@@ -122,7 +121,10 @@ def _joined(batches: Sequence[PathBatch]) -> PathBatch:
     """One batch made of several on the same space."""
     if len(batches) == 1:
         return batches[0]
-    reach = [batch.reach for batch in batches if batch.reach is not None]
+    speed, reach, chord = (
+        [getattr(batch, name) for batch in batches] for name in ("speed", "reach", "chord")
+    )
+    is_known = all(each is not None for each in reach)
     return PathBatch(
         np.concatenate([batch.problems for batch in batches]),
         batches[0].space,
@@ -130,6 +132,7 @@ def _joined(batches: Sequence[PathBatch]) -> PathBatch:
         Length.concatenated([batch.length for batch in batches]),
         np.concatenate([batch.converged for batch in batches]),
         np.concatenate([batch.singular for batch in batches]),
-        speed=np.concatenate([batch.speed for batch in batches if batch.speed is not None]),
-        reach=np.concatenate(reach) if len(reach) == len(batches) else None,
+        speed=np.concatenate(speed),
+        reach=np.concatenate(reach) if is_known else None,
+        chord=np.concatenate(chord) if is_known else None,
     )

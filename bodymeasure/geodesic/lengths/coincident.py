@@ -29,9 +29,9 @@ def distances_in_one_place(surfaces: Surface, surface_of: Ints, start: Array, en
     -------
     ndarray, shape (problems,)
     """
-    differs = start != end
-    distance = np.where(differs.any(axis=1), np.inf, 0.0)
-    rows = np.flatnonzero(differs.sum(axis=1) == 1)
+    in_u, in_v = (start[:, axis] != end[:, axis] for axis in (0, 1))
+    distance = np.where(in_u | in_v, np.inf, 0.0)
+    rows = np.flatnonzero(in_u ^ in_v)
     if len(rows):
         surface = surfaces.take(surface_of[rows])
         way = end[rows] - start[rows]

@@ -171,6 +171,7 @@ class Modes:
 
     @property
     def count(self) -> int:
+        """The number of modes."""
         return int(self.values.shape[1])
 
     @cached_property

@@ -55,6 +55,8 @@ def collocate(
     for batch in found.batches:
         is_open[batch.problems] = False
     rest = np.flatnonzero(is_open)
+    if len(rest) == 0:
+        return found
     others = solve_on_spaces(
         spaces, surface.take(rest), (ends[0][rest], ends[1][rest]), tolerance=tolerance
     )

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -110,6 +110,8 @@ class RBFCollocation:
         return map(self._space, self._counts)
 
     def _space(self, count: int) -> TrialSpace:
+        if self.centers is None and self.collocation_points is None:
+            return _default_space(self.kernel, count, self.support_radius)
         centers, points = self.centers, self.collocation_points
         return rbf_space(
             self.kernel,
@@ -122,6 +124,12 @@ class RBFCollocation:
         """Return paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
         makers = [partial(self._space, count) for count in self._counts]
         return collocate(makers, surface, (start, end), tolerance=self.tolerance, form=self.form)
+
+
+@lru_cache(maxsize=64)
+def _default_space(kernel: Kernel, count: int, support_radius: float) -> TrialSpace:
+    centers, points = default_centers(kernel, count), chebyshev_points(count - 1)
+    return rbf_space(kernel, tuple(centers), tuple(points), support_radius)
 
 
 def default_centers(kernel: Kernel, count: int) -> Array:

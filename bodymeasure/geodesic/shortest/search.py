@@ -104,16 +104,22 @@ def search_further(
 
 def _is_roundabout(surface: Surface, ends: tuple[Array, Array], result: MethodResult) -> Bools:
     """Which paths are so long, beside their chords, that there may be much shorter ones."""
-    length = np.empty(len(ends[0]))
+    far = np.empty(len(ends[0]), bool)
     for batch in result.batches:
-        length[batch.problems] = batch.length.corrected
-    chord = np.empty_like(length)
+        length = batch.length.corrected
+        chord = _chords(surface, ends, batch.problems) if batch.chord is None else batch.chord
+        # Not `longer` but `not shorter`, so that NaN counts too.
+        far[batch.problems] = ~(length <= ROUNDABOUT * chord)
+    return far
+
+
+def _chords(surface: Surface, ends: tuple[Array, Array], problems: Ints) -> Array:
+    chord = np.empty(len(problems))
     for first in range(0, len(chord), CHORDS):
-        chunk = np.arange(first, min(first + CHORDS, len(chord)))
-        places = surface.take(chunk).positions(np.stack([end[chunk] for end in ends], axis=1))
-        chord[chunk] = np.linalg.norm(places[:, 1] - places[:, 0], axis=1)
-    # Not `longer` but `not shorter`, so that NaN counts too.
-    return np.asarray(~(length <= ROUNDABOUT * chord))
+        rows = problems[first : first + CHORDS]
+        places = surface.take(rows).positions(np.stack([end[rows] for end in ends], axis=1))
+        chord[first : first + CHORDS] = np.linalg.norm(places[:, 1] - places[:, 0], axis=1)
+    return chord
 
 
 def is_outside(batch: PathBatch) -> Bools:

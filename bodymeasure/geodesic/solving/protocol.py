@@ -56,6 +56,8 @@ class PathBatch:
         part of the length that has been covered.
     reach : ndarray, shape (k,), optional
         How far the paths go outside their patch in u or v, below 0 inside, if that is known.
+    chord : ndarray, shape (k,), optional
+        The distances of their ends in space, if they are known.
     """
 
     problems: Ints
@@ -67,6 +69,7 @@ class PathBatch:
     contacts: tuple[EdgeContact, ...] = ()
     speed: Array | None = None
     reach: Array | None = None
+    chord: Array | None = None
 
     def take(self, rows: Ints) -> "PathBatch":
         """Return some of the paths, by their place in this batch."""
@@ -80,6 +83,7 @@ class PathBatch:
             self.contacts,
             None if self.speed is None else self.speed[rows],
             None if self.reach is None else self.reach[rows],
+            None if self.chord is None else self.chord[rows],
         )
 
     def leaves_patch(self, margin: float) -> Bools:

@@ -10,6 +10,11 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import project
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.numerics.array_libraries import constant, to_numpy
+from bodymeasure.native import extremes as compiled_extremes
+from bodymeasure.native import is_compiled
+
+Extremes = tuple[Array, Array]
+"""The least and the greatest coordinates of patches, both of shape (patches, 3)."""
 
 # Coordinates beyond this could overflow in a length.
 LARGEST = 1e300
@@ -30,6 +35,11 @@ def checked_control_points(value: Any) -> Any:
     InputError
         If a shape or value is wrong, or a patch is collapsed to a point.
     """
+    return checked_with_extremes(value)[0]
+
+
+def checked_with_extremes(value: Any) -> tuple[Any, Extremes]:
+    """Return the same as `checked_control_points`, and their `extremes`."""
     nets = _as_array(value)
     if nets.ndim < 3 or nets.shape[-1] not in (3, 4) or min(nets.shape[-3:-1]) < 2:
         raise InputError(
@@ -40,7 +50,7 @@ def checked_control_points(value: Any) -> Any:
         nets = _with_weights(nets)
     # Where a number is not finite, the extremes are not finite either.
     low, high = extremes(nets)
-    largest = np.maximum(np.abs(low), np.abs(high)).max(axis=1, initial=0.0)
+    largest = _largest(np.maximum(-low, high))
     bad = np.flatnonzero(~np.isfinite(largest))
     if len(bad):
         raise InputError(f"patch {bad[0]} has control points that are not finite; correct them")
@@ -55,7 +65,7 @@ def checked_control_points(value: Any) -> Any:
         raise InputError(
             f"patch {collapsed[0]} is degenerate: all its control points are equal; remove it"
         )
-    return nets
+    return nets, (low, high)
 
 
 def _with_weights(nets: Any) -> Array:
@@ -103,38 +113,54 @@ def collapsed_patches(control_points: Any) -> Ints:
 
 
 def _collapsed(low: Array, high: Array) -> Ints:
-    return np.flatnonzero((low == high).all(axis=1))
+    return np.flatnonzero(_largest(high - low) == 0.0)
 
 
-def of_size_one(nets: Any) -> tuple[Any, Array]:
+def of_size_one(nets: Any, known: Extremes) -> tuple[Any, Array]:
     """Return patches scaled to about size 1, so that tolerances mean the same, and their sizes.
 
-    The sizes are powers of 2, so that nothing is rounded.
+    The sizes are powers of 2, so that nothing is rounded. The `extremes` of the patches are known.
     """
     xp = array_api_compat.array_namespace(nets)
     exponents = np.zeros(nets.shape[0], np.int64)
     # The smallest patches are scaled twice, since their factors are beyond the largest number.
     for _ in range(2):
-        low, high = extremes(nets)
-        exact = np.frexp((high - low).max(axis=1))[1].astype(np.int64) - 1
+        low, high = known
+        exact = np.frexp(_largest(high - low))[1].astype(np.int64) - 1
         power = np.clip(exact, -MOST, MOST)
         factor = np.repeat(np.ldexp(1.0, -power)[:, None], nets.shape[-1], axis=1)
         # Weights have no unit.
         factor[:, 3:] = 1.0
-        nets = nets * constant(factor, nets, xp)[:, None, None, :]
+        # One factor for whole rows takes a third of the time of three that alternate.
+        row = (
+            factor[:, :1] if nets.shape[-1] == 3 else np.tile(factor, int(np.prod(nets.shape[1:3])))
+        )
+        flat = xp.reshape(nets, (nets.shape[0], int(np.prod(nets.shape[1:])))) * constant(
+            row, nets, xp
+        )
+        nets = xp.reshape(flat, nets.shape)
         exponents += power
         if (power == exact).all():
             break
+        known = extremes(nets)
     return nets, np.ldexp(1.0, exponents)
 
 
-def extremes(control_points: Any) -> tuple[Array, Array]:
+def extremes(control_points: Any) -> Extremes:
     """Return the least and greatest coordinates of each patch, two arrays (patches, 3)."""
     if control_points.shape[-1] == 4:
         control_points = project(control_points)
     xp = array_api_compat.array_namespace(control_points)
     points = xp.reshape(control_points, (-1, int(np.prod(control_points.shape[-3:-1])), 3))
+    if isinstance(points, np.ndarray) and is_compiled():
+        return compiled_extremes(points)
     return to_numpy(_folded(points, xp.minimum)), to_numpy(_folded(points, xp.maximum))
+
+
+def _largest(values: Array) -> Array:
+    """The largest of three numbers, of each patch: by columns, which takes a fifth of the time."""
+    result: Array = np.maximum(np.maximum(values[:, 0], values[:, 1]), values[:, 2])
+    return result
 
 
 def _folded(points: Any, operation: Callable[[Any, Any], Any]) -> Any:

@@ -242,8 +242,7 @@ INLINE void halved(const Lanes *x, int64_t points, Lanes *even, Lanes *odd) {
 
 // The quadrature's estimate of its own error, as in `spaces.quadrature.Quadrature.error_estimate`.
 INLINE Lanes quadrature_error(const DiagonalSpace &space, const DiagonalSettings &settings,
-                              const Lanes *speed, Lanes *even, Lanes *odd) {
-    const int64_t half = space.points / 2;
+                              const Lanes *speed, int64_t half, Lanes *even, Lanes *odd) {
     halved(speed, space.points, even, odd);
     Lanes before{}, middle{}, last{}, most{};
     for (int64_t degree = space.second; degree < space.points; ++degree) {
@@ -266,10 +265,11 @@ struct Measured {
 };
 
 // Lengths, their correction and their error, as in `lengths.jacobi.length_and_error`. The room is
-// for 6 points + modes (modes + 5) / 2 + 1 vectors.
+// for 12 half + modes (modes + 5) / 2 + 1 vectors.
 INLINE void measure(const DiagonalSpace &space, const DiagonalSettings &settings,
-                    const Along &along, Lanes *room, Measured &result) {
-    const int64_t points = space.points, half = points / 2, modes = space.modes;
+                    const Along &along, Lanes *room, int64_t half, int64_t modes,
+                    Measured &result) {
+    const int64_t points = 2 * half;
     Lanes *density = room, *stiff = density + points, *mass = stiff + points, *load = mass + points;
     Lanes *shift = load + points, *tilt = shift + points, *triangle = tilt + points;
     Lanes *solution = triangle + modes * (modes + 1) / 2 + 1;
@@ -365,7 +365,7 @@ INLINE void measure(const DiagonalSpace &space, const DiagonalSettings &settings
     }
     left_out += cubic * variation * (1.0 / 6.0) + rest;
     left_out += settings.quadrature_safety *
-                quadrature_error(space, settings, along.speed, density, density + half);
+                quadrature_error(space, settings, along.speed, half, density, density + half);
     const Lanes error = settings.safety * left_out +
                         settings.path_rounding * (11.0 + double(space.inner)) * length;
     const Lanes infinite = all(INFINITY);
@@ -426,7 +426,9 @@ INLINE void write(const DiagonalSpace &space, const DiagonalSettings &settings, 
         for (int64_t k = 0; k <= n; ++k) way += size(line[k + 1] - line[k]);
     }
     for (int64_t k = 0; k < n; ++k) most = larger(most, size(offset[k]));
-    const Lanes out = reach(space, nets, offset);
+    Point straight;
+    for (int c = 0; c < 3; ++c) straight.c[c] = nets.place[c][3][3] - nets.place[c][0][0];
+    const Lanes chord = root(dot(straight, straight)), out = reach(space, nets, offset);
     for (int i = 0; i < count; ++i) {
         const double raw = lane(measured.raw, i), correction = lane(measured.correction, i);
         const double error = lane(measured.error, i), residual = lane(measured.residual, i);
@@ -448,7 +450,7 @@ INLINE void write(const DiagonalSpace &space, const DiagonalSettings &settings, 
         paths.raw[row] = raw, paths.correction[row] = correction;
         paths.error[row] = error, paths.residual[row] = residual;
         paths.index[row] = int64_t(lane(measured.index, i));
-        paths.reach[row] = lane(out, i);
+        paths.reach[row] = lane(out, i), paths.chord[row] = lane(chord, i);
         paths.trusted[row] = trusted, paths.good[row] = good;
     }
 }
@@ -485,7 +487,11 @@ static void solve(const DiagonalProblems &problems, const DiagonalSpace &space,
         }
         follow(space, nets, offset, along);
         Measured measured;
-        measure(space, settings, along, room, measured);
+        // Most problems are solved on 8 functions: there the compiler knows how long the loops are.
+        if (points == 24 && modes == 16)
+            measure(space, settings, along, room, 12, 16, measured);
+        else
+            measure(space, settings, along, room, points / 2, modes, measured);
         write(space, settings, nets, offset, step, along, measured, room, begin, count, paths);
     }
 }
