@@ -116,16 +116,16 @@ def _collapsed(low: Array, high: Array) -> Ints:
     return np.flatnonzero(_largest(high - low) == 0.0)
 
 
-def of_size_one(nets: Any, known: Extremes) -> tuple[Any, Array]:
+def of_size_one(nets: Any, known: Extremes | None = None) -> tuple[Any, Array]:
     """Return patches scaled to about size 1, so that tolerances mean the same, and their sizes.
 
-    The sizes are powers of 2, so that nothing is rounded. The `extremes` of the patches are known.
+    The sizes are powers of 2, so that nothing is rounded. The `extremes` of the patches may be known.
     """
     xp = array_api_compat.array_namespace(nets)
     exponents = np.zeros(nets.shape[0], np.int64)
     # The smallest patches are scaled twice, since their factors are beyond the largest number.
     for _ in range(2):
-        low, high = known
+        low, high = extremes(nets) if known is None else known
         exact = np.frexp(_largest(high - low))[1].astype(np.int64) - 1
         power = np.clip(exact, -MOST, MOST)
         factor = np.repeat(np.ldexp(1.0, -power)[:, None], nets.shape[-1], axis=1)
@@ -142,7 +142,7 @@ def of_size_one(nets: Any, known: Extremes) -> tuple[Any, Array]:
         exponents += power
         if (power == exact).all():
             break
-        known = extremes(nets)
+        known = None
     return nets, np.ldexp(1.0, exponents)
 
 
