@@ -119,7 +119,7 @@ def _collapsed(low: Array, high: Array) -> Ints:
 def of_size_one(nets: Any, known: Extremes | None = None) -> tuple[Any, Array]:
     """Return patches scaled to about size 1, so that tolerances mean the same, and their sizes.
 
-    The sizes are powers of 2, so that nothing is rounded. The `extremes` of the patches may be known.
+    The sizes are powers of 2, so that nothing is rounded. The patches' `extremes` may be known.
     """
     xp = array_api_compat.array_namespace(nets)
     exponents = np.zeros(nets.shape[0], np.int64)
