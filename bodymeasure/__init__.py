@@ -68,6 +68,7 @@ __all__ = [
     "Severity",
     "Status",
     "Survey",
+    "SurveyTable",
     "TautStatus",
     "TautTape",
     "Tessellation",
@@ -110,11 +111,13 @@ __all__ = [
     "read_atlas",
     "read_population",
     "read_scan",
+    "read_survey",
     "read_topology",
     "sample_names",
     "save_topology",
     "show",
     "solve_geodesic",
+    "survey",
     "taut_tape",
     "tessellate",
     "unfold_patches",
@@ -127,6 +130,7 @@ __all__ = [
     "write_pattern",
     "write_population",
     "write_report",
+    "write_survey",
 ]
 
 
@@ -149,6 +153,7 @@ _HOMES = (
     "report",
     "report.patterns",
     "viewer",
+    "surveys",
 )
 
 if TYPE_CHECKING:
@@ -273,6 +278,7 @@ if TYPE_CHECKING:
     from bodymeasure.section import (
         Plane,
     )
+    from bodymeasure.surveys import SurveyTable, read_survey, survey, write_survey
     from bodymeasure.taut import TautStatus, TautTape, taut_tape
     from bodymeasure.viewer import export_page, show
 else:

@@ -27,6 +27,7 @@ LAYERS = (
     ("scene",),
     ("report",),
     ("viewer",),
+    ("surveys",),
     ("bench", "compare", "paper"),
     ("cli", "plugin"),
     ("__main__", "_build"),
@@ -42,7 +43,7 @@ ORDERS = {
     " approximated, landmarks · input · taken · definitions, sensitivity · needed, reading,"
     " selection, chart · evaluate",
     "cli": "commands, needs, tables · console · options · inputs · fitting · atlases, docs,"
-    " landmarks, measuring, study · patterns · main",
+    " landmarks, measuring, study, surveys · patterns · main",
     "compare": "names, records · readings · gaps, iso20685, plausible, read, shown · comparison,"
     " page",
     "fit": "model, scan · completed, solving · topology · export",
@@ -66,6 +67,7 @@ ORDERS = {
     "scene": "model · camera, colors · lighting · figures · drawing · diagonals · tapes",
     "section": "cells, plane, roots, through/quotient · crossings, pieces ·"
     " arcs, loop, through/poles · curve, part · bridged, places, section · hull",
+    "surveys": "bodies · records · engine, folder · run, statistics · page · survey",
     "taut": "poles, starts, status · skin · ridges, takeoffs, valleys · equilibrium · string ·"
     " refine · solve",
     "viewer": "content, window · page, server",

@@ -7,7 +7,7 @@ of rational patches, of the same shape; `distance` and `stretch` of an approxima
 """
 
 import io
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import astuple, replace
 from typing import Any
 
@@ -34,7 +34,7 @@ from bodymeasure.npz_arrays import npz_arrays
 FORMAT = "bodymeasure atlas"
 VERSION = 1
 # The kinds of values that each array may hold, as NumPy codes them.
-_KINDS = {
+KINDS = {
     "header": "U",
     "index": "iu",
     "points": "f",
@@ -46,7 +46,7 @@ _KINDS = {
 # The arrays that some files lack: weights, the deviation of an approximation, and the parameters of
 # faces.
 _DEVIATION = ("distance", "stretch")
-_OPTIONAL = frozenset({"weights", *_DEVIATION, "corners"})
+OPTIONAL = frozenset({"weights", *_DEVIATION, "corners"})
 
 
 class _Header(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
@@ -83,51 +83,81 @@ def read(content: bytes, source: str) -> Atlas:
 
 def read_bodies(content: bytes, source: str) -> tuple[Atlas, ...]:
     """All atlases in a file's content."""
-    arrays = npz_arrays(content, source, _KINDS, _OPTIONAL)
+    arrays = npz_arrays(content, source, KINDS, OPTIONAL)
     try:
-        header = msgspec.json.decode(str(arrays["header"][()]).encode(), type=_Header)
-        if (header.format, header.version) != (FORMAT, VERSION):
-            raise InputError(
-                f"has format {header.format!r}, version {header.version}; this bodymeasure reads "
-                f"{FORMAT!r}, version {VERSION}"
-            )
         points = arrays["points"]
         bodies = points[None] if points.ndim == 2 else points
-        if bodies.ndim != 3 or len(bodies) != len(header.names):
-            raise InputError(
-                f"points have shape {points.shape}, for {len(header.names)} names of bodies; "
-                "expected (bodies, n, 3)"
-            )
-        if len(header.given) not in (0, len(bodies)):
-            raise InputError(
-                f"holds given lengths of {len(header.given)} bodies; expected those of all "
-                f"{len(bodies)}, or none"
-            )
-        first = Atlas(
-            bodies[0],
-            arrays["index"],
-            Unit.parse(header.unit),
-            tuple(header.patch_names),
-            tuple(header.regions),
-            {name: AtlasPoint(*place) for name, place in header.landmarks.items()},
-            Axes(header.up, header.front),
-            header.names[0],
-            header.provenance,
-            arrays.get("weights"),
-            _approximation(header, arrays),
-            _faces(header, arrays),
-            scan_of(header.scan),
-        )
-        rest = zip(bodies[1:], header.names[1:], strict=True)
+        if bodies.ndim != 3 or not len(bodies):
+            raise InputError(f"points have shape {points.shape}; expected (bodies, n, 3)")
+        first, names, given = first_body(arrays, bodies[0], bodies.shape)
+        rest = zip(bodies[1:], names[1:], strict=True)
         every = (first, *(replace(first, points=each, name=name) for each, name in rest))
-        return tuple(
-            replace(one, given={key: GivenLength(*length) for key, length in given.items()})
-            for one, given in zip(every, header.given or [{}] * len(every), strict=True)
-        )
-    except (msgspec.DecodeError, UnicodeError) as error:
-        raise InputError(f"{source}: its header is wrong: {error}") from None
+        return tuple(replace(one, given=lengths) for one, lengths in zip(every, given, strict=True))
     except InputError as error:
         raise InputError(f"{source}: {error}") from None
+
+
+def first_body(
+    arrays: Mapping[str, NDArray[Any]], points: Array, shape: tuple[int, ...]
+) -> tuple[Atlas, list[str], list[dict[str, GivenLength]]]:
+    """Return the first body of a file, and the names and given lengths of all.
+
+    The others differ from it in nothing else but their points.
+
+    Parameters
+    ----------
+    arrays : mapping of str to ndarray
+        All but the points.
+    points : ndarray, shape (n, 3)
+        Those of the first body.
+    shape : tuple of int
+        That of the points of all bodies, (bodies, n, 3).
+
+    Raises
+    ------
+    InputError
+        If the header is wrong, or of another number of bodies.
+    """
+    try:
+        header = msgspec.json.decode(str(arrays["header"][()]).encode(), type=_Header)
+    except (msgspec.DecodeError, UnicodeError) as error:
+        raise InputError(f"its header is wrong: {error}") from None
+    if (header.format, header.version) != (FORMAT, VERSION):
+        raise InputError(
+            f"has format {header.format!r}, version {header.version}; this bodymeasure reads "
+            f"{FORMAT!r}, version {VERSION}"
+        )
+    count = shape[0]
+    if count != len(header.names):
+        raise InputError(
+            f"points have shape {shape}, for {len(header.names)} names of bodies; expected "
+            "(bodies, n, 3)"
+        )
+    if len(header.given) not in (0, count):
+        raise InputError(
+            f"holds given lengths of {len(header.given)} bodies; expected those of all "
+            f"{count}, or none"
+        )
+    first = Atlas(
+        points,
+        arrays["index"],
+        Unit.parse(header.unit),
+        tuple(header.patch_names),
+        tuple(header.regions),
+        {name: AtlasPoint(*place) for name, place in header.landmarks.items()},
+        Axes(header.up, header.front),
+        header.names[0],
+        header.provenance,
+        arrays.get("weights"),
+        _approximation(header, arrays),
+        _faces(header, arrays),
+        scan_of(header.scan),
+    )
+    given = [
+        {key: GivenLength(*length) for key, length in lengths.items()}
+        for lengths in header.given or [{}] * count
+    ]
+    return first, header.names, given
 
 
 def write(atlas: Atlas) -> bytes:
@@ -241,7 +271,7 @@ def _summary(
     return kind, distance, approximation.mesh_rms, approximation.mesh_lengths
 
 
-def _approximation(header: _Header, arrays: dict[str, NDArray[Any]]) -> Approximation | None:
+def _approximation(header: _Header, arrays: Mapping[str, NDArray[Any]]) -> Approximation | None:
     there = arrays.keys() & {*_DEVIATION}
     if header.approximation is None and not there:
         return None
@@ -251,7 +281,7 @@ def _approximation(header: _Header, arrays: dict[str, NDArray[Any]]) -> Approxim
     return Approximation(kind, arrays["distance"], arrays["stretch"], *numbers)
 
 
-def _faces(header: _Header, arrays: dict[str, NDArray[Any]]) -> FileFaces | None:
+def _faces(header: _Header, arrays: Mapping[str, NDArray[Any]]) -> FileFaces | None:
     if header.faces is None and "corners" not in arrays:
         return None
     if header.faces is None or "corners" not in arrays:

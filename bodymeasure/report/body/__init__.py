@@ -7,7 +7,7 @@ does.
 
 from bodymeasure.report.body.codes import FREESEWING_KEYS, GARMENTCODE_KEYS, check_codes
 from bodymeasure.report.body.freesewing import asked_freesewing, missing_freesewing, to_freesewing
-from bodymeasure.report.body.from_chart import chart_document
+from bodymeasure.report.body.from_chart import body_record, chart_document
 from bodymeasure.report.body.garmentcode import missing_garmentcode, to_garmentcode
 from bodymeasure.report.body.outputs import OUTPUTS, write_chart
 from bodymeasure.report.body.page import TapePictures, render_chart
@@ -26,6 +26,7 @@ __all__ = [
     "TapePictures",
     "absences",
     "asked_freesewing",
+    "body_record",
     "chart_document",
     "chart_to_csv",
     "check_codes",

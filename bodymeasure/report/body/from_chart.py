@@ -63,7 +63,8 @@ def chart_document(
         ],
         to_pick=_to_pick(chart),
         measurements=[
-            _record(item, numbers.get(item.definition.key), atlas, unit) for item in chart.measured
+            body_record(item, numbers.get(item.definition.key), atlas, unit)
+            for item in chart.measured
         ],
     )
 
@@ -123,7 +124,8 @@ def _to_pick(chart: Chart) -> list[PickedGain]:
     return gains
 
 
-def _record(item: Measured, number: int | None, atlas: Atlas, target: Unit) -> BodyRecord:
+def body_record(item: Measured, number: int | None, atlas: Atlas, target: Unit) -> BodyRecord:
+    """Return a measurement of an atlas with its lengths in a unit, under a number of the page."""
     source, has_approximation = atlas.unit, atlas.approximation is not None
     definition = item.definition
     angle = definition.in_degrees

@@ -1,0 +1,1 @@
+"""Commands on many bodies: surveys and tables of sizes."""
