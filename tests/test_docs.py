@@ -25,6 +25,7 @@ every_file = pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
         "charts",
         "landmarks",
         "python",
+        "surveys",
         pytest.param("pyvista", marks=pytest.mark.slow),
         pytest.param("viewer", marks=pytest.mark.slow),
     ],

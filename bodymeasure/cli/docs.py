@@ -23,6 +23,7 @@ PAGES = (
     "landmarks",
     "scans",
     "body_models",
+    "surveys",
     "python",
     "pyvista",
     "api",

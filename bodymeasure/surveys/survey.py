@@ -32,7 +32,7 @@ def survey(
     bodies: Name | Sequence[Name | Atlas],
     definitions: Definitions | None = None,
     *,
-    folder: Name,
+    folder: Name = "survey",
     only: Sequence[str] = (),
     unit: Unit | str = Unit.CM,
     processes: int = 1,

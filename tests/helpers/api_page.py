@@ -26,6 +26,7 @@ SUBJECTS = {
     "Geodesics": ("geodesic",),
     "Girths, tapes and other measurements": ("measure", "section", "taut"),
     "Charts of body measurements": ("chart",),
+    "Surveys of many bodies": ("surveys",),
     "Flat pieces": ("pattern", "report.patterns"),
     "Reports": ("report",),
     "Looking at bodies": ("viewer",),

@@ -137,7 +137,7 @@ def test_a_cluster_gives_the_same_file_even_if_a_worker_is_killed(tmp_path: Path
     whole = bm.survey(path, knees(), folder=tmp_path / "whole")
     with local_cluster(2) as client:
         pids = client.run(os.getpid)
-        killed = []
+        killed: list[int] = []
 
         def kill(done: int, total: int) -> None:
             if done and done < total and not killed:

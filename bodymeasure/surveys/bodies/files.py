@@ -48,9 +48,8 @@ class FileBody:
 
     def atlas(self, asked: Asked) -> Atlas:  # noqa: ARG002
         """Return the atlas in the file, or that of the body which is fitted to a scan."""
-        with warnings.catch_warnings():
-            # A note about each of thousands of files is read by nobody; `bodymeasure info` says it.
-            warnings.simplefilter("ignore", ReadWarning)
+        # A note about each of thousands of files is read by nobody; `bodymeasure info` says it.
+        with warnings.catch_warnings(action="ignore", category=ReadWarning):
             if self._is_scan():
                 return fit_body(
                     self.path,
