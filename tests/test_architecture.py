@@ -49,8 +49,7 @@ ORDERS = {
     "fit": "model, scan · completed, solving · topology · export",
     "formats": "groups, json_faults, options, patches, scan_record, spline_patches, text ·"
     " atlas_json, bez, bpt, foreign, geomdl, npz, obj · mesh_vertices · registry",
-    "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths,"
-    " proofs ·"
+    "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"
     " across/pieces, solving · contact, graph, tracing · elements · across/contact, methods,"
     " shortest · across/search · across/poles",
     "measure": "patches · body/cutting, body/drops, body/height_saddles, body/merging,"

@@ -12,6 +12,7 @@ from bodymeasure.geodesic.methods.rbf_collocation import RBFCollocation
 from bodymeasure.geodesic.methods.relaxation import Relaxation
 from bodymeasure.geodesic.methods.ritz import Ritz
 from bodymeasure.geodesic.methods.shooting import Shooting
+from bodymeasure.geodesic.proofs.bounds import Bounds
 from bodymeasure.geodesic.proofs.patches import PatchesOfPaths
 from bodymeasure.geodesic.shortest.search import SEARCHES, Search
 from bodymeasure.geodesic.solution import GeodesicSolution
@@ -30,6 +31,7 @@ __all__ = [
     "WU_C6",
     "WU_C10",
     "AtlasPath",
+    "Bounds",
     "ClosedPath",
     "DirectedPath",
     "EdgeContact",

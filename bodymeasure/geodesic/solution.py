@@ -12,6 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.geodesic.lengths.arc_length_times import checked_times
+from bodymeasure.geodesic.proofs.bounds import Bounds
+from bodymeasure.geodesic.proofs.curvature import CurvatureBounds
 from bodymeasure.geodesic.proofs.patches import PatchesOfPaths
 from bodymeasure.geodesic.solving.protocol import PathBatch
 from bodymeasure.geodesic.status import Status, have_length
@@ -135,11 +137,39 @@ class GeodesicSolution:
         """
         if self.patches is None:
             return self._shaped(np.zeros(int(np.prod(self.shape)), bool))
+        return self._shaped(self.patches.prove_shortest(self._curvature, self._upper))
+
+    @cached_property
+    def bounds(self) -> Bounds:
+        """Bounds of the length of the shortest path on the patch, lower and upper.
+
+        They hold by theorem, whatever the computed path is like, but for one thing: its geodesic
+        curvature is sampled, at more points than it was found from, and 5 % are added for what lies
+        between them (see the page "proofs" of the documentation; `enclose` samples nothing). They
+        are the closer, the smaller `residual` is: 20 functions (``RBFCollocation(functions=20)``)
+        bring most of them to rounding. Where the theorem says nothing, as of paths along an edge,
+        the distance in space is the lower bound. NaN where there is no length, and on surfaces that
+        are no polynomial patches.
+        """
+        count = int(np.prod(self.shape))
+        lower, upper = np.full((2, count), np.nan)
+        if self.patches is not None:
+            with one_blas_thread():
+                lower, upper = self.patches.bounds(self.batches, self._curvature)
+        none = np.isnan(self._upper)
+        return Bounds(*(self._shaped(np.where(none, np.nan, each)) for each in (lower, upper)))
+
+    @cached_property
+    def _upper(self) -> Array:
+        """Upper bounds of the geodesics' lengths; NaN where there is none. Shape (problems,)."""
         known = have_length(np.asarray(self.status, dtype=object)).ravel()
         upper = np.maximum(np.add(self.length, self.error_estimate), self.raw_length).ravel()
+        return np.where(known, upper, np.nan)
+
+    @cached_property
+    def _curvature(self) -> CurvatureBounds:
         with one_blas_thread():
-            proven = self.patches.prove_shortest(np.where(known, upper, np.nan))
-        return self._shaped(proven)
+            return cast("PatchesOfPaths", self.patches).curvature(self._upper)
 
     @property
     def contacts(self) -> NDArray[np.object_]:

@@ -83,6 +83,20 @@ class CurvatureBounds:
         """Return the bounds of some of the patches."""
         return CurvatureBounds(self.curvature[rows], self.positive[rows], self.area[rows])
 
+    def put(self, rows: Ints, bounds: "CurvatureBounds") -> None:
+        """Put in the bounds of some of the patches."""
+        self.curvature[rows] = bounds.curvature
+        self.positive[rows] = bounds.positive
+        self.area[rows] = bounds.area
+
+    def scaled(self, factor: Array) -> "CurvatureBounds":
+        """Return the bounds of patches that are larger by a factor, a power of 2."""
+        # Of the smallest patches the area vanishes, and of the largest the curvature.
+        with np.errstate(over="ignore", under="ignore"):
+            return CurvatureBounds(
+                self.curvature / factor / factor, self.positive, self.area * factor * factor
+            )
+
 
 def forms(control_points: Array) -> Forms:
     """Return the polynomials of patches of about size 1, shape (patches, m + 1, n + 1, 3)."""

@@ -1,13 +1,28 @@
 """The patches that the paths of a solution lie on, kept for proofs that are made when asked for."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.geodesic.numerics.array_libraries import to_numpy
-from bodymeasure.geodesic.proofs.shortest import are_shortest
+from bodymeasure.geodesic.proofs.bounds import (
+    Bounds,
+    SampledPaths,
+    bounds_of,
+    sample_paths,
+)
+from bodymeasure.geodesic.proofs.curvature import CurvatureBounds
+from bodymeasure.geodesic.proofs.shortest import (
+    are_shortest,
+    bounds_for_paths,
+    has_little_curvature,
+)
+from bodymeasure.geodesic.solving.protocol import PathBatch
+from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,18 +42,55 @@ class PatchesOfPaths:
     surface_of: Ints
     scale: Array
 
+    @cached_property
+    def _nets(self) -> Array:
+        return to_numpy(self.control_points)
+
+    @cached_property
+    def _surfaces(self) -> BezierSurfaces:
+        return BezierSurfaces(self._nets)
+
     def take(self, paths: Ints) -> "PatchesOfPaths":
         """Return the patches of some of the paths, which do not keep the others in memory."""
         needed, surface_of = np.unique(self.surface_of[paths], return_inverse=True)
-        points = to_numpy(self.control_points)[needed]
-        return PatchesOfPaths(points, surface_of.reshape(-1), self.scale[paths])
+        return PatchesOfPaths(self._nets[needed], surface_of.reshape(-1), self.scale[paths])
 
-    def prove_shortest(self, lengths: Array) -> Bools:
-        """Return which paths are proven to be the only shortest ones on their patches.
+    def curvature(self, lengths: Array) -> CurvatureBounds:
+        """Return bounds of the curvature of these patches, around paths of given lengths.
 
         Parameters
         ----------
         lengths : ndarray, shape (paths,)
-            Upper bounds of the lengths in the user's unit; NaN where there is none.
+            Upper bounds in the user's unit; NaN where there is no path.
         """
-        return are_shortest(to_numpy(self.control_points), self.surface_of, lengths / self.scale)
+        return bounds_for_paths(self._nets, self.surface_of, lengths / self.scale)
+
+    def prove_shortest(self, curvature: CurvatureBounds, lengths: Array) -> Bools:
+        """Return which paths are proven to be the only shortest ones on their patches."""
+        return are_shortest(curvature, lengths / self.scale)
+
+    def bounds(self, batches: Sequence[PathBatch], curvature: CurvatureBounds) -> Bounds:
+        """Return bounds of the shortest paths' lengths, in the user's unit.
+
+        Parameters
+        ----------
+        batches : sequence of PathBatch
+            All paths, by trial space.
+        curvature : CurvatureBounds
+            Of the patches, around these paths.
+        """
+        result = np.full((2, len(self.scale)), np.nan)
+        k = np.where(has_little_curvature(curvature), curvature.curvature, np.nan)
+        for batch in batches:
+            here, (first, last) = batch.problems, (batch.values[:, :, end] for end in (0, -1))
+            surface = self._surfaces.take(self.surface_of[here])
+            ends = surface.positions(np.stack([first, last], axis=1))
+            distance = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1)
+            if batch.contacts:
+                # Along an edge, paths are curved where the edge is.
+                unknown = np.full(len(here), np.nan)
+                sampled = SampledPaths(batch.length.raw, unknown)
+            else:
+                sampled = sample_paths(surface, batch.space, batch.values)
+            result[:, here] = bounds_of(batch.length.raw, sampled, k[here], distance)
+        return Bounds(*(result * self.scale))

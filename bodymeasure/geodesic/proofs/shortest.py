@@ -20,49 +20,77 @@ from bodymeasure.geodesic.surfaces.control_points import of_size_one
 
 # The part of pi^2 and 2 pi that is used, so that no rounding in the comparison itself matters.
 SAFE = 1.0 - 1e-12
+# Bounds of a length are close where the curvature's bound is below this part of the largest one.
+NEAR = 0.8
 
 
-def are_shortest(control_points: Array, surface_of: Ints, lengths: Array) -> Bools:
-    """Return which geodesics are proven to be the only shortest paths on their patches.
+def bounds_for_paths(control_points: Array, surface_of: Ints, lengths: Array) -> CurvatureBounds:
+    """Return bounds of the curvature around paths, as close as their lengths ask for.
 
     Parameters
     ----------
     control_points : ndarray, shape (patches, m + 1, n + 1, 3)
         Polynomial patches.
-    surface_of : ndarray of int, shape (problems,)
-        The patch of each geodesic.
-    lengths : ndarray, shape (problems,)
+    surface_of : ndarray of int, shape (paths,)
+        The patch of each path.
+    lengths : ndarray, shape (paths,)
+        Upper bounds of the paths' lengths; NaN where there is no path.
+
+    Returns
+    -------
+    CurvatureBounds
+        Of shape (paths,), infinite where there is no path.
+    """
+    result = CurvatureBounds(*np.full((3, len(lengths)), np.inf))
+    asked = np.flatnonzero(np.isfinite(lengths))
+    if not len(asked):
+        return result
+    patches, rows = np.unique(surface_of[asked], return_inverse=True)
+    nets, sizes = of_size_one(control_points[patches])
+    largest = _largest(lengths[asked] / sizes[rows])
+    endless = np.full(len(nets), np.inf)
+    found = curvature_bounds(nets, endless, endless, most_halvings=0).take(rows)
+    far = ~proves(found, largest) | (found.curvature > NEAR * largest)
+    left = np.flatnonzero(far & (largest > 0.0))
+    if len(left):
+        # Where the whole curvature is too large as well, smaller bounds are asked for.
+        wanted = np.minimum(NEAR * largest[left], 2.0 * np.pi * SAFE / found.area[left])
+        found.put(left, curvature_bounds(nets[rows[left]], wanted, largest[left]))
+    result.put(asked, found.scaled(sizes[rows]))
+    return result
+
+
+def are_shortest(bounds: CurvatureBounds, lengths: Array) -> Bools:
+    """Return which geodesics are proven to be the only shortest paths on their patches.
+
+    Parameters
+    ----------
+    bounds : CurvatureBounds
+        Those of `bounds_for_paths`.
+    lengths : ndarray, shape (paths,)
         Upper bounds of the geodesics' lengths; NaN where there is no geodesic, and then nothing is
         proven.
 
     Returns
     -------
-    ndarray of bool, shape (problems,)
+    ndarray of bool, shape (paths,)
         False means that it is not proven.
     """
-    proven = np.zeros(len(lengths), bool)
-    asked = np.flatnonzero(np.isfinite(lengths))
-    if not len(asked):
-        return proven
-    patches, rows = np.unique(surface_of[asked], return_inverse=True)
-    nets, sizes = of_size_one(control_points[patches])
-    lengths = lengths[asked] / sizes[rows]
-    # A path of length 0 is the shortest on any patch, and has no largest curvature.
-    with np.errstate(divide="ignore"):
-        largest = (np.pi / lengths) ** 2 * SAFE
-    endless = np.full(len(nets), np.inf)
-    bounds = curvature_bounds(nets, endless, endless, most_halvings=0).take(rows)
-    found = proves(bounds, largest)
-    left = np.flatnonzero(~found)
-    if len(left):
-        # Where the whole curvature is too large as well, smaller bounds are asked for.
-        wanted = np.minimum(largest[left], 2.0 * np.pi * SAFE / bounds.area[left])
-        closer = curvature_bounds(nets[rows[left]], wanted, largest[left])
-        found[left] = proves(closer, largest[left])
-    proven[asked] = found
-    return proven
+    return proves(bounds, _largest(lengths)) & np.isfinite(lengths)
+
+
+def _largest(lengths: Array) -> Array:
+    """The curvature up to which a path of some length is the only shortest one."""
+    # A path of length 0 is the shortest on any patch.
+    with np.errstate(divide="ignore", over="ignore"):
+        return np.asarray((np.pi / lengths) ** 2 * SAFE)
 
 
 def proves(bounds: CurvatureBounds, largest: Array) -> Bools:
     """Return whether bounds prove geodesics, where k must be at most the largest, (pi / L)^2."""
-    return (bounds.curvature <= largest) & (bounds.positive < 2.0 * np.pi * SAFE)
+    return (bounds.curvature <= largest) & has_little_curvature(bounds)
+
+
+def has_little_curvature(bounds: CurvatureBounds) -> Bools:
+    """Return which patches have so little whole curvature that they are CAT(k) spaces."""
+    return np.asarray(bounds.positive < 2.0 * np.pi * SAFE)

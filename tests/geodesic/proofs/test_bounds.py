@@ -1,0 +1,103 @@
+"""Bounds of lengths on both sides, which hold whatever the computed path is like."""
+
+import numpy as np
+import pytest
+from helpers.speed import quick
+from helpers.surfaces.surfaces import SURFACES, Surface
+
+import bodymeasure as bm
+from bodymeasure.bench.problems.patches import mild_patches, wild_patches
+from bodymeasure.geodesic.proofs.bounds import shortfall
+from bodymeasure.geodesic.spaces.kernels import WU_C2
+
+BODIES = ("male_average", "female_average", "female_full_bust", "female_heavy", "female_old")
+
+
+def test_the_shortfall_is_that_of_circles_in_planes_and_on_spheres() -> None:
+    turn = np.array([1e-9, 1e-5, 0.01, 1.0, 2.0])
+    # In the plane, an arc of curvature c and length 1 has the chord 2 sin(c / 2) / c.
+    chord = 2.0 * np.sin(turn / 2.0) / turn
+    found = shortfall(np.ones(5), turn, np.zeros(5))
+    np.testing.assert_allclose(found[2:], 1.0 - chord[2:], rtol=1e-5)
+    np.testing.assert_allclose(found[:3], turn[:3] ** 2 / 24.0, rtol=1e-5)
+    # On the unit sphere, a circle at a distance r from its pole has the curvature 1 / tan r.
+    radius, angle = 1.1, np.array([0.1, 1.0, 2.5])
+    length = angle * np.sin(radius)
+    apart = 2.0 * np.arcsin(np.sin(radius) * np.sin(angle / 2.0))
+    found = shortfall(length, np.full(3, 1.0 / np.tan(radius)), np.ones(3))
+    np.testing.assert_allclose(found, length - apart, rtol=1e-12, atol=1e-16)
+    # Past half of the circle the theorem says nothing.
+    assert np.isnan(shortfall(np.array([3.2]), np.zeros(1), np.ones(1))).all()
+    assert np.isnan(shortfall(np.ones(1), np.array([np.nan]), np.ones(1))).all()
+
+
+@pytest.mark.parametrize("functions", quick((8, 4, 6, 12, 20)))
+@pytest.mark.parametrize("surface", SURFACES, ids=lambda surface: surface.name)
+def test_bounds_contain_lengths_in_closed_form(surface: Surface, functions: int) -> None:
+    method = bm.RBFCollocation(functions=functions, tolerance=1.0)
+    solution = bm.solve_geodesic(
+        surface.control_points, surface.start, surface.end, method=method, on_failure="status"
+    )
+    if not solution.converged:
+        assert np.isnan(solution.bounds).all()
+        return
+    lower, upper = solution.bounds
+    # The closed form itself is rounded.
+    assert lower <= surface.length * (1.0 + 1e-15)
+    assert upper >= surface.length * (1.0 - 1e-15)
+    assert 0.0 < upper - lower < upper
+
+
+def test_bounds_of_poor_paths_hold_too(rng: np.random.Generator) -> None:
+    nets = mild_patches(rng, 50, 0.3)
+    exact = bm.solve_geodesic(nets, (0, 0), (1, 1))
+    for kernel, functions in ((WU_C2, 3), (bm.WU_C10, 4), (bm.WU_C10, 6)):
+        method = bm.RBFCollocation(kernel, functions=functions, tolerance=1.0)
+        poor = bm.solve_geodesic(nets, (0, 0), (1, 1), method=method, on_failure="status")
+        lower, upper = (each[poor.converged] for each in poor.bounds)
+        length = exact.length[poor.converged]
+        assert len(length)
+        assert (lower <= length).all()
+        assert (length <= upper).all()
+        # They do not rest on the error estimate: the paths are poor, and so are the bounds.
+        assert np.median(upper / lower - 1.0) > 1e-6
+
+
+@pytest.mark.parametrize("name", quick(BODIES))
+def test_bounds_contain_the_diagonals_of_bodies_and_are_close(name: str) -> None:
+    body = bm.load_sample(name)
+    method = bm.RBFCollocation(functions=20)
+    for solution in (bm.diagonals(body), bm.diagonals(body, method=method, on_failure="status")):
+        known = solution.converged
+        lower, upper = (each[known] for each in solution.bounds)
+        length = solution.length[known]
+        assert ((lower <= length) & (length <= upper)).all()
+    # With 20 functions.
+    width = upper / lower - 1.0
+    assert np.median(width) <= 1e-15
+    assert np.quantile(width[solution.proven_shortest[known]], 0.95) <= 1e-8
+
+
+def test_wild_patches_have_bounds_that_hold(rng: np.random.Generator) -> None:
+    nets = wild_patches(rng, 100, 1.0)
+    solution = bm.solve_geodesic(nets, (0, 0), (1, 1), on_failure="status")
+    lower, upper = solution.bounds
+    known = solution.converged
+    assert (lower[known] <= solution.length[known]).all()
+    assert (upper[known] >= solution.length[known]).all()
+    # Along an edge, the distance in space is left.
+    chord = np.linalg.norm(nets[:, 3, 3] - nets[:, 0, 0], axis=-1)
+    edge = np.asarray(solution.status) == bm.Status.ON_BOUNDARY
+    assert edge.any()
+    np.testing.assert_allclose(lower[edge], chord[edge], rtol=1e-14)
+
+
+def test_bounds_have_the_unit_and_the_shape_of_the_lengths(rng: np.random.Generator) -> None:
+    nets = mild_patches(rng, 6, 0.3).reshape(2, 3, 4, 4, 3)
+    one = bm.solve_geodesic(nets, (0, 0), (1, 1))
+    large = bm.solve_geodesic(nets * 1000.0, (0, 0), (1, 1))
+    assert one.bounds.lower.shape == (2, 3)
+    np.testing.assert_allclose(large.bounds, 1000.0 * np.array(one.bounds), rtol=1e-9)
+    single = one[1, 2]
+    assert np.ndim(single.bounds.lower) == 0
+    np.testing.assert_allclose(single.bounds, [each[1, 2] for each in one.bounds], rtol=1e-14)
