@@ -49,9 +49,9 @@ ORDERS = {
     "fit": "model, scan · completed, solving · topology · export",
     "formats": "groups, json_faults, options, patches, scan_record, spline_patches, text ·"
     " atlas_json, bez, bpt, foreign, geomdl, npz, obj · mesh_vertices · registry",
-    "geodesic": "numerics, status · across/routes, spaces, surfaces · lengths ·"
-    " across/pieces, solving · contact, graph, tracing · elements · across/contact, methods,"
-    " shortest · across/search · across/poles",
+    "geodesic": "numerics, rigorous, status · across/routes, spaces, surfaces · lengths ·"
+    " across/pieces, solving · proofs · contact, graph, tracing · elements · across/contact,"
+    " methods, shortest · across/search · across/poles",
     "measure": "patches · body/cutting, body/drops, body/height_saddles, body/merging,"
     " body/straight, body/taut_places · body/forks, body/girths · body/closed_girth,"
     " body/extreme_girth, body/girth_arcs",

@@ -7,6 +7,7 @@ from bodymeasure.geodesic.alternatives import geodesic_alternatives
 from bodymeasure.geodesic.between import geodesic_between, geodesics_between
 from bodymeasure.geodesic.closed import ClosedPath, contracted_loop
 from bodymeasure.geodesic.directed import DirectedPath, geodesic_from
+from bodymeasure.geodesic.enclosed import enclose
 from bodymeasure.geodesic.methods.polynomial_collocation import PolynomialCollocation
 from bodymeasure.geodesic.methods.rbf_collocation import RBFCollocation
 from bodymeasure.geodesic.methods.relaxation import Relaxation
@@ -56,6 +57,7 @@ __all__ = [
     "Surface",
     "TrialSpace",
     "contracted_loop",
+    "enclose",
     "geodesic_alternatives",
     "geodesic_between",
     "geodesic_from",

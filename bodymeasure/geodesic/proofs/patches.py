@@ -43,17 +43,18 @@ class PatchesOfPaths:
     scale: Array
 
     @cached_property
-    def _nets(self) -> Array:
+    def nets(self) -> Array:
+        """The control points as an array of numpy's."""
         return to_numpy(self.control_points)
 
     @cached_property
     def _surfaces(self) -> BezierSurfaces:
-        return BezierSurfaces(self._nets)
+        return BezierSurfaces(self.nets)
 
     def take(self, paths: Ints) -> "PatchesOfPaths":
         """Return the patches of some of the paths, which do not keep the others in memory."""
         needed, surface_of = np.unique(self.surface_of[paths], return_inverse=True)
-        return PatchesOfPaths(self._nets[needed], surface_of.reshape(-1), self.scale[paths])
+        return PatchesOfPaths(self.nets[needed], surface_of.reshape(-1), self.scale[paths])
 
     def curvature(self, lengths: Array) -> CurvatureBounds:
         """Return bounds of the curvature of these patches, around paths of given lengths.
@@ -63,7 +64,7 @@ class PatchesOfPaths:
         lengths : ndarray, shape (paths,)
             Upper bounds in the user's unit; NaN where there is no path.
         """
-        return bounds_for_paths(self._nets, self.surface_of, lengths / self.scale)
+        return bounds_for_paths(self.nets, self.surface_of, lengths / self.scale)
 
     def prove_shortest(self, curvature: CurvatureBounds, lengths: Array) -> Bools:
         """Return which paths are proven to be the only shortest ones on their patches."""

@@ -1,0 +1,1 @@
+"""Enclosures of lengths in exact and in ball arithmetic, without rounding errors left aside."""
