@@ -51,6 +51,7 @@ __all__ = [
     "LoopKind",
     "Measured",
     "MeasurementDefinition",
+    "MedoidSizes",
     "MeshPath",
     "Method",
     "MissingExtraError",
@@ -67,7 +68,9 @@ __all__ = [
     "ScanFit",
     "SeamCrossing",
     "Severity",
+    "SizeTable",
     "Status",
+    "StepSizes",
     "Survey",
     "SurveyTable",
     "TautStatus",
@@ -118,6 +121,7 @@ __all__ = [
     "sample_names",
     "save_topology",
     "show",
+    "size_table",
     "solve_geodesic",
     "survey",
     "taut_tape",
@@ -132,6 +136,7 @@ __all__ = [
     "write_pattern",
     "write_population",
     "write_report",
+    "write_sizes",
     "write_survey",
 ]
 
@@ -282,7 +287,17 @@ if TYPE_CHECKING:
     from bodymeasure.section import (
         Plane,
     )
-    from bodymeasure.surveys import SurveyTable, read_survey, survey, write_survey
+    from bodymeasure.surveys import (
+        MedoidSizes,
+        SizeTable,
+        StepSizes,
+        SurveyTable,
+        read_survey,
+        size_table,
+        survey,
+        write_sizes,
+        write_survey,
+    )
     from bodymeasure.taut import TautStatus, TautTape, taut_tape
     from bodymeasure.viewer import export_page, show
 else:

@@ -28,6 +28,7 @@ COMMANDS = {
         "measuring.compare", "Compare two bodies, or a chart with hand measurements."
     ),
     "survey": Listed("surveys.survey", "Take the charts of many bodies into one table."),
+    "sizes": Listed("surveys.sizes", "Make a table of sizes from a survey."),
     "landmarks": Listed("landmarks.group", "List, add, remove and check landmarks."),
     "pattern": Listed("patterns.pattern", "Make the flat pieces of a garment from a body."),
     "diagonals": Listed("measuring.diagonals", "Print both diagonals of every patch."),
