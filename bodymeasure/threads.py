@@ -6,6 +6,7 @@ ten times the processor time of one thread, and several times the wall time wher
 run beside it.
 """
 
+import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -20,22 +21,26 @@ class _Limit:
     ----------
     holders : int
         The number of calls that hold it now.
+    held : set of str
+        The files of the libraries that it holds.
     before : list of (library, int)
         The libraries that had more threads, with their numbers.
     """
 
     def __init__(self) -> None:
         self.holders = 0
+        self.held: set[str] = set()
         self.before: list[tuple[Any, int]] = []
 
     def enter(self, libraries: list[Any]) -> None:
-        if self.holders == 0:
-            numbers = [(library, library.get_num_threads()) for library in libraries]
-            self.before = [
-                (library, number)
-                for library, number in numbers
-                if number is not None and number > 1 and _set(library, 1)
-            ]
+        # SciPy's library may be loaded while that of NumPy is held.
+        for library in libraries:
+            if library.filepath in self.held:
+                continue
+            self.held.add(library.filepath)
+            number = library.get_num_threads()
+            if number is not None and number > 1 and _set(library, 1):
+                self.before.append((library, number))
         self.holders += 1
 
     def leave(self) -> None:
@@ -43,6 +48,8 @@ class _Limit:
         if self.holders == 0:
             for library, number in self.before:
                 _set(library, number)
+            self.held.clear()
+            self.before.clear()
 
 
 class _ThreadLimit(_Limit, threading.local):
@@ -75,13 +82,17 @@ def one_blas_thread() -> Iterator[None]:
             _OF_PROCESS.leave()
 
 
-@cache
 def _libraries() -> tuple[list[Any], list[Any]]:
     """The BLAS libraries with one number of threads for the process, and those with one a thread.
 
-    They are looked for once, when those of NumPy and SciPy are loaded.
+    They are looked for once, and again when SciPy's is loaded, which takes a tenth of a second and
+    is not needed for much.
     """
-    import scipy.linalg  # noqa: F401
+    return _libraries_found("scipy.linalg" in sys.modules)
+
+
+@cache
+def _libraries_found(with_scipy: bool) -> tuple[list[Any], list[Any]]:  # noqa: ARG001
     from threadpoolctl import ThreadpoolController
 
     found = ThreadpoolController().select(user_api="blas").lib_controllers

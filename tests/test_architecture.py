@@ -11,7 +11,7 @@ from helpers.modules import FOLDERS, ROOT, Module, all_modules, loaded_by
 
 # Each layer imports from those above it in this list, not from others of its own line.
 LAYERS = (
-    ("_typing", "errors", "threads", "wording"),
+    ("_typing", "errors", "lazy", "threads", "wording"),
     ("arguments", "files", "npz_arrays", "trust"),
     ("native",),
     ("bezier",),
@@ -57,7 +57,7 @@ ORDERS = {
     " body/extreme_girth, body/girth_arcs",
     "mesh": "arrays, path, tubes · curved, exact, points · coarseness, curves, glb, lines ·"
     " measure",
-    "native": "library · points · energy · box, closest, diagonal, route, unfold",
+    "native": "library · points · energy · box, closest, diagonal, route, trees, unfold",
     "paper": "method · data · surface · tables · reproduction · page",
     "pattern": "grid, planar · cloth, patches · curves, definitions · cutting · flat ·"
     " pieces · files",

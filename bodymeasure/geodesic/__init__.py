@@ -1,18 +1,12 @@
-"""Geodesics on one patch and across patches: trial spaces, methods, routes, solutions."""
+"""Geodesics on one patch and across patches: trial spaces, methods, routes, solutions.
 
-from bodymeasure.geodesic.across.pieces.error import LoopKind
-from bodymeasure.geodesic.across.pieces.part import PathPart, PathPiece
-from bodymeasure.geodesic.across.pieces.path import AtlasPath, SeamCrossing
-from bodymeasure.geodesic.alternatives import geodesic_alternatives
-from bodymeasure.geodesic.between import geodesic_between, geodesics_between
-from bodymeasure.geodesic.closed import ClosedPath, contracted_loop
-from bodymeasure.geodesic.directed import DirectedPath, geodesic_from
-from bodymeasure.geodesic.enclosed import enclose
+What searches across patches, and rarer methods, are loaded when they are first asked for.
+"""
+
+from typing import TYPE_CHECKING
+
 from bodymeasure.geodesic.methods.polynomial_collocation import PolynomialCollocation
 from bodymeasure.geodesic.methods.rbf_collocation import RBFCollocation
-from bodymeasure.geodesic.methods.relaxation import Relaxation
-from bodymeasure.geodesic.methods.ritz import Ritz
-from bodymeasure.geodesic.methods.shooting import Shooting
 from bodymeasure.geodesic.proofs.bounds import Bounds
 from bodymeasure.geodesic.proofs.patches import PatchesOfPaths
 from bodymeasure.geodesic.shortest.search import SEARCHES, Search
@@ -24,6 +18,7 @@ from bodymeasure.geodesic.spaces.rbf import rbf_coefficients
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.status import Status
 from bodymeasure.geodesic.surfaces.protocol import Surface
+from bodymeasure.lazy import loader
 
 __all__ = [
     "SEARCHES",
@@ -65,3 +60,34 @@ __all__ = [
     "rbf_coefficients",
     "solve_geodesic",
 ]
+
+if TYPE_CHECKING:
+    from bodymeasure.geodesic.across.pieces.error import LoopKind
+    from bodymeasure.geodesic.across.pieces.part import PathPart, PathPiece
+    from bodymeasure.geodesic.across.pieces.path import AtlasPath, SeamCrossing
+    from bodymeasure.geodesic.alternatives import geodesic_alternatives
+    from bodymeasure.geodesic.between import geodesic_between, geodesics_between
+    from bodymeasure.geodesic.closed import ClosedPath, contracted_loop
+    from bodymeasure.geodesic.directed import DirectedPath, geodesic_from
+    from bodymeasure.geodesic.enclosed import enclose
+    from bodymeasure.geodesic.methods.relaxation import Relaxation
+    from bodymeasure.geodesic.methods.ritz import Ritz
+    from bodymeasure.geodesic.methods.shooting import Shooting
+else:
+    __getattr__ = loader(
+        __name__,
+        __all__,
+        (
+            "across.pieces.error",
+            "across.pieces.part",
+            "across.pieces.path",
+            "alternatives",
+            "between",
+            "closed",
+            "directed",
+            "enclosed",
+            "methods.relaxation",
+            "methods.ritz",
+            "methods.shooting",
+        ),
+    )

@@ -20,6 +20,7 @@ from bodymeasure.native.points import (
     roots_in_brackets,
 )
 from bodymeasure.native.route import NewtonSettings, RouteArrays, route_newton
+from bodymeasure.native.trees import shortest_ways
 from bodymeasure.native.unfold import unfolded
 
 __all__ = [
@@ -43,5 +44,6 @@ __all__ = [
     "power_jets",
     "roots_in_brackets",
     "route_newton",
+    "shortest_ways",
     "unfolded",
 ]

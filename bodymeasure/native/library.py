@@ -28,6 +28,7 @@ KERNELS = {
     "bodymeasure_power_jets": [ctypes.c_int64] * 3 + [_POINTER] * 3,
     "bodymeasure_roots": [ctypes.c_int64] * 2 + [_POINTER] * 4,
     "bodymeasure_route_newton": [_POINTER] * 7,
+    "bodymeasure_shortest_trees": [ctypes.c_int64] * 3 + [_POINTER] * 5,
     "bodymeasure_unfold": [_POINTER] * 2,
 }
 

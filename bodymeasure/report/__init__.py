@@ -1,9 +1,12 @@
 """What a survey or a chart found, for people (HTML pages) and for programs (JSON, CSV).
 
-Importing this package does not load jinja2; rendering a page does.
+Importing this package does not load jinja2; rendering a page does. What writes charts, with all
+that charts need, is loaded when it is first asked for: tables of diagonals do without.
 """
 
-from bodymeasure.report.body.outputs import write_chart
+from typing import TYPE_CHECKING
+
+from bodymeasure.lazy import loader
 from bodymeasure.report.patches.from_survey import measurement_records, survey_document
 from bodymeasure.report.patches.outputs import write_report
 from bodymeasure.report.patches.page import Pictures, render_html
@@ -26,3 +29,8 @@ __all__ = [
     "write_chart",
     "write_report",
 ]
+
+if TYPE_CHECKING:
+    from bodymeasure.report.body.outputs import write_chart
+else:
+    __getattr__ = loader(__name__, __all__, ("body.outputs",))

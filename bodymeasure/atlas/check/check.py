@@ -1,5 +1,7 @@
 """The check of an atlas: what is wrong with its geometry."""
 
+from functools import lru_cache
+
 import numpy as np
 
 from bodymeasure._typing import Bools, Ints
@@ -57,6 +59,12 @@ def check_atlas(atlas: Atlas) -> tuple[Finding, ...]:
     [('kinked seam', 'warning')]
     """
     require_atlas(atlas)
+    return _findings(atlas)
+
+
+# Atlases do not change; commands check one as they read it, and again for what they write.
+@lru_cache(maxsize=4)
+def _findings(atlas: Atlas) -> tuple[Finding, ...]:
     control_points = atlas.control_points
     require_size(project(control_points).reshape(-1, 3), atlas.unit)
     cones = normal_cones(control_points)

@@ -29,6 +29,8 @@ _SEGMENTS = 32
 _FINE = 512
 # The number of pairs whose distance is taken at once, which bounds the memory where edges crowd.
 _BLOCK = 10_000
+# The number of products of a search through all pairs that takes less time than SciPy's import.
+_MANY = 1_000_000
 # The number of free edges that are considered near each one; no atlas has more at one place.
 _NEIGHBORS = 8
 
@@ -125,14 +127,29 @@ def _neighbors(edges: FreeEdges) -> tuple[Ints, Ints]:
         return none, none
     middles = _compared_points(edges.control_points, np.array([0.5]))[:, 0]
     reach = NEAR * np.minimum(edges.length, edges.width)
-    _, found = scipy.spatial.KDTree(middles).query(
-        middles, k=min(_NEIGHBORS, count), distance_upper_bound=float(reach.max()) * (1 + 1e-12)
-    )
+    most = float(reach.max()) * (1 + 1e-12)
+    distance, found = _nearest(middles, middles, min(_NEIGHBORS, count))
+    found = np.where(distance < most, found, count)
     first = np.repeat(np.arange(count), found.shape[1])
     second = found.ravel()
     pairs = np.stack([first, second], axis=1)[(second < count) & (second != first)]
     pairs = np.unique(np.sort(pairs, axis=1), axis=0)
     return pairs[:, 0], pairs[:, 1]
+
+
+def _nearest(points: Array, places: Array, count: int) -> tuple[Array, Ints]:
+    """The distances and numbers of the points nearest to places, shape (..., 3): the nearest first.
+
+    Atlases have few free edges, for which SciPy, whose import takes a tenth of a second, need not
+    be loaded.
+    """
+    if len(points) * places.size > _MANY:
+        distance, found = scipy.spatial.KDTree(points).query(places, k=[*range(1, count + 1)])
+        return distance, found
+    steps = places[..., None, :] - points
+    every = np.sqrt(np.einsum("...c,...c->...", steps, steps))
+    found = np.argsort(every, axis=-1, kind="stable")[..., :count]
+    return np.take_along_axis(every, found, axis=-1), found
 
 
 def welded_index(index: Ints, edges: FreeEdges, seams: NearSeams) -> Ints:
@@ -161,7 +178,7 @@ def t_junctions(edges: FreeEdges) -> tuple[Ints, Ints]:
     # An end inside an edge is nearer to one of eight points along it than the edge's own ends are.
     along = np.arange(1, 8) / 8
     samples = _points(edges.control_points, along)
-    distance, nearest = scipy.spatial.KDTree(positions).query(samples, k=min(3, len(positions)))
+    distance, nearest = _nearest(positions, samples, min(3, len(positions)))
     edge = np.broadcast_to(np.arange(len(samples))[:, None, None], distance.shape)
     # Curves are shorter than their control polygons, but their speed varies: hence 1/8, not 1/16.
     near = distance <= (1 / 8 + TOUCHES) * edges.length[edge]

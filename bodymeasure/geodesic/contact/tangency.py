@@ -16,7 +16,6 @@ end.
 """
 
 import numpy as np
-from scipy.linalg import LinAlgError, solve_banded
 
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.contact.edge_arc import edge_curvature
@@ -65,14 +64,15 @@ def _angle(space: TrialSpace, geometry: PathGeometry, joint: int) -> float:
     speed, kappa, curvature = (each[:, 0] for each in geometry)
     way = space.quadrature.weights * speed
     steps = np.concatenate([[way[0]], way[:-1] + way[1:], [way[-1]]]) / 2.0
-    # The Jacobi equation by finite differences at the quadrature's points.
-    bands = np.zeros((3, len(way)))
-    bands[0, 1:] = bands[2, :-1] = -1.0 / steps[1:-1]
-    bands[1] = 1.0 / steps[1:] + 1.0 / steps[:-1] - curvature * way
+    # The Jacobi equation by finite differences at the quadrature's points, of which there are few.
+    matrix = np.diag(1.0 / steps[1:] + 1.0 / steps[:-1] - curvature * way)
+    row = np.arange(len(way) - 1)
+    matrix[row, row + 1] = matrix[row + 1, row] = -1.0 / steps[1:-1]
     right = np.zeros(len(way))
     right[-joint] = 1.0 / steps[-joint]
     try:
-        field = solve_banded((1, 1), bands, right)
-    except (LinAlgError, ValueError):
+        field = np.linalg.solve(matrix, right)
+    except np.linalg.LinAlgError:
         return np.inf
-    return float(abs((way * kappa) @ field))
+    angle = float(abs((way * kappa) @ field))
+    return angle if np.isfinite(angle) else np.inf

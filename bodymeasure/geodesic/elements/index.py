@@ -1,7 +1,7 @@
 """The Morse index of a path made of elements: how many conjugate points it has."""
 
 import numpy as np
-from scipy.linalg import eigvalsh_tridiagonal
+import scipy
 
 from bodymeasure._typing import Bools
 from bodymeasure.geodesic.elements.path import DEGREE
@@ -42,7 +42,9 @@ def path_index(pieces: Pieces, free: Bools) -> int:
         diagonal = (1.0 / steps[1:] + 1.0 / steps[:-1]) / way - bend
         beside = -1.0 / steps[1:-1] / np.sqrt(way[:-1] * way[1:])
         bound = CLEAR * (np.pi / length) ** 2
-        low = eigvalsh_tridiagonal(diagonal, beside, select="v", select_range=(-np.inf, bound))
+        low = scipy.linalg.eigvalsh_tridiagonal(
+            diagonal, beside, select="v", select_range=(-np.inf, bound)
+        )
         if (low > -bound).any():
             return UNKNOWN
         index += len(low)

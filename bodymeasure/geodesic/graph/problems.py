@@ -4,11 +4,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-import array_api_compat
-
 from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import restrict
-from bodymeasure.geodesic.numerics.array_libraries import constant, to_numpy
+from bodymeasure.geodesic.numerics.array_libraries import constant, namespace, to_numpy
 
 # The rounding errors of the control points of a part of a patch of size 1.
 RESTRICTION = 2e-15
@@ -38,7 +36,7 @@ class OffsetProblems:
         """Return the problems of going from start to end, no coordinate of which may be equal."""
         if _are_corners(start, end):
             return cls(nets, start, end, True)
-        xp = array_api_compat.array_namespace(nets)
+        xp = namespace(nets)
         parts = constant(restrict(to_numpy(_centered(nets)), start, end), nets, xp)
         return cls(parts, start, end, False)
 
@@ -70,7 +68,7 @@ class OffsetProblems:
     @property
     def xp(self) -> Any:
         """The namespace of the array library of the control points."""
-        return array_api_compat.array_namespace(self.nets)
+        return namespace(self.nets)
 
     @property
     def rounding(self) -> float:

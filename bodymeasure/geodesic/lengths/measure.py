@@ -31,13 +31,13 @@ It is of leading order: callers trust it only where the correction is a small pa
 (`length.TRUSTED_RESIDUAL`).
 """
 
-import array_api_compat.numpy
 import numpy as np
 
 from bodymeasure._typing import Array, Bools
 from bodymeasure.geodesic.lengths.jacobi import length_and_error
 from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.lengths.path_geometry import path_geometry
+from bodymeasure.geodesic.numerics.array_libraries import namespace
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
@@ -64,7 +64,7 @@ def measure_length(surface: Surface, space: TrialSpace, values: Array) -> Length
     moved = values - values[:, :, :1]
     geometry = path_geometry(surface, values @ place.T, *(moved @ rows.T for rows in slopes))
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        length = length_and_error(space, geometry, array_api_compat.numpy)
+        length = length_and_error(space, geometry, namespace(geometry.speed))
     steep = np.flatnonzero(is_steep(length.raw, values))
     if len(steep):
         length.error[steep] += _cancellation(surface.take(steep), space, values[steep])

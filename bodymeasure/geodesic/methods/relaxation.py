@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import solve_banded
+import scipy
 
 from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
@@ -100,7 +100,7 @@ def _relaxed(surface: Surface, start: Array, moves: Array) -> tuple[Array | None
     def direction(residual: Array, bands: Array) -> Array:
         result = np.zeros_like(moves)
         try:
-            solution = solve_banded((BANDS, BANDS), bands, -residual)
+            solution = scipy.linalg.solve_banded((BANDS, BANDS), bands, -residual)
         except (np.linalg.LinAlgError, ValueError):
             # The system is singular, or not finite.
             return np.full_like(moves, np.nan)

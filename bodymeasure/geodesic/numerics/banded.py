@@ -7,7 +7,7 @@ matrices the batch runs along the first axis.
 from typing import NamedTuple
 
 import numpy as np
-from scipy.linalg.lapack import dpbsv
+import scipy
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.native import box_steps, is_compiled
@@ -44,7 +44,7 @@ def solve_free(bands: Array, right: Array, free: Bools) -> Array | None:
     ndarray, shape (n,), or None
         None if the matrix is not positive definite in what is free.
     """
-    _, solution, failed = dpbsv(restricted(bands, free), right, lower=1)
+    _, solution, failed = scipy.linalg.lapack.dpbsv(restricted(bands, free), right, lower=1)
     return solution if failed == 0 and np.isfinite(solution).all() else None
 
 
@@ -121,8 +121,9 @@ class BoxModels(NamedTuple):
         right = np.where(free, -self.gradient - banded_product(self.bands, held), held)
         matrices = restricted(self.bands, free)
         step, definite = np.empty_like(right), np.empty(len(right), bool)
+        solve = scipy.linalg.lapack.dpbsv
         for number in range(len(right)):
-            _, step[number], failed = dpbsv(matrices[number], right[number], lower=1)
+            _, step[number], failed = solve(matrices[number], right[number], lower=1)
             definite[number] = failed == 0
         return step, definite & np.isfinite(step).all(axis=1)
 

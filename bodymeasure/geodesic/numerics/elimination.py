@@ -10,7 +10,7 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.linalg import cho_solve
+import scipy
 
 from bodymeasure._typing import Ints
 from bodymeasure.geodesic.numerics.array_libraries import constant
@@ -19,6 +19,8 @@ from bodymeasure.geodesic.numerics.array_libraries import constant
 FEW = 64
 # If systems are as large as this, a few of them are solved one by one.
 LARGE = 48
+# From here on, a second factorization takes longer than SciPy's import.
+LARGEST = 256
 
 
 def solve_batch(matrix: Any, right: Any, xp: Any) -> Any:
@@ -94,12 +96,19 @@ def _one_by_one(triangle: Any, right: Any, xp: Any) -> SymmetricSolution:
         except np.linalg.LinAlgError:
             indefinite.append(number)
             continue
-        solution[:, number] = cho_solve((factor, True), right[:, number], check_finite=False)
+        solution[:, number] = _by_factor(factor, right[:, number])
         pivots[:, number] = np.diagonal(factor) ** 2
     if indefinite:
         left = _eliminated(triangle[:, indefinite], right[:, indefinite], xp)
         solution[:, indefinite], pivots[:, indefinite] = left
     return SymmetricSolution(solution, pivots)
+
+
+def _by_factor(factor: Any, right: Any) -> Any:
+    """Solve a system by its Cholesky factor."""
+    if len(factor) < LARGEST:
+        return np.linalg.solve(factor.T, np.linalg.solve(factor, right))
+    return scipy.linalg.cho_solve((factor, True), right, check_finite=False)
 
 
 def _eliminated(triangle: Any, right: Any, xp: Any) -> SymmetricSolution:

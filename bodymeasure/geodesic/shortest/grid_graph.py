@@ -10,6 +10,7 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.lengths.equations import dot
 from bodymeasure.geodesic.numerics.grid_steps import SHORTEST, grid_steps
 from bodymeasure.geodesic.surfaces.protocol import Surface
+from bodymeasure.native import is_compiled, shortest_ways
 
 # Grid lines a side. Coarser grids missed paths round a bump that finer ones found.
 LINES = 13
@@ -62,6 +63,17 @@ def shortest_trees(surface: Surface, ends: Array) -> Trees:
     both = (2, problems, len(grid.edges))
     weights = np.concatenate([np.broadcast_to(steps, both), joints], axis=2)
     heads = np.concatenate([np.broadcast_to(grid.heads, both), joined], axis=2)
+    roughness = _roughness(length, np.sqrt(dot(last - begin, last - begin)))
+    if is_compiled():
+        distance, before = shortest_ways(
+            np.append(grid.degrees, WINDOW * WINDOW),
+            heads.reshape(2 * problems, -1),
+            weights.reshape(2 * problems, -1),
+        )
+        shape = (2, problems, nodes + 1)
+        return Trees(
+            distance.reshape(shape)[..., :nodes], before.reshape(shape)[..., :nodes], roughness
+        )
     # Each tree has its own part of one great graph: the grid's points and then the end.
     first = np.arange(2 * problems).reshape(2, problems, 1) * (nodes + 1)
     degrees = np.tile(np.append(grid.degrees, WINDOW * WINDOW), 2 * problems)
@@ -81,7 +93,7 @@ def shortest_trees(surface: Surface, ends: Array) -> Trees:
     return Trees(
         distance.reshape(shape)[..., :nodes],
         (before.reshape(shape) - first)[..., :nodes],
-        _roughness(length, np.sqrt(dot(last - begin, last - begin))),
+        roughness,
     )
 
 

@@ -3,12 +3,11 @@
 from functools import cached_property, lru_cache
 from typing import Any
 
-import array_api_compat
 import numpy as np
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import bernstein_values, elevate, evaluate
-from bodymeasure.geodesic.numerics.array_libraries import constant, to_numpy
+from bodymeasure.geodesic.numerics.array_libraries import constant, namespace, to_numpy
 from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE
 from bodymeasure.native import MOST_COLUMNS, MOST_DEGREE, bezier_jets, is_compiled
 
@@ -94,7 +93,7 @@ class BezierSurfaces:
     def take(self, problems: Ints) -> "BezierSurfaces":
         """Return the patches of some of the problems."""
         points = self.control_points
-        xp = array_api_compat.array_namespace(points)
+        xp = namespace(points)
         part = BezierSurfaces(xp.take(points, constant(problems, points, xp), axis=0))
         if "nets" in self.__dict__:
             part.nets = self.nets[problems]

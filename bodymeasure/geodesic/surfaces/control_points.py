@@ -9,7 +9,7 @@ import numpy as np
 from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import project
 from bodymeasure.errors import InputError
-from bodymeasure.geodesic.numerics.array_libraries import constant, to_numpy
+from bodymeasure.geodesic.numerics.array_libraries import constant, namespace, to_numpy
 from bodymeasure.native import extremes as compiled_extremes
 from bodymeasure.native import is_compiled
 
@@ -99,7 +99,7 @@ def _as_array(value: Any) -> Any:
 
 
 def _as_doubles(value: Any) -> Any:
-    xp = array_api_compat.array_namespace(value)
+    xp = namespace(value)
     if xp.isdtype(value.dtype, "complex floating"):
         raise TypeError
     # A torch tensor may record what is done with it; only its numbers are wanted.
@@ -121,7 +121,7 @@ def of_size_one(nets: Any, known: Extremes | None = None) -> tuple[Any, Array]:
 
     The sizes are powers of 2, so that nothing is rounded. The patches' `extremes` may be known.
     """
-    xp = array_api_compat.array_namespace(nets)
+    xp = namespace(nets)
     exponents = np.zeros(nets.shape[0], np.int64)
     # The smallest patches are scaled twice, since their factors are beyond the largest number.
     for _ in range(2):
@@ -150,7 +150,7 @@ def extremes(control_points: Any) -> Extremes:
     """Return the least and greatest coordinates of each patch, two arrays (patches, 3)."""
     if control_points.shape[-1] == 4:
         control_points = project(control_points)
-    xp = array_api_compat.array_namespace(control_points)
+    xp = namespace(control_points)
     points = xp.reshape(control_points, (-1, int(np.prod(control_points.shape[-3:-1])), 3))
     if isinstance(points, np.ndarray) and is_compiled():
         return compiled_extremes(points)

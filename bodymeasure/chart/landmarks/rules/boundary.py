@@ -4,11 +4,10 @@ from collections.abc import Iterator
 from typing import ClassVar
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import EDGES, Atlas, AtlasPoint, edge_table
+from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.seams import sides_of
 from bodymeasure.bezier import bernstein, evaluate, project
 from bodymeasure.chart.entry import Fault, Landmark
@@ -104,8 +103,7 @@ def _nearest_curve(
     """Return the sides that make up the boundary curve nearest to a landmark."""
     patch, side = sides
     ends = edge_table(atlas.index).control_index[patch, side][:, [0, -1]]
-    graph = coo_array((np.ones(len(ends)), ends.T), shape=(len(atlas.points),) * 2)
-    curve = connected_components(graph, directed=False)[1][ends[:, 0]]
+    curve = connected_components(ends[:, 0], ends[:, 1], len(atlas.points))[ends[:, 0]]
     along = np.arange(SAMPLES + 1) / SAMPLES
     nets = sides_of(atlas.control_points)[patch, side]
     values = bernstein(nets.shape[1] - 1, along)[:, 0]

@@ -63,7 +63,7 @@ class PatchGraph:
     mesh: RouteMesh
     number: Ints
     places: tuple[AtlasPoint, ...]
-    steps: scipy.sparse.csr_array
+    steps: "scipy.sparse.csr_array"
     grid: Ints
 
     @property

@@ -60,7 +60,7 @@ def via_pairs(graph: PatchGraph, to_start: Array, to_end: Array, reach: float) -
     return sorted(found)
 
 
-def _spread(steps: scipy.sparse.csr_array) -> tuple[Ints, Array, float]:
+def _spread(steps: "scipy.sparse.csr_array") -> tuple[Ints, Array, float]:
     """Vertices far from one another, their distances, and their spacing.
 
     Each vertex is the farthest from those before it: T. F. Gonzalez, "Clustering to minimize the
