@@ -61,6 +61,7 @@ _OURS, _OTHERS = "#0072B2", "#3a9bd1"
 LOOKS = {
     DEFAULT: Look(_OURS, "*", size=13.0, layer=5),
     "RBF, full form": Look(_OTHERS, "o"),
+    "RBF, weak form": Look(_OTHERS, "X", size=6.0),
     "RBF, 8 of Wu's C2": Look(_OTHERS, "s", size=5.5),
     "polynomial collocation": Look(_OTHERS, "D", size=5.0),
     "Ritz": Look(_OTHERS, "^"),

@@ -43,6 +43,7 @@ __all__ = [
     "PathPiece",
     "PolynomialCollocation",
     "RBFCollocation",
+    "RBFRitz",
     "Relaxation",
     "Ritz",
     "SeamCrossing",
@@ -70,6 +71,7 @@ if TYPE_CHECKING:
     from bodymeasure.geodesic.closed import ClosedPath, contracted_loop
     from bodymeasure.geodesic.directed import DirectedPath, geodesic_from
     from bodymeasure.geodesic.enclosed import enclose
+    from bodymeasure.geodesic.methods.rbf_ritz import RBFRitz
     from bodymeasure.geodesic.methods.relaxation import Relaxation
     from bodymeasure.geodesic.methods.ritz import Ritz
     from bodymeasure.geodesic.methods.shooting import Shooting
@@ -86,6 +88,7 @@ else:
             "closed",
             "directed",
             "enclosed",
+            "methods.rbf_ritz",
             "methods.relaxation",
             "methods.ritz",
             "methods.shooting",

@@ -23,6 +23,7 @@ from bodymeasure.geodesic import (
     Method,
     PolynomialCollocation,
     RBFCollocation,
+    RBFRitz,
     Relaxation,
     Ritz,
     Shooting,
@@ -95,6 +96,7 @@ def entrants() -> tuple[Entrant, ...]:
     ours: tuple[tuple[str, Method, Pace], ...] = (
         (DEFAULT, RBFCollocation(), "batch"),
         ("RBF, full form", RBFCollocation(form="full"), "batch"),
+        ("RBF, weak form", RBFRitz(), "batch"),
         ("RBF, 8 of Wu's C2", RBFCollocation(WU_C2, 8), "batch"),
         ("polynomial collocation", PolynomialCollocation(), "batch"),
         ("Ritz", Ritz(), "batch"),

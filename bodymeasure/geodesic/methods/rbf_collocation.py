@@ -94,12 +94,13 @@ class RBFCollocation:
                 raise InputError(
                     f"centers is {self.centers!r}; expected finite numbers, at least one"
                 )
-        counts = self._counts
+        counts = self.counts
         if self.collocation_points is not None:
             _check_collocation_points(self.collocation_points, counts)
 
     @property
-    def _counts(self) -> tuple[int, ...]:
+    def counts(self) -> tuple[int, ...]:
+        """The numbers of functions that are tried in turn."""
         if self.centers is not None:
             return (len(self.centers),)
         return whole_numbers("functions", self.functions, 1)
@@ -107,7 +108,7 @@ class RBFCollocation:
     @property
     def spaces(self) -> Iterator[TrialSpace]:
         """The trial spaces that are tried in turn, each made when it is needed."""
-        return map(self._space, self._counts)
+        return map(self._space, self.counts)
 
     def _space(self, count: int) -> TrialSpace:
         if self.centers is None and self.collocation_points is None:
@@ -122,7 +123,7 @@ class RBFCollocation:
 
     def solve(self, surface: Surface, start: Array, end: Array) -> MethodResult:
         """Return paths from start to end, both of shape (problems, 2), on a batch of surfaces."""
-        makers = [partial(self._space, count) for count in self._counts]
+        makers = [partial(self._space, count) for count in self.counts]
         return collocate(makers, surface, (start, end), tolerance=self.tolerance, form=self.form)
 
 

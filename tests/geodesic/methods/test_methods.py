@@ -25,6 +25,7 @@ from bodymeasure.geodesic.surfaces.protocol import JET
 METHODS: dict[str, Method] = {
     "RBF": bm.RBFCollocation(),
     "RBF, full": bm.RBFCollocation(form="full"),
+    "RBF, weak": bm.RBFRitz(),
     "polynomials": bm.PolynomialCollocation(),
     "polynomials, full": bm.PolynomialCollocation(form="full"),
     "Ritz": bm.Ritz(),
