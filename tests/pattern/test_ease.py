@@ -18,7 +18,7 @@ from bodymeasure.pattern.cloth.ease import ease_of, landmarks_of
 from bodymeasure.pattern.definitions.landmarks import panel_landmarks
 from bodymeasure.pattern.flat.level_line import level_line
 from bodymeasure.pattern.pieces.edges import EdgeCurves
-from bodymeasure.section import plane_section
+from bodymeasure.section import convex_hull, plane_section
 
 EASE = {"bust": 0.04, "waist": 0.02}
 
@@ -147,6 +147,22 @@ def test_a_closed_bodice_has_the_girth_of_the_bust_with_its_ease(name: str) -> N
         # Without the condition that it keeps its length, the piece would give there.
         whole += 2.0 * line.measured(piece.flat.positions)
     assert whole == pytest.approx(loop_length(Cloth(body), at) + 0.04, abs=5e-4)
+
+
+@pytest.mark.slow
+def test_a_bodice_that_bridges_hollows_has_the_girth_of_the_tape_with_its_ease() -> None:
+    body = bm.load_sample("female_average")
+    up, at = body.axes.up_vector, body.position(body.landmarks["bust point left"])
+    tape = convex_hull(plane_section(body, bm.Plane(at, up)).nearest(at)).length
+    whole = 0.0
+    for piece in bm.make_pattern(body, "bodice", ease=EASE, bridge=True).pieces:
+        mesh = piece.flat.mesh
+        skin = evaluate(body.control_points[mesh.places.patch], mesh.places.parameters)
+        line = level_line(mesh, (skin - at) @ up)
+        assert line is not None
+        whole += 2.0 * line.measured(piece.flat.positions)
+    # The section itself is 8 mm longer than the tape.
+    assert whole == pytest.approx(tape + 0.04, abs=1e-3)
 
 
 def test_a_set_has_ease_of_its_own(tmp_path: Path) -> None:

@@ -5,18 +5,16 @@ from dataclasses import replace
 import numpy as np
 import scipy
 
-from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.normals import unit_normals
 from bodymeasure.atlas.queries.outside import outward_sign
+from bodymeasure.bezier import evaluate
 from bodymeasure.pattern.cloth.cloth import Cloth
+from bodymeasure.pattern.flat.hanging import hanging
 from bodymeasure.pattern.flat.remesh import Remeshed
 
 # The tension along the body, as a part of that round it: clothes hang down more than they pull.
-ALONG = 0.1
-# In meters: over what width the ways are evened out in which cloth is lifted.
-EVEN = 0.06
-# Rounds in which the places are found where the cloth lies on the body.
-ROUNDS = 40
+ALONG = 0.3
 
 
 def bridged(cloth: Cloth, mesh: Remeshed, fold: int | None) -> Remeshed:
@@ -31,123 +29,73 @@ def bridged(cloth: Cloth, mesh: Remeshed, fold: int | None) -> Remeshed:
 
     Notes
     -----
-    Vertices move outwards by d >= 0, so that the energy of tension
-    ``1/2 integral |dX_h|^2 + ALONG |dX_v|^2`` is least, where h and v run round the body and along
-    it: an obstacle problem, quadratic in d, which a primal-dual active set solves in a few rounds.
-    They move along normals that are evened out, since those under an overhanging bust point down,
-    and not away from the hollow.
+    The cloth hangs where its tension ``1/2 integral |dX_h|^2 + ALONG |dX_v|^2`` is least without
+    its being in the body, where h and v run round the body and along it. At a fold it does not move
+    to a side, where the other half pulls as much.
     """
     places = mesh.places
     positions, normals = cloth.positions(*places), cloth.normals(*places)
     nets = cloth.atlas.control_points[places.patch]
     outward = outward_sign(cloth.atlas) * unit_normals(nets, places.parameters[:, None])[:, 0]
     normals = normals * np.sign((normals * outward).sum(axis=1))[:, None]
-    upwards = cloth.atlas.axes.up_vector
-    stiffness = _stiffness(positions, mesh.triangles, upwards, ALONG)
-    weights = stiffness.tocoo()
-    ways = _evened(positions, mesh.triangles, normals, EVEN / cloth.atlas.unit.meters)
-    if fold is not None:
-        vertices = np.concatenate([mesh.edges[fold][0][:1], *(c[1:] for c in mesh.edges[fold])])
-        ways[vertices] = _upright(positions[vertices], normals[vertices], ways[vertices])
-    same = (ways[weights.row] * ways[weights.col]).sum(axis=1)
-    hessian = scipy.sparse.coo_array(
-        (weights.data * same, (weights.row, weights.col)), shape=weights.shape
-    ).tocsr()
-    slope = ((stiffness @ positions) * ways).sum(axis=1)
-    free = np.ones(len(positions), dtype=np.bool_)
+    skin, upwards = evaluate(nets, places.parameters), cloth.atlas.axes.up_vector
+    stiffness = _stiffness(mesh.flat, mesh.triangles, skin, upwards)
+    free, aside = np.ones(len(positions), dtype=np.bool_), np.zeros_like(positions)
     for number, chains in enumerate(mesh.edges):
-        for chain in chains:
-            if number != fold:
-                free[chain] = False
-    if fold is not None:
-        ends = mesh.edges[fold][0][0], mesh.edges[fold][-1][-1]
-        free[[*ends]] = False
-    lift = _lifted(hessian, slope, free)
-    moved = positions + lift[:, None] * ways
+        vertices = np.concatenate([chains[0][:1], *(chain[1:] for chain in chains)])
+        if number == fold:
+            across = np.cross(normals[vertices], np.gradient(positions[vertices], axis=0))
+            aside[vertices] = across / np.linalg.norm(across, axis=1, keepdims=True)
+            vertices = vertices[[0, -1]]
+        free[vertices] = False
+    moved = hanging(positions, normals, stiffness, free, aside)
+    lift = np.linalg.norm(moved - positions, axis=1)
     turned = _turned(moved, mesh.triangles, lift, normals)
-    before, after = (positions, normals), (moved, turned)
-    edges = [[*steps] for steps in mesh.steps]
+
+    def stretched(step: Array, chain: Ints) -> Array:
+        after, before = _lengths(moved, turned, chain), _lengths(positions, normals, chain)
+        return np.asarray(step * after / before)
+
+    steps = [*mesh.steps]
     if fold is not None:
-        edges[fold] = [
-            step * _length(*after, chain) / _length(*before, chain)
-            for step, chain in zip(mesh.steps[fold], mesh.edges[fold], strict=True)
-        ]
-    darts = [
-        step * _length(*after, chain) / _length(*before, chain)
-        for step, chain in zip(mesh.dart_steps, mesh.darts, strict=True)
-    ]
+        pairs = zip(mesh.steps[fold], mesh.edges[fold], strict=True)
+        steps[fold] = tuple(stretched(step, chain) for step, chain in pairs)
+    darts = zip(mesh.dart_steps, mesh.darts, strict=True)
     return replace(
         mesh,
-        steps=tuple(tuple(steps) for steps in edges),
-        dart_steps=tuple(darts),
+        steps=tuple(steps),
+        dart_steps=tuple(stretched(step, chain) for step, chain in darts),
         surface=(moved, turned),
         lift=lift,
     )
 
 
 def _stiffness(
-    positions: Array, triangles: Ints, upwards: Array, tension: float
+    layout: Array, triangles: Ints, skin: Array, upwards: Array
 ) -> scipy.sparse.csr_array:
-    """Return the quadratic form of tension in one coordinate of the vertices."""
-    corners = positions[triangles]
-    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    doubled = np.linalg.norm(normal, axis=1, keepdims=True)
-    normal = normal / doubled
+    """Return the quadratic form of tension in one coordinate of the vertices.
+
+    In the layout the mesh is even, also where ease crowds the cloth in a crease; as it is conformal,
+    tension that is the same all round has the energy there that it has on the skin.
+    """
+    corners = layout[triangles]
     # The gradient of the hat function of a corner, from the side that lies opposite.
     sides = np.roll(corners, -2, axis=1) - np.roll(corners, -1, axis=1)
-    gradients = np.cross(normal[:, None], sides) / doubled[:, None]
-    round_body = np.cross(upwards, normal)
-    size = np.linalg.norm(round_body, axis=1, keepdims=True)
-    # On a level place, round the body is wherever it is.
-    flat = size < 1e-6
-    round_body = np.where(flat, np.roll(upwards, 1), round_body / np.where(flat, 1.0, size))
-    across = (gradients * round_body[:, None]).sum(axis=2)
-    along = (gradients * np.cross(normal, round_body)[:, None]).sum(axis=2)
-    blocks = across[:, :, None] * across[:, None] + tension * along[:, :, None] * along[:, None]
-    blocks *= 0.5 * doubled[:, :, None]
+    doubled = np.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0])
+    gradients = np.stack([-sides[..., 1], sides[..., 0]], axis=2) / doubled[:, None, None]
+    one, other = (skin[triangles[:, i]] - skin[triangles[:, 0]] for i in (1, 2))
+    area = np.linalg.norm(np.cross(one, other), axis=1)
+    # Where the skin is upright, the height grows by the distance along it, and less where it leans.
+    rise = np.einsum("kc,kcd->kd", (skin @ upwards)[triangles], gradients)
+    rise *= np.sqrt(doubled / area)[:, None]
+    rise /= np.maximum(1.0, np.linalg.norm(rise, axis=1, keepdims=True))
+    along = np.einsum("kcd,kd->kc", gradients, rise)
+    blocks = gradients @ gradients.transpose(0, 2, 1)
+    blocks -= (1.0 - ALONG) * along[:, :, None] * along[:, None]
+    blocks *= 0.5 * doubled[:, None, None]
     rows, columns = np.repeat(triangles, 3, axis=1).ravel(), np.tile(triangles, (1, 3)).ravel()
-    shape = (len(positions), len(positions))
+    shape = (len(layout), len(layout))
     return scipy.sparse.coo_array((blocks.ravel(), (rows, columns)), shape=shape).tocsr()
-
-
-def _lifted(hessian: scipy.sparse.csr_array, slope: Array, free: Bools) -> Array:
-    """Return the least of ``1/2 d H d + slope d`` with d >= 0, and 0 where it is not free."""
-    lift = np.zeros(len(slope))
-    off = free & (slope < 0.0)
-    for _ in range(ROUNDS):
-        lift[:] = 0.0
-        rows = np.flatnonzero(off)
-        if len(rows):
-            lift[rows] = scipy.sparse.linalg.splu(hessian[rows][:, rows].tocsc()).solve(
-                -slope[rows]
-            )
-        force = hessian @ lift + slope
-        # Off the body where it is lifted, or where the tension pulls it off.
-        following = free & np.where(off, lift > 0.0, force < 0.0)
-        if (following == off).all():
-            break
-        off = following
-    return np.maximum(lift, 0.0)
-
-
-def _evened(positions: Array, triangles: Ints, normals: Array, width: float) -> Array:
-    """Return normals that are evened out over a width, so that none points down under a bust."""
-    stiffness = _stiffness(positions, triangles, np.array([0.0, 0.0, 1.0]), 1.0)
-    corners = positions[triangles]
-    faces = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    area = np.linalg.norm(faces, axis=1) / 6.0
-    mass = np.bincount(triangles.ravel(), weights=np.repeat(area, 3), minlength=len(positions))
-    system = scipy.sparse.diags_array(mass) + width**2 * stiffness
-    even = scipy.sparse.linalg.splu(system.tocsc()).solve(mass[:, None] * normals)
-    return np.asarray(even / np.linalg.norm(even, axis=1, keepdims=True))
-
-
-def _upright(positions: Array, normals: Array, ways: Array) -> Array:
-    """Return ways at a fold that do not lean to a side, where the other half pulls as much."""
-    aside = np.cross(normals, np.gradient(positions, axis=0))
-    aside /= np.linalg.norm(aside, axis=1, keepdims=True)
-    ways = ways - (ways * aside).sum(axis=1, keepdims=True) * aside
-    return np.asarray(ways / np.linalg.norm(ways, axis=1, keepdims=True))
 
 
 def _turned(positions: Array, triangles: Ints, lift: Array, normals: Array) -> Array:
@@ -164,9 +112,9 @@ def _turned(positions: Array, triangles: Ints, lift: Array, normals: Array) -> A
     return np.where(lifted[:, None], sums / np.where(size > 0.0, size, 1.0), normals)
 
 
-def _length(positions: Array, normals: Array, chain: Ints) -> float:
-    """Return the length of a chain of arcs."""
+def _lengths(positions: Array, normals: Array, chain: Ints) -> Array:
+    """Return the lengths of a chain of arcs."""
     chord = np.diff(positions[chain], axis=0)
     size = np.linalg.norm(chord, axis=1)
     turn = (np.diff(normals[chain], axis=0) * chord).sum(axis=1) / size
-    return float((size * (1.0 + turn**2 / 24.0)).sum())
+    return np.asarray(size * (1.0 + turn**2 / 24.0))

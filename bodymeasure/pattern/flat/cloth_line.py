@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.pattern.cloth.cloth import Cloth
@@ -16,6 +17,11 @@ from bodymeasure.section import Plane, SectionLoop, plane_section
 CHORD = 0.0005
 # Halvings of a chord that find where it leaves the piece, to a part in a million.
 HALVINGS = 20
+# The part of a gap's cloth that is lifted where it bridges the gap. Near its ends, the tension along
+# the body may hold the cloth on the skin; in a gap that the piece ends in, little of it is lifted.
+BRIDGED = 0.25
+# Chords of a loop round which a tape can go.
+FEWEST = 4
 # Barycentric coordinates that are negative by no more than this are 0: the line may run along sides
 # of the region's triangles.
 ROUNDING = 1e-9
@@ -38,8 +44,9 @@ def length_on_cloth(
 ) -> float:
     """Return the length of the cloth's line above the section of the skin by a level plane.
 
-    A mesh cuts short where the skin has a crease, as between breasts. Where the cloth is lifted
-    from the skin, it is straight enough for the line of the mesh to serve.
+    A mesh cuts short where the skin has a crease, as between breasts. Where the cloth bridges
+    hollows of the section, the line is taut, as a tape is. Where it is lifted elsewhere, it is
+    straight enough for the line of the mesh to serve.
 
     Parameters
     ----------
@@ -53,7 +60,7 @@ def length_on_cloth(
         Of the level.
     """
     lifted = np.asarray((mesh.lift[mesh.triangles] > 0.0).any(axis=1), dtype=np.bool_)
-    total = float(line.lengths[lifted[line.triangles]].sum())
+    total = 0.0
     for loop in plane_section(cloth.atlas, plane).loops:
         chords = _chords(loop, cut[0], CHORD / cloth.atlas.unit.meters)
         if chords is None:
@@ -65,20 +72,60 @@ def length_on_cloth(
             middles = 0.5 * (chords.ends[:, 1:] + chords.ends[:, :-1])
             at, _ = in_layout(*cut, _Chords(chords.patch, middles).places)
             triangle = triangles_at(mesh.start[mesh.triangles], at).reshape(parts.shape)
-            parts[(triangle >= 0) & lifted[triangle]] = 0.0
+            off = (triangle >= 0) & lifted[triangle]
+            taut = _taut(points, plane.normal) if loop.closed else None
+            if taut is not None:
+                bridged = _bridged(taut.gap, parts * lengths, off)
+                lengths = np.where(bridged, taut.lengths, lengths)
+                lifted[triangle[bridged & off]] = False
+                off &= ~bridged
+            parts[off] = 0.0
         total += float((parts * lengths).sum())
-    return total
+    return total + float(line.lengths[lifted[line.triangles]].sum())
+
+
+class _Taut(NamedTuple):
+    """What chords (k, n) of a loop add to the tape round it, and the gaps that it spans there."""
+
+    lengths: Array
+    gap: Ints
+
+
+def _taut(points: Array, normal: Array) -> _Taut | None:
+    """Return a tape round a closed loop of chords (k, n + 1, 3) in a plane; None if it has none.
+
+    Between two places where it touches, a chord adds by how much it advances from one to the other.
+    """
+    axes = np.linalg.svd(normal[None])[2][1:]
+    flat = points[:, :-1].reshape(-1, 3) @ axes.T
+    if len(flat) < FEWEST:
+        return None
+    touching = np.sort(scipy.spatial.ConvexHull(flat).vertices)
+    gap = np.searchsorted(touching, np.arange(len(flat)), side="right") - 1
+    ways = np.roll(flat[touching], -1, axis=0) - flat[touching]
+    ways /= np.linalg.norm(ways, axis=1, keepdims=True)
+    steps = np.diff(points, axis=1).reshape(-1, 3) @ axes.T
+    shape = points.shape[0], points.shape[1] - 1
+    # What comes before the first of these places is in the last gap.
+    lengths = (steps * ways[gap]).sum(axis=1)
+    return _Taut(lengths.reshape(shape), (gap % len(touching)).reshape(shape))
+
+
+def _bridged(gap: Ints, lengths: Array, off: Bools) -> Bools:
+    """Return which chords are in gaps that the cloth bridges, by how much of it is lifted there."""
+    number = gap.ravel()
+    whole = np.bincount(number, weights=lengths.ravel())
+    free = np.bincount(number, weights=(lengths * off).ravel())
+    return np.asarray((free > BRIDGED * whole)[gap])
 
 
 def _chords(loop: SectionLoop, region: Region, length: float) -> _Chords | None:
-    """Return a loop's chords on the patches of a region; None if it has none there."""
-    rows = np.flatnonzero(np.isin(loop.pieces.patch, region.patch))
-    if not len(rows):
+    """Return a loop's chords; None if it has none on the patches of a region."""
+    if not np.isin(loop.pieces.patch, region.patch).any():
         return None
-    count = max(2, int(np.ceil(float(loop.piece_length[rows].max()) / length)))
-    pieces = loop.pieces.take(rows)
-    steps = np.broadcast_to(np.arange(count + 1) / count, (len(rows), count + 1))
-    return _Chords(pieces.patch, loop.surface.parameters(pieces, steps))
+    count = max(2, int(np.ceil(float(loop.piece_length.max()) / length)))
+    steps = np.broadcast_to(np.arange(count + 1) / count, (loop.count, count + 1))
+    return _Chords(loop.pieces.patch, loop.surface.parameters(loop.pieces, steps))
 
 
 def _parts_inside(cut: tuple[Region, Array], chords: _Chords) -> Array:

@@ -214,8 +214,8 @@ class _Task:
         vertices = np.concatenate(
             [self.fold[0].vertices[:1], *(chain.vertices[1:] for chain in self.fold)]
         )
-        steps = [np.full(len(chain.vertices) - 1, chain.step) for chain in self.fold]
-        height = np.concatenate([[0.0], np.cumsum(np.concatenate(steps))])
+        steps = np.concatenate([chain.steps for chain in self.fold])
+        height = np.concatenate([[0.0], np.cumsum(steps)])
         if self.downwards:
             height = height[-1] - height
         return vertices, np.stack([np.zeros_like(height), height], axis=1)
@@ -232,7 +232,7 @@ class _Task:
     def _in_frame(flat: Array, leg: Chain) -> Array:
         """Return how far a leg's vertices are from its chord, in the frame of the chord."""
         foot, tip = flat[leg.vertices[0]], flat[leg.vertices[-1]]
-        part = np.linspace(0.0, 1.0, len(leg.vertices))[:, None]
+        part = leg.parts[:, None]
         along = (tip - foot) / np.linalg.norm(tip - foot)
         frame = np.stack([along, [-along[1], along[0]]], axis=1)
         away = (flat[leg.vertices] - foot - part * (tip - foot)) @ frame
@@ -268,8 +268,8 @@ class _Task:
             along = way / np.linalg.norm(way)
             free_chord = leg.length - float(deviation[-1, 0])
             offset = left * deviation @ np.stack([along, [-along[1], along[0]]])
-            for number, vertex in enumerate(leg.vertices[1:-1].tolist(), start=1):
-                part = number / (len(leg.vertices) - 1)
+            inner = zip(leg.vertices[1:-1].tolist(), leg.parts[1:-1].tolist(), strict=True)
+            for number, (vertex, part) in enumerate(inner, start=1):
                 for axis in range(2):
                     columns = [2 * vertex + axis, 2 * foot + axis, 2 * tip + axis]
                     rows.append((columns, [1.0, part - 1.0, -part]))
@@ -287,7 +287,7 @@ class _Task:
         lengths: list[float] | None = None,
     ) -> Constraints:
         every = [np.stack([c.vertices[:-1], c.vertices[1:]], axis=1) for c in chains]
-        sizes = [np.full(len(c.vertices) - 1, c.step) for c in chains]
+        sizes = [chain.steps for chain in chains]
         every.append(np.array(pairs or [], dtype=np.int64).reshape(-1, 2))
         sizes.append(np.array(lengths or [], dtype=np.float64))
         row = np.repeat(np.arange(len(rows)), [len(columns) for columns, _ in rows])

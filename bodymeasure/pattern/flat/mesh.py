@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from bodymeasure._typing import Array, Ints
 from bodymeasure.pattern.flat.locate import SkinPlaces
 
@@ -13,17 +15,23 @@ class Chain:
     Parameters
     ----------
     vertices : ndarray of int, shape (m + 1,)
-    step : float
-        The exact length from one vertex to the next, along the curve on the skin.
+    steps : ndarray, shape (m,)
+        The exact lengths from one vertex to the next, along the curve on the skin.
     """
 
     vertices: Ints
-    step: float
+    steps: Array
 
     @property
     def length(self) -> float:
         """The length of the chain."""
-        return self.step * (len(self.vertices) - 1)
+        return float(self.steps.sum())
+
+    @property
+    def parts(self) -> Array:
+        """The part of its length at which each vertex lies, shape (m + 1,)."""
+        run = np.concatenate([[0.0], np.cumsum(self.steps)])
+        return np.asarray(run / run[-1])
 
 
 @dataclass(frozen=True, eq=False)

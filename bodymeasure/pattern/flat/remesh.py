@@ -58,9 +58,9 @@ class Remeshed:
     edges : tuple of tuple of ndarray of int
         The vertices of each chain of each edge.
     darts : tuple of ndarray of int
-    steps : tuple of tuple of float
+    steps : tuple of tuple of ndarray
         The lengths of the sides along each chain of each edge.
-    dart_steps : tuple of float
+    dart_steps : tuple of ndarray
     surface : tuple of ndarray, shape (n, 3), optional
         Positions and normals of the cloth where it bridges hollows; where it does not, they are
         those above the places.
@@ -73,8 +73,8 @@ class Remeshed:
     triangles: Ints
     edges: tuple[tuple[Ints, ...], ...]
     darts: tuple[Ints, ...]
-    steps: tuple[tuple[float, ...], ...]
-    dart_steps: tuple[float, ...]
+    steps: tuple[tuple[Array, ...], ...]
+    dart_steps: tuple[Array, ...]
     surface: tuple[Array, Array] | None = None
     lift: Array | None = None
 
@@ -112,7 +112,8 @@ def remeshed(region: Region, flat: Array, outline: Outline, step: float) -> Reme
         layout.append(_along(region.positions[border], flat[border], arcs / curve.length))
         ends = first + np.cumsum([0, *counts])
         edges.append(tuple(np.arange(a, b + 1) for a, b in pairwise(ends.tolist())))
-        steps.append(tuple((np.diff(bounds) / counts).tolist()))
+        sides = (np.diff(bounds) / counts).tolist()
+        steps.append(tuple(np.full(n, side) for n, side in zip(counts, sides, strict=True)))
         first += len(arcs)
     # The last vertex of the last edge is the first one of the first.
     edges = [tuple(chain % first for chain in chains) for chains in edges]
@@ -130,7 +131,7 @@ def remeshed(region: Region, flat: Array, outline: Outline, step: float) -> Reme
         places.append(inner)
         layout.append(points)
         darts.append(np.concatenate([[foot], np.arange(first, first + count)]))
-        dart_steps.append(curve.length / count)
+        dart_steps.append(np.full(count, curve.length / count))
         first += count
     fixed = np.concatenate(layout)
     polygon = shapely.polygons(fixed[:border_count])

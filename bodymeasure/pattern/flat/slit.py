@@ -85,8 +85,9 @@ def _right_of(triangles: Ints, vertices: Ints) -> Ints:
 def _with_exact(sides: Array, triangles: Ints, chains: list[Chain]) -> Array:
     known = {}
     for chain in chains:
-        for pair in zip(chain.vertices[:-1].tolist(), chain.vertices[1:].tolist(), strict=True):
-            known[min(pair), max(pair)] = chain.step
+        pairs = zip(chain.vertices[:-1].tolist(), chain.vertices[1:].tolist(), strict=True)
+        for pair, step in zip(pairs, chain.steps.tolist(), strict=True):
+            known[min(pair), max(pair)] = step
     result = sides.copy()
     start, stop = triangles, np.roll(triangles, -1, axis=1)
     size = int(triangles.max()) + 1
