@@ -75,8 +75,8 @@ def _stiffness(
 ) -> scipy.sparse.csr_array:
     """Return the quadratic form of tension in one coordinate of the vertices.
 
-    In the layout the mesh is even, also where ease crowds the cloth in a crease; as it is conformal,
-    tension that is the same all round has the energy there that it has on the skin.
+    In the layout the mesh is even, also where ease crowds the cloth in a crease; as it is
+    conformal, tension that is the same all round has the energy there that it has on the skin.
     """
     corners = layout[triangles]
     # The gradient of the hat function of a corner, from the side that lies opposite.

@@ -17,8 +17,8 @@ from bodymeasure.section import Plane, SectionLoop, plane_section
 CHORD = 0.0005
 # Halvings of a chord that find where it leaves the piece, to a part in a million.
 HALVINGS = 20
-# The part of a gap's cloth that is lifted where it bridges the gap. Near its ends, the tension along
-# the body may hold the cloth on the skin; in a gap that the piece ends in, little of it is lifted.
+# The part of a gap's cloth that is lifted where it bridges the gap. Near its ends, the tension
+# along the body may hold the cloth on the skin; where the piece ends in it, little is lifted.
 BRIDGED = 0.25
 # Chords of a loop round which a tape can go.
 FEWEST = 4
