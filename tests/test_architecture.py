@@ -59,7 +59,7 @@ ORDERS = {
     " measure",
     "native": "library · points · energy · box, closest, diagonal, route, trees, unfold",
     "paper": "method · data · surface · tables · reproduction · page",
-    "pattern": "grid, planar · cloth, patches · curves, definitions · cutting · flat ·"
+    "pattern": "grid, planar · cloth, patches · curves, definitions · cutting · flat · hollows ·"
     " pieces · files",
     "report": "files, serial, units · numbers · templating · landmarks, patterns · patches · body ·"
     " population",

@@ -4,7 +4,7 @@ import numpy as np
 import scipy
 
 from bodymeasure._typing import Array
-from bodymeasure.pattern.flat.hanging import hanging
+from bodymeasure.pattern.hollows.hanging import hanging
 
 
 def string_over(x: Array, height: Array, away: Array | None = None) -> Array:

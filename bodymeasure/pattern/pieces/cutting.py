@@ -17,7 +17,6 @@ from bodymeasure.pattern.curves.skin_curve import SkinCurve
 from bodymeasure.pattern.cutting.mesh import cut_mesh
 from bodymeasure.pattern.cutting.region import Bound, Region, region_inside
 from bodymeasure.pattern.definitions.panels import Dart, Panel
-from bodymeasure.pattern.flat.bridged import bridged
 from bodymeasure.pattern.flat.cloth_line import length_on_cloth
 from bodymeasure.pattern.flat.conformal import flat_conformally
 from bodymeasure.pattern.flat.flatten import Flat, flattened
@@ -26,6 +25,7 @@ from bodymeasure.pattern.flat.mesh import PieceMesh
 from bodymeasure.pattern.flat.remesh import Outline, remeshed
 from bodymeasure.pattern.flat.slit import slit
 from bodymeasure.pattern.flat.triangles import side_lengths
+from bodymeasure.pattern.hollows.bridged import bridged
 from bodymeasure.pattern.pieces.edges import EdgeCurves, dart_curve
 from bodymeasure.pattern.pieces.extended import extended
 from bodymeasure.pattern.pieces.piece import (

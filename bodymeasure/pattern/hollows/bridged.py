@@ -10,8 +10,8 @@ from bodymeasure.atlas.normals import unit_normals
 from bodymeasure.atlas.queries.outside import outward_sign
 from bodymeasure.bezier import evaluate
 from bodymeasure.pattern.cloth.cloth import Cloth
-from bodymeasure.pattern.flat.hanging import hanging
 from bodymeasure.pattern.flat.remesh import Remeshed
+from bodymeasure.pattern.hollows.hanging import hanging
 
 # The tension along the body, as a part of that round it: clothes hang down more than they pull.
 ALONG = 0.3

@@ -1,0 +1,1 @@
+"""Cloth over the hollows of a body."""
