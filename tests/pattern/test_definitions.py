@@ -10,6 +10,8 @@ from helpers.panels import cylinder, four_geodesics, interpolated
 
 import bodymeasure as bm
 from bodymeasure.pattern import SETS, Dart, Edge, Panel, load_pattern, set_text
+from bodymeasure.pattern.definitions.read import known_seams
+from bodymeasure.pattern.definitions.seams import lonely_seams
 
 HEAD = 'format = "bodymeasure pattern"\nversion = 1\nname = "Mine"\n'
 PANEL = """
@@ -146,6 +148,19 @@ def made(**members: object) -> bm.Piece:
             "dart 'd': its length would be 50.0 cm",
         ),
         (
+            {"dart": (Dart(name="d", edge="ab", at=0.01, tip="m"),)},
+            "dart 'd': its foot is .* mm from the end of edge 'ab', where no dart can be sewn",
+        ),
+        (
+            {
+                "dart": tuple(
+                    Dart(name=name, edge="ab", at=at, tip="m")
+                    for name, at in (("d", 0.5), ("e", 0.52))
+                )
+            },
+            "the feet of darts 'd' and 'e' are .* mm apart; let them begin 10 mm apart",
+        ),
+        (
             {"dart": (Dart(name="d", edge="ab", foot="m", tip="c"),)},
             "dart 'd': its foot is .* cm from the edge",
         ),
@@ -180,6 +195,22 @@ def test_a_place_outside_and_edges_that_cross_are_named() -> None:
     )
     with pytest.raises(bm.InputError, match=words):
         bm.make_pattern(BODY, of("acbd", "m"))
+
+
+def test_one_curve_with_two_seams_is_a_misspelled_name(tmp_path: Path) -> None:
+    text = set_text("bodice").replace('seam = "shoulder"', 'seam = "sholder"', 1)
+    words = "mine.toml: edge 'shoulder' of panel 'bodice front' and edge .* 'bodice back' are one"
+    with pytest.raises(bm.InputError, match=words):
+        read(tmp_path, text)
+
+
+def test_an_edge_to_which_nothing_is_sewn_is_said(tmp_path: Path) -> None:
+    mine = HEAD + panel_text() + 'seam = "sholder"\n'
+    (words,) = lonely_seams(read(tmp_path, mine).panel, known_seams())
+    assert words.startswith("seam 'sholder': nothing is sewn to edge 'ca' of 'one'; did you mean")
+    assert "'shoulder'" in words
+    # The waist of a bodice is sewn to a skirt, which is in another set.
+    assert not [*lonely_seams(load_pattern("bodice").panel, known_seams())]
 
 
 def test_a_dart_that_reaches_the_other_side_is_named() -> None:

@@ -84,3 +84,9 @@ def test_eases_that_make_no_sense_are_named(ease: float, seam: str, words: str) 
 def test_too_short_an_edge_is_named() -> None:
     with pytest.raises(bm.InputError, match=r"edge 'ca': its ease of -30.0 cm leaves too little"):
         pattern(panel("abc", "in", "ca", ca=-0.3))
+
+
+def test_an_edge_that_is_alone_in_its_seam_is_a_warning() -> None:
+    made = pattern(panel("abc", "in", "ca"))
+    assert made.is_sound
+    assert made.warnings[0].startswith("seam 'seam': nothing is sewn to edge 'ca' of 'abc'")

@@ -3,7 +3,7 @@
 import codecs
 import re
 import tomllib
-from functools import reduce
+from functools import cache, reduce
 from operator import or_
 from pathlib import Path
 from types import GenericAlias
@@ -19,6 +19,7 @@ from bodymeasure.files import read_bytes
 from bodymeasure.pattern.cloth.ease import checked_ease
 from bodymeasure.pattern.definitions.checks import panel_faults
 from bodymeasure.pattern.definitions.panels import FORMAT, VERSION, PatternDefinitions
+from bodymeasure.pattern.definitions.seams import seam_faults
 from bodymeasure.wording import hint
 
 FOLDER = Path(__file__).parents[1] / "data"
@@ -68,6 +69,13 @@ def set_text(name: str) -> str:
     return (FOLDER / f"{name}.toml").read_text(encoding="utf-8")
 
 
+@cache
+def known_seams() -> frozenset[str]:
+    """Return the names of all seams in the sets that come along."""
+    found = (re.findall(r'^seam = "(.*)"', set_text(name), flags=re.MULTILINE) for name in SETS)
+    return frozenset(name for names in found for name in names)
+
+
 def pattern_from(content: bytes, source: str) -> PatternDefinitions:
     """Return the panels in a file's content; `source` names the file in errors.
 
@@ -103,6 +111,8 @@ def pattern_from(content: bytes, source: str) -> PatternDefinitions:
             )
     if not names:
         raise InputError(f"{source}: has no panel; begin each with a line [[panel]]")
+    for fault in seam_faults(whole.panel):
+        raise InputError(f"{source}: {fault}")
     return whole
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.bezier import evaluate
 from bodymeasure.pattern.definitions.panels import Panel
+from bodymeasure.pattern.definitions.seams import is_middle
 from bodymeasure.pattern.files.cubics import cubic_chains, part_of
 from bodymeasure.pattern.files.places import Place, is_backwards, seam_places
 from bodymeasure.pattern.pieces.pattern import Pattern
@@ -112,12 +113,11 @@ def _sides(
         for one, other in (dart.legs, dart.legs[::-1]):
             legs[_key(one[0])] = (dart.name, one, other)
     back = is_backwards(piece.panel, [edge.name for edge in piece.edges]) != turned
-    through = {edge.name: edge.through for edge in piece.panel.edge}
+    own = {edge.name: edge for edge in piece.panel.edge}
     for edge in edges:
         parts = [part[::-1] for part in edge.parts[::-1]] if turned else [*edge.parts]
         whole = places.get((piece.name, edge.name), Place(()))
-        middle = not any({"left", "right"} & set(name.split(" ")) for name in through[edge.name])
-        if alone and edge.seam and middle and not whole.seam:
+        if alone and edge.seam and is_middle(own[edge.name]) and not whole.seam:
             whole = Place(("middle", piece.name, edge.name))
         runs_back = whole.runs_back != back
         arcs = np.cumsum([0.0, *(_length(part) for part in parts)]) / edge.length

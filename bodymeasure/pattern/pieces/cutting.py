@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
@@ -26,7 +27,7 @@ from bodymeasure.pattern.flat.remesh import Outline, remeshed
 from bodymeasure.pattern.flat.slit import slit
 from bodymeasure.pattern.flat.triangles import side_lengths
 from bodymeasure.pattern.hollows.bridged import bridged
-from bodymeasure.pattern.pieces.edges import EdgeCurves, dart_curve
+from bodymeasure.pattern.pieces.edges import NEAREST_END, EdgeCurves, dart_curve
 from bodymeasure.pattern.pieces.extended import extended
 from bodymeasure.pattern.pieces.piece import (
     Piece,
@@ -91,6 +92,7 @@ def _piece_of(curves: EdgeCurves, panel: Panel, step: float) -> Piece:
     sizes = side_lengths(region.positions, region.triangles)
     layout = flat_conformally(region.triangles, sizes, border)
     darts = [_placed(curves, panel, sides, dart) for dart in panel.dart]
+    _refuse_crowded(darts, atlas.unit.meters)
     warnings: list[str] = []
     while True:
         flat = _laid_flat(curves, panel, (region, layout), sides, darts, step)
@@ -156,6 +158,17 @@ def _placed(curves: EdgeCurves, panel: Panel, sides: list[SkinCurve], dart: Dart
     except (ConvergenceError, InputError) as error:
         raise InputError(f"dart {dart.name!r}: {error}") from error
     return _Placed(dart, number, arc, curve)
+
+
+def _refuse_crowded(darts: list[_Placed], meters: float) -> None:
+    for one, other in combinations(darts, 2):
+        apart = abs(one.arc - other.arc) * meters
+        if one.edge == other.edge and apart < NEAREST_END:
+            raise InputError(
+                f"the feet of darts {one.dart.name!r} and {other.dart.name!r} are "
+                f"{1000.0 * apart:.1f} mm apart; let them begin {1000.0 * NEAREST_END:.0f} mm "
+                "apart or more"
+            )
 
 
 def _in_order(darts: list[_Placed], region: Region, backwards: bool) -> list[_Placed]:

@@ -22,6 +22,9 @@ from bodymeasure.section import Plane
 SAMPLES, ROUNDS = 64, 6
 # In meters: a foot farther from its edge is another place.
 FARTHEST_FOOT = 0.03
+# In meters: a foot nearer to the end of its edge leaves no cloth for the seam there, and one that
+# is nearer to another foot leaves none between both darts.
+NEAREST_END = 0.01
 # The part of an edge that has to be left where its ease makes it shorter.
 LEAST_PART = 0.5
 # The shortest dart, in meters.
@@ -168,6 +171,12 @@ def dart_curve(
         arc = dart.at * edge.length
     else:
         arc = place_of_foot(atlas, edge, curves.landmarks[dart.foot])
+    beside = min(arc, edge.length - arc) * meters
+    if beside < NEAREST_END:
+        raise InputError(
+            f"its foot is {1000.0 * beside:.1f} mm from the end of edge {dart.edge!r}, where no "
+            f"dart can be sewn; let it begin {1000.0 * NEAREST_END:.0f} mm away or more"
+        )
     foot = point_at(edge, arc)
     end = curves.landmarks[dart.tip] if target is None else point_at(target, 0.5 * target.length)
     whole = on_cloth(geodesic_curve(atlas, [foot, end]), curves.cloth)

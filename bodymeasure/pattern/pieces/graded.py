@@ -9,8 +9,7 @@ from bodymeasure.atlas import Atlas
 from bodymeasure.atlas.atlas import require_atlas
 from bodymeasure.errors import InputError
 from bodymeasure.pattern.definitions.panels import PatternDefinitions
-from bodymeasure.pattern.definitions.read import load_pattern
-from bodymeasure.pattern.pieces.make import STEP, make_pattern
+from bodymeasure.pattern.pieces.make import STEP, checked_definitions, make_pattern
 from bodymeasure.pattern.pieces.pattern import Pattern
 from bodymeasure.threads import one_blas_thread
 from bodymeasure.wording import counted
@@ -112,19 +111,9 @@ def grade_pattern(
     >>> large.length > small.length
     True
     """
-    if not isinstance(bodies, Mapping):
-        raise InputError(
-            f"bodies is {shown(bodies)}; expected a mapping of names of sizes to atlases"
-        )
-    if not bodies:
-        raise InputError("bodies is empty; expected the body of one size or more")
-    for size, body in bodies.items():
-        require_kind(size, str, "a size", "its name, a str")
-        require_atlas(body)
+    _check_bodies(bodies)
     require_progress(progress)
-    if not isinstance(definitions, PatternDefinitions):
-        definitions = load_pattern(definitions)
-    require_kind(definitions, PatternDefinitions, "definitions", "what load_pattern returns")
+    definitions = checked_definitions(definitions)
     patterns: dict[str, Pattern] = {}
     count = len(definitions.panel)
 
@@ -140,3 +129,15 @@ def grade_pattern(
         except InputError as error:
             raise InputError(f"size {size!r}: {error}") from error
     return GradedPattern(definitions, patterns)
+
+
+def _check_bodies(bodies: Mapping[str, Atlas]) -> None:
+    if not isinstance(bodies, Mapping):
+        raise InputError(
+            f"bodies is {shown(bodies)}; expected a mapping of names of sizes to atlases"
+        )
+    if not bodies:
+        raise InputError("bodies is empty; expected the body of one size or more")
+    for size, body in bodies.items():
+        require_kind(size, str, "a size", "its name, a str")
+        require_atlas(body)

@@ -82,17 +82,12 @@ def make_pattern(
     """
     require_atlas(body)
     require_progress(progress)
-    if not isinstance(definitions, PatternDefinitions):
-        definitions = load_pattern(definitions)
-    require_kind(definitions, PatternDefinitions, "definitions", "what load_pattern returns")
-    if not isinstance(step, (int, float)) or not FINEST <= step <= COARSEST:
-        raise InputError(f"step is {step!r}; expected a length in meters, {FINEST} to {COARSEST}")
-    if bridge is not None:
-        require_kind(bridge, bool, "bridge", "True or False")
+    definitions = checked_definitions(definitions)
+    _check_settings(bridge, step)
     wider = {**definitions.ease, **_given_ease(ease)}
+    bridge = definitions.bridge if bridge is None else bridge
     landmarks = panel_landmarks(body, definitions, landmarks_of(wider))
     cloth = Cloth(body, ease_of(body, wider, landmarks))
-    bridge = definitions.bridge if bridge is None else bridge
     curves = EdgeCurves(cloth, landmarks, bridge=bridge)
     pieces, seconds = [], {}
     for number, panel in enumerate(definitions.panel, start=1):
@@ -102,6 +97,27 @@ def make_pattern(
         if progress is not None:
             progress(number, len(definitions.panel))
     return Pattern(body, definitions, landmarks, tuple(pieces), wider, bridge, seconds)
+
+
+def checked_definitions(definitions: PatternDefinitions | str | Path) -> PatternDefinitions:
+    """Return a set of panels, read if it is named.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    if not isinstance(definitions, PatternDefinitions):
+        definitions = load_pattern(definitions)
+    require_kind(definitions, PatternDefinitions, "definitions", "what load_pattern returns")
+    return definitions
+
+
+def _check_settings(bridge: bool | None, step: float) -> None:
+    if not isinstance(step, (int, float)) or not FINEST <= step <= COARSEST:
+        raise InputError(f"step is {step!r}; expected a length in meters, {FINEST} to {COARSEST}")
+    if bridge is not None:
+        require_kind(bridge, bool, "bridge", "True or False")
 
 
 def _given_ease(ease: Mapping[str, float] | None) -> dict[str, float]:

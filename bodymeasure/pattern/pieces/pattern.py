@@ -5,6 +5,8 @@ from dataclasses import dataclass, field
 
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.pattern.definitions.panels import PatternDefinitions
+from bodymeasure.pattern.definitions.read import known_seams
+from bodymeasure.pattern.definitions.seams import lonely_seams
 from bodymeasure.pattern.pieces.piece import Piece
 from bodymeasure.pattern.pieces.seams import Seam, seams_of
 from bodymeasure.wording import counted
@@ -71,6 +73,7 @@ class Pattern:
         """What there is to look at, with the names of the pieces and seams."""
         result = [f"{piece.name}: {words}" for piece in self.pieces for words in piece.warnings]
         meters = self.atlas.unit.meters
+        result.extend(lonely_seams([piece.panel for piece in self.pieces], known_seams()))
         result.extend(
             self._unequal(seam)
             for seam in self.seams

@@ -90,12 +90,8 @@ def write_pattern(
     if not isinstance(pattern, GradedPattern):
         require_kind(pattern, Pattern, "pattern", "what make_pattern or grade_pattern returns")
     target = file_path(folder, "the folder")
-    sizes = pattern.patterns if isinstance(pattern, GradedPattern) else {}
-    for size in sizes:
-        if not size or Path(size).name != size:
-            raise InputError(f"the size {size!r} cannot name a folder; use letters and digits")
     with ExitStack() as stack:
-        for each in (target, *(target / size for size in sizes)):
+        for each in _folders(pattern, target):
             stack.enter_context(output_folder(each))
         contents = pattern_files(
             pattern, formats=formats, allowance=allowance, paper=paper, pictures=pictures
@@ -103,6 +99,15 @@ def write_pattern(
         files = {target / name: content for name, content in contents.items()}
         write_all(files)
     return tuple(files)
+
+
+def _folders(pattern: Pattern | GradedPattern, target: Path) -> tuple[Path, ...]:
+    """Return the folders of a pattern: one for each of several sizes is in that of the drawings."""
+    sizes = pattern.patterns if isinstance(pattern, GradedPattern) else {}
+    for size in sizes:
+        if not size or Path(size).name != size:
+            raise InputError(f"the size {size!r} cannot name a folder; use letters and digits")
+    return target, *(target / size for size in sizes)
 
 
 def pattern_files(
