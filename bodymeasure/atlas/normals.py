@@ -2,9 +2,10 @@
 
 import numpy as np
 
-from bodymeasure._typing import Array, Bools
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.bezier import bernstein, derivatives, project
 from bodymeasure.bezier.power_form import jets
+from bodymeasure.native import MOST_DEGREE, is_compiled, normals_in_powers
 
 # Sine of the angle between tangents that span no plane; the normal is taken a little aside, at this
 # part of the way to the middle of the patch.
@@ -116,15 +117,16 @@ def unit_normals(control_points: Array, parameters: Array) -> Array:
     return normal
 
 
-def normals_and_bends(coefficients: Array, x: Array) -> tuple[Array, Array, Array]:
+def normals_and_bends(coefficients: Array, patch: Ints, x: Array) -> tuple[Array, Array, Array]:
     """Return positions, unit normals along S_u x S_v, and how the normals bend.
 
     It is `unit_normals` for many small batches of points.
 
     Parameters
     ----------
-    coefficients : ndarray, shape (k, m + 1, m + 1, 3 or 4)
+    coefficients : ndarray, shape (patches, m + 1, m + 1, 3 or 4)
         Coefficients of powers, from `bodymeasure.bezier.power_form`.
+    patch : ndarray of int, shape (k,)
     x : ndarray, shape (k, 2)
 
     Returns
@@ -134,6 +136,21 @@ def normals_and_bends(coefficients: Array, x: Array) -> tuple[Array, Array, Arra
         Second derivatives, by the position, of the distance to the surface at its foot, counted
         along the normal; 0 where the tangents span no plane.
     """
+    side, coordinates = coefficients.shape[2:]
+    if not (is_compiled() and coordinates == 3 and side <= MOST_DEGREE + 1):
+        return _normals_and_bends(coefficients[patch], x)
+    *result, regular = normals_in_powers(coefficients, patch, x, (DEGENERATE, NEAR_POLE))
+    if not regular.all():
+        row = np.flatnonzero(~regular)
+        rest = _normals_and_bends(coefficients[patch[row]], x[row])
+        for each, other in zip(result, rest, strict=True):
+            each[row] = other
+    position, normal, bend = result
+    return position, normal, bend
+
+
+def _normals_and_bends(coefficients: Array, x: Array) -> tuple[Array, Array, Array]:
+    """The same for one patch a point."""
     s = jets(coefficients, x)
     position = s[:, 0, 0].copy()
     normal, sine = _unit_normal(s[:, 1, 0], s[:, 0, 1])

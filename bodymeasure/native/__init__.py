@@ -11,6 +11,7 @@ from bodymeasure.native.diagonal import (
 )
 from bodymeasure.native.energy import PathTables, energies
 from bodymeasure.native.library import is_compiled
+from bodymeasure.native.normals import normals_in_powers
 from bodymeasure.native.points import (
     MOST_COLUMNS,
     MOST_DEGREE,
@@ -20,20 +21,27 @@ from bodymeasure.native.points import (
     roots_in_brackets,
 )
 from bodymeasure.native.route import NewtonSettings, RouteArrays, route_newton
+from bodymeasure.native.section import CutPatches, Graphs, section_points
+from bodymeasure.native.string import StringForces, string_equilibrium
 from bodymeasure.native.trees import shortest_ways
-from bodymeasure.native.unfold import unfolded
+from bodymeasure.native.ways import MeshArrays, WayFound, way_straightened
 
 __all__ = [
     "MOST_COLUMNS",
     "MOST_DEGREE",
     "ClosestSettings",
+    "CutPatches",
     "DiagonalProblems",
     "DiagonalSettings",
     "DiagonalSpace",
+    "Graphs",
+    "MeshArrays",
     "NewtonSettings",
     "PathTables",
     "QuadratureTables",
     "RouteArrays",
+    "StringForces",
+    "WayFound",
     "bezier_jets",
     "box_steps",
     "closest_in_powers",
@@ -41,9 +49,12 @@ __all__ = [
     "energies",
     "extremes",
     "is_compiled",
+    "normals_in_powers",
     "power_jets",
     "roots_in_brackets",
     "route_newton",
+    "section_points",
     "shortest_ways",
-    "unfolded",
+    "string_equilibrium",
+    "way_straightened",
 ]

@@ -24,12 +24,15 @@ KERNELS = {
     "bodymeasure_diagonals": [*[_POINTER] * 5, ctypes.c_int64],
     "bodymeasure_energy": [_POINTER, _POINTER, ctypes.c_int64, *[_POINTER] * 3],
     "bodymeasure_extremes": [ctypes.c_int64] * 2 + [_POINTER] * 3,
+    "bodymeasure_equilibrium": [_POINTER] * 4,
     "bodymeasure_jets": [*[ctypes.c_int64] * 5, _POINTER, ctypes.c_int64, *[_POINTER] * 2],
+    "bodymeasure_normals": [*[ctypes.c_int64] * 2, *[_POINTER] * 8],
     "bodymeasure_power_jets": [ctypes.c_int64] * 3 + [_POINTER] * 3,
     "bodymeasure_roots": [ctypes.c_int64] * 2 + [_POINTER] * 4,
     "bodymeasure_route_newton": [_POINTER] * 7,
     "bodymeasure_shortest_trees": [ctypes.c_int64] * 3 + [_POINTER] * 5,
-    "bodymeasure_unfold": [_POINTER] * 2,
+    "bodymeasure_section_points": [_POINTER] * 4,
+    "bodymeasure_straight_way": [_POINTER] * 2,
 }
 
 

@@ -1,12 +1,13 @@
 """Pieces of a section: points on them, and their lengths."""
 
 from dataclasses import dataclass, fields, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.bezier import bernstein, derivatives
+from bodymeasure.native import MOST_DEGREE, CutPatches, Graphs, is_compiled, section_points
 from bodymeasure.section.plane import Plane
 from bodymeasure.section.roots import bracketed_roots
 from bodymeasure.section.through.quotient import without_poles
@@ -78,8 +79,13 @@ class CutSurface:
 
     def distances(self, patch: Ints) -> Array:
         """Return the distances of patches from the plane in Bernstein form, divided about poles."""
-        distances = self.plane.distances(self.control_points[patch])
-        return without_poles(distances, self.poles[patch])
+        return np.asarray(self.patches.distances[patch])
+
+    @cached_property
+    def patches(self) -> CutPatches:
+        """The patches with all their distances from the plane."""
+        distances = without_poles(self.plane.distances(self.control_points), self.poles)
+        return CutPatches(self.control_points, distances, self.plane.normal)
 
     def parameters(self, pieces: Pieces, fraction: Array) -> Array:
         """Return (u, v) at fractions (k, n) of each piece's range, shape (k, n, 2)."""
@@ -99,6 +105,10 @@ class CutSurface:
 
     def points(self, pieces: Pieces, fraction: Array) -> tuple[Array, Array, Array]:
         """Return parameters (k, n, 2), positions and velocities by the fraction (k, n, 3)."""
+        if is_compiled() and self.control_points.shape[1] <= MOST_DEGREE + 1:
+            span = pieces.stop - pieces.start
+            graphs = Graphs(pieces.patch, pieces.axis, pieces.start, span, pieces.low, pieces.high)
+            return section_points(self.patches, graphs, fraction)
         parameters = self.parameters(pieces, fraction)
         jet = derivatives(self.control_points[pieces.patch], parameters, order=1)
         over_v = (pieces.axis == 1)[:, None, None]

@@ -6,6 +6,7 @@ import numpy as np
 import scipy
 
 from bodymeasure._typing import Array, Bools
+from bodymeasure.native import StringForces, is_compiled, string_equilibrium
 from bodymeasure.taut.ridges import RidgeFeet
 from bodymeasure.taut.skin import Feet, Skin
 from bodymeasure.taut.valleys import feet_over_valleys
@@ -72,6 +73,9 @@ def equilibrium(
 def _active_set(
     springs: Array, force: Array, walls: Walls, bend: Array, held: Bools
 ) -> tuple[Array, Array, Bools] | None:
+    if is_compiled():
+        forces = StringForces(springs, force, walls.normal, walls.gap, bend)
+        return string_equilibrium(forces, walls.there, held, MAX_EXCHANGES)
     stiff = (springs[:-1] + springs[1:])[:, None, None] * np.eye(3) - bend
     seen: list[bytes] = []
     for _ in range(MAX_EXCHANGES):

@@ -230,7 +230,7 @@ class Skin:
 
     def frame(self, patch: Ints, x: Array) -> tuple[Array, Array, Array]:
         """Return positions, unit normals out of the body, and second derivatives of the gap."""
-        position, normal, bend = normals_and_bends(self.coefficients[patch], x)
+        position, normal, bend = normals_and_bends(self.coefficients, patch, x)
         sign = self.signs[patch]
         return position, sign[:, None] * normal, sign[:, None, None] * bend
 

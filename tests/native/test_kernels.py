@@ -13,9 +13,12 @@ from hypothesis import strategies as st
 
 import bodymeasure as bm
 from bodymeasure._typing import Array
+from bodymeasure.atlas.normals import normals_and_bends
 from bodymeasure.atlas.queries.feet import descend_in_powers
+from bodymeasure.bezier import homogeneous
 from bodymeasure.bezier.power_form import jets, power_coefficients
-from bodymeasure.geodesic.across.routes.ways import first_ways
+from bodymeasure.geodesic.across.routes.graph import patch_graph
+from bodymeasure.geodesic.across.routes.ways import COURSE, along_way, first_ways
 from bodymeasure.geodesic.lengths.functionals import energy, energy_of_a_flat_surface
 from bodymeasure.geodesic.numerics.banded import BoxModels
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
@@ -23,11 +26,15 @@ from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.geodesic.surfaces.control_points import extremes
 from bodymeasure.native import diagonal, is_compiled
 from bodymeasure.native.library import SWITCH, library
+from bodymeasure.section import Plane
+from bodymeasure.section.pieces import CutSurface, Pieces
 from bodymeasure.section.roots import bracketed_roots
+from bodymeasure.taut.equilibrium import Walls, equilibrium
 
 pytestmark = pytest.mark.skipif(not is_compiled(), reason="built without a compiler")
 
 seeds = st.integers(0, 2**32 - 1)
+UP = np.array([0.0, 0.0, 1.0])
 
 
 @contextmanager
@@ -178,9 +185,70 @@ def test_closest_points_of_patches(seed: int, degree: int) -> None:
     assert agree.sum() >= 5
 
 
+@given(seeds, st.integers(1, 6), st.sampled_from((3, 4)), st.integers(0, 6))
+def test_points_of_sections(seed: int, degree: int, coordinates: int, count: int) -> None:
+    rng = np.random.default_rng(seed)
+    nets = rng.random((3, degree + 1, degree + 1, coordinates))
+    # The height rises with u and v, so that every level has one place for each of them at most.
+    nets[..., 2] = np.cumsum(np.cumsum(nets[..., 2], axis=1), axis=2)
+    if coordinates == 4:
+        nets = homogeneous(nets[..., :3], np.ones(nets.shape[:3]) * rng.uniform(0.5, 1.0))
+    level = float(rng.uniform(0.0, nets[..., 2].max()))
+    surface = CutSurface(nets, Plane(level * UP, UP), np.zeros((3, 4), bool))
+    start, stop, low, high = rng.random((4, count))
+    pieces = Pieces(
+        rng.integers(0, 3, count),
+        rng.integers(0, 2, count),
+        *(start, stop, np.minimum(low, high), np.maximum(low, high)),
+    )
+    fraction = rng.random((count, 4))
+    compiled = surface.points(pieces, fraction)
+    with by_numpy():
+        plain = surface.points(pieces, fraction)
+    for one, other in zip(compiled, plain, strict=True):
+        assert one.shape == other.shape
+        assert_near(one, other, 1e-11)
+
+
+@given(seeds, st.integers(2, 6))
+def test_normals_and_how_they_bend(seed: int, degree: int) -> None:
+    rng = np.random.default_rng(seed)
+    nets = rng.normal(size=(4, degree + 1, degree + 1, 3))
+    # One patch has a pole, another is a line.
+    nets[1, 0], nets[2] = nets[1, 0, 0], nets[2, :, :1]
+    patch, x = rng.integers(0, 4, 12), rng.random((12, 2))
+    x[:4, 0] = 0.0
+    compiled = normals_and_bends(power_coefficients(nets), patch, x)
+    with by_numpy():
+        plain = normals_and_bends(power_coefficients(nets), patch, x)
+    for one, other in zip(compiled, plain, strict=True):
+        # Where tangents are nearly parallel, fewer digits are left.
+        assert_near(one, other, 1e-9)
+
+
+@given(seeds, st.integers(1, 12), st.sampled_from((0.0, 0.3, 3.0)))
+def test_the_equilibrium_of_a_string(seed: int, count: int, bend: float) -> None:
+    rng = np.random.default_rng(seed)
+    nodes, weights = np.cumsum(rng.random((count + 2, 3)), axis=0), rng.uniform(0.5, 1.5, count + 1)
+    normal = rng.normal(size=(count, 2, 3))
+    normal /= np.linalg.norm(normal, axis=2, keepdims=True)
+    curved = bend * rng.normal(size=(count, 2, 3, 3))
+    there = rng.random((count, 2)) < (1.0, 0.4)
+    gap = np.where(there, rng.uniform(-0.2, 0.5, (count, 2)), 0.0)
+    walls = Walls(normal, gap, curved + curved.swapaxes(2, 3), there)
+    held, load = rng.random((count, 2)) < 0.4, rng.random((count, 2))
+    compiled = equilibrium(nodes, weights, walls, load, held)
+    with by_numpy():
+        plain = equilibrium(nodes, weights, walls, load, held)
+    np.testing.assert_array_equal(compiled[2], plain[2])
+    for one, other in zip(compiled[:2], plain[:2], strict=True):
+        assert_near(one, other, 1e-9)
+
+
 @pytest.mark.parametrize("sample", ["female_average", "male_average"])
 def test_ways_that_are_pulled_straight(sample: str, rng: np.random.Generator) -> None:
     atlas = bm.load_sample(sample)
+    mesh = patch_graph(atlas).mesh.surface
     for _ in range(6):
         start, end = (
             bm.AtlasPoint(int(rng.integers(len(atlas))), *map(float, rng.random(2)))
@@ -191,8 +259,12 @@ def test_ways_that_are_pulled_straight(sample: str, rng: np.random.Generator) ->
             plain = first_ways(atlas, start, end)
         assert len(compiled) == len(plain) > 0
         for one, other in zip(compiled, plain, strict=True):
-            assert (one.strip, one.sides) == (other.strip, other.sides)
-            assert_near(np.array(one.along), np.array(other.along), 1e-12)
+            # A way through a vertex may lead over the faces on either side of it.
+            first, second = (along_way(way.points(mesh), COURSE) for way in (one, other))
+            assert_near(first, second, 1e-12)
+            assert one.length == pytest.approx(other.length, rel=1e-14)
+            for found in (one, other):
+                assert len(found.along) == len(found.sides) == len(found.strip) - 1
 
 
 def test_a_loop_round_a_body() -> None:

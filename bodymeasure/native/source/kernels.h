@@ -67,6 +67,11 @@ double energy_of_path(const Paths &paths, int64_t number, const double *values, 
 void power_jet(int64_t side, int64_t coordinates, const double *coefficients, const double *x,
                double *jet);
 
+// The root of a polynomial in Bernstein form in a bracket in which it is monotone; where its sign
+// does not change there, the end with the smaller value. Room for (degree + 1) doubles.
+double bracketed_root(const double *coefficients, int64_t degree, double lower, double upper,
+                      double *room);
+
 // A quadratic model of a function on the box [0, 1]^n, as in `numerics.banded.BoxModels`.
 struct BoxModel {
     int64_t unknowns, bands;

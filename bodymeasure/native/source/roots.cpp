@@ -25,7 +25,10 @@ double value_at(const double *coefficients, int64_t degree, double t, double *sl
     return s * room[0] + t * room[1];
 }
 
-double root(const double *coefficients, int64_t degree, double lower, double upper, double *room) {
+}  // namespace
+
+double bracketed_root(const double *coefficients, int64_t degree, double lower, double upper,
+                      double *room) {
     double low = lower, high = upper, slope;
     const double at_low = value_at(coefficients, degree, low, &slope, room);
     const double at_high = value_at(coefficients, degree, high, &slope, room);
@@ -47,8 +50,6 @@ double root(const double *coefficients, int64_t degree, double lower, double upp
     return t;
 }
 
-}  // namespace
-
 }  // namespace bodymeasure
 
 // Of `count` polynomials, (count, degree + 1).
@@ -56,7 +57,7 @@ EXPORTED int64_t bodymeasure_roots(int64_t count, int64_t degree, const double *
                                    const double *lower, const double *upper, double *found) {
     std::vector<double> room(degree + 1);
     for (int64_t k = 0; k < count; ++k)
-        found[k] = bodymeasure::root(coefficients + k * (degree + 1), degree, lower[k], upper[k],
-                                     room.data());
+        found[k] = bodymeasure::bracketed_root(coefficients + k * (degree + 1), degree, lower[k],
+                                               upper[k], room.data());
     return count;
 }

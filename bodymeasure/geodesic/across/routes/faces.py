@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array, Bools, Complex, Ints
+from bodymeasure.native import MeshArrays
 
 # The square of an edge's length is taken as at least this, so that none divides by zero.
 SHORTEST = 1e-300
@@ -63,9 +64,11 @@ class FaceMesh:
         )
 
     @cached_property
-    def arrays(self) -> tuple[Ints, Complex]:
-        """The faces and their apexes as arrays of shape (f, 3), for compiled kernels."""
-        return np.array(self.faces, np.int64), np.array(self.apex, complex)
+    def arrays(self) -> MeshArrays:
+        """The mesh as arrays, for compiled kernels."""
+        faces, over = (np.array(each, np.int64) for each in (self.faces, self.over))
+        apex, angle = np.array(self.apex, complex), np.array(self.angle)
+        return MeshArrays(faces, over, apex, angle, np.ascontiguousarray(self.vertices))
 
     def beyond(self, face: int, side: int) -> Sequence[int]:
         """Return all faces beyond a side of a face."""

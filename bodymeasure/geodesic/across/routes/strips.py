@@ -13,14 +13,13 @@ import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.across.routes.faces import FaceMesh, OnFace
-from bodymeasure.native import is_compiled, unfolded
+from bodymeasure.geodesic.across.routes.unfolding import Strip, Unfolded, shared_side
+from bodymeasure.native import WayFound, is_compiled, way_straightened
 
 # The most rounds in which strips are led round vertices. Some three are usual.
 MOST_ROUNDS = 60
@@ -28,7 +27,6 @@ MOST_ROUNDS = 60
 STRAIGHT = 1e-9
 # Rounds that make the way shorter by less than this part of it are only rounding.
 SHORTER = 1e-12
-SIDES = "faces in a row share a side"
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,32 +83,57 @@ def straight_way(
     StraightWay or None
         None if the faces about a vertex do not hang together, so that no strip leads past it.
     """
+    if is_compiled() and not mesh.forks:
+        start, end = ends
+        on, weights = (start.face, end.face), (start.weights, end.weights)
+        found = way_straightened(mesh.arrays, on, weights, vertices)
+        if isinstance(found, WayFound):
+            start, end = map(OnFace, (found.strip[0], found.strip[-1]), found.weights)
+            return StraightWay((start, end), found.strip, found.sides, found.along, found.length)
+        if found == 0:
+            return None
     faces = _strip_along(mesh, vertices, ends[0].face, ends[1].face)
     if faces is None:
         return None
     strip = _trimmed(mesh, faces, ends)
-    way = _Unfolded.of(mesh, strip)
+    way = Unfolded.of(mesh, strip)
     for _ in range(MOST_ROUNDS):
         changed = _led_round(mesh, strip.faces, way)
         if changed is None:
             break
         shorter = _trimmed(mesh, changed, (strip.start, strip.end))
-        other = _Unfolded.of(mesh, shorter)
+        other = Unfolded.of(mesh, shorter)
         if other.length > way.length * (1.0 - SHORTER):
             break
         strip, way = shorter, other
-    return way.straight(mesh, strip)
+    return _straight(mesh, strip, way)
 
 
-class _Strip(NamedTuple):
-    """Faces in a row, and the ends of a path on the first and the last of them."""
+def _straight(mesh: FaceMesh, strip: Strip, way: Unfolded) -> StraightWay:
+    """Return the shortest path within the strip."""
+    places = way.places
+    numbers = [*(number for number, _ in way.bends), len(way.left)]
+    along, leg = [], 0
+    for number, (a, b) in enumerate(zip(way.left, way.right, strict=True)):
+        while number > numbers[leg]:
+            leg += 1
+        p, q = places[leg], places[leg + 1]
+        # A path along a side is on it everywhere: it may count as crossing at either corner.
+        if p in (a, b):
+            t = float(p == b)
+        elif number == numbers[leg]:
+            t = float(q == b)
+        else:
+            across = ((q - p).conjugate() * (b - a)).imag
+            t = -((q - p).conjugate() * (a - p)).imag / across if across else 0.0
+            t = min(max(t, 0.0), 1.0)
+        forwards = mesh.faces[strip.faces[number]][way.sides[number]] == way.names[number][0]
+        along.append(t if forwards else 1.0 - t)
+    ends = strip.start, strip.end
+    return StraightWay(ends, strip.faces, way.sides, along, way.length)
 
-    faces: list[int]
-    start: OnFace
-    end: OnFace
 
-
-def _trimmed(mesh: FaceMesh, faces: list[int], ends: tuple[OnFace, OnFace]) -> _Strip:
+def _trimmed(mesh: FaceMesh, faces: list[int], ends: tuple[OnFace, OnFace]) -> Strip:
     """The strip without faces of which a path only has a point, where an end lies on a side."""
     start, end = ends
     first, last = 0, len(faces) - 1
@@ -124,7 +147,7 @@ def _trimmed(mesh: FaceMesh, faces: list[int], ends: tuple[OnFace, OnFace]) -> _
         if beyond is None:
             break
         end, last = beyond, last - 1
-    return _Strip(faces[first : last + 1], start, end)
+    return Strip(faces[first : last + 1], start, end)
 
 
 def _on_next(mesh: FaceMesh, place: OnFace, face: int) -> OnFace | None:
@@ -161,162 +184,7 @@ def _without_returns(strip: list[int]) -> list[int]:
     return result
 
 
-@dataclass(frozen=True, eq=False)
-class _Unfolded:
-    """A strip unfolded into a plane, and the shortest path within it.
-
-    Parameters
-    ----------
-    start, end : complex
-    sides : list of int
-        The side by which the path leaves each face but the last.
-    names : list of (int, int)
-        The vertices to the left and to the right there.
-    left, right : list of complex
-        Where they are in the plane.
-    bends : list of (int, int)
-        The number of the side at which the path bends, and 0 if it does so to the left, else 1.
-    """
-
-    start: complex
-    end: complex
-    sides: list[int]
-    names: list[tuple[int, int]]
-    left: list[complex]
-    right: list[complex]
-    bends: list[tuple[int, int]]
-
-    @classmethod
-    def of(cls, mesh: FaceMesh, strip: _Strip) -> "_Unfolded":
-        """Unfold a strip."""
-        first = mesh.faces[strip.faces[0]]
-        scale = float(np.linalg.norm(mesh.vertices[first[1]] - mesh.vertices[first[0]]))
-        if is_compiled():
-            return cls._compiled(mesh, strip, scale)
-        places: dict[int, complex] = {first[0]: 0j, first[1]: 1.0 + 0j}
-        places[first[2]] = mesh.apex[strip.faces[0]][0]
-        places = {vertex: scale * place for vertex, place in places.items()}
-        start = sum(
-            w * places[vertex] for w, vertex in zip(strip.start.weights, first, strict=True)
-        )
-        sides, names, left, right = [], [], [], []
-        here = strip.faces[0]
-        for there in strip.faces[1:]:
-            corners, beyond = mesh.faces[here], mesh.faces[there]
-            side = _shared(corners, beyond)
-            one, other = corners[side], corners[(side + 1) % 3]
-            third = places[corners[side - 1]]
-            a, b = places[one], places[other]
-            # The third corner lies behind: to the right of the line from the left to the right.
-            if ((b - a).conjugate() * (third - a)).imag >= 0.0:
-                one, other, a, b = other, one, b, a
-            sides.append(side)
-            names.append((one, other))
-            left.append(a)
-            right.append(b)
-            entered = beyond.index(one)
-            after = (entered + 1) % 3
-            if beyond[after] == other:
-                new, shape = beyond[entered - 1], mesh.apex[there][entered]
-            else:
-                # The side runs the other way in this face.
-                new, shape = beyond[after], 1.0 - mesh.apex[there][entered - 1].conjugate()
-            places = {one: a, other: b, new: a + (b - a) * shape}
-            here = there
-        end = sum(
-            w * places[vertex]
-            for w, vertex in zip(strip.end.weights, mesh.faces[here], strict=True)
-        )
-        return cls(start, end, sides, names, left, right, _funnel(start, end, left, right))
-
-    @classmethod
-    def _compiled(cls, mesh: FaceMesh, strip: _Strip, scale: float) -> "_Unfolded":
-        """What `of` returns, by compiled kernels."""
-        weights = np.array(strip.start.weights), np.array(strip.end.weights)
-        found = unfolded(mesh.arrays, np.array(strip.faces), scale, weights)
-        assert found is not None, SIDES
-        start, end = found.ends.tolist()
-        names, bends = ([(a, b) for a, b in rows.tolist()] for rows in (found.names, found.bends))
-        left, right = found.left.tolist(), found.right.tolist()
-        return cls(start, end, found.sides.tolist(), names, left, right, bends)
-
-    @property
-    def places(self) -> list[complex]:
-        """The start of the path, where it bends, and its end."""
-        return [self.start, *(self.corner(bend) for bend in self.bends), self.end]
-
-    @property
-    def length(self) -> float:
-        """The length of the path."""
-        return sum(abs(there - here) for here, there in pairwise(self.places))
-
-    def corner(self, bend: tuple[int, int]) -> complex:
-        """Return the place of a bend."""
-        number, side = bend
-        return (self.left, self.right)[side][number]
-
-    def straight(self, mesh: FaceMesh, strip: _Strip) -> StraightWay:
-        """Return the shortest path within the strip."""
-        places = self.places
-        numbers = [*(number for number, _ in self.bends), len(self.left)]
-        along, leg = [], 0
-        for number, (a, b) in enumerate(zip(self.left, self.right, strict=True)):
-            while number > numbers[leg]:
-                leg += 1
-            p, q = places[leg], places[leg + 1]
-            # A path along a side is on it everywhere: it may count as crossing at either corner.
-            if p in (a, b):
-                t = float(p == b)
-            elif number == numbers[leg]:
-                t = float(q == b)
-            else:
-                across = ((q - p).conjugate() * (b - a)).imag
-                t = -((q - p).conjugate() * (a - p)).imag / across if across else 0.0
-                t = min(max(t, 0.0), 1.0)
-            forwards = mesh.faces[strip.faces[number]][self.sides[number]] == self.names[number][0]
-            along.append(t if forwards else 1.0 - t)
-        ends = strip.start, strip.end
-        return StraightWay(ends, strip.faces, self.sides, along, self.length)
-
-
-def _shared(corners: list[int], beyond: list[int]) -> int:
-    """The side of a face that another one shares."""
-    for side in range(3):
-        if corners[side] in beyond and corners[(side + 1) % 3] in beyond:
-            return side
-    raise AssertionError(SIDES)
-
-
-def _funnel(
-    start: complex, end: complex, left: list[complex], right: list[complex]
-) -> list[tuple[int, int]]:
-    """Where the shortest path bends: the numbers of the sides, and 0 for left or 1 for right."""
-    bends: list[tuple[int, int]] = []
-    tip, sides, ats = start, [start, start], [-1, -1]
-    number, count = 0, len(left)
-    while number <= count:
-        new = (left[number], right[number]) if number < count else (end, end)
-        for which in (0, 1):
-            sign = 1.0 if which else -1.0
-            mine, other = sides[which] - tip, sides[1 - which] - tip
-            turn = new[which] - tip
-            # The funnel only gets narrower. A side on which the tip itself is does not limit it.
-            if sides[which] != tip and sign * (mine.conjugate() * turn).imag < 0.0:
-                continue
-            inside = sign * (other.conjugate() * turn).imag < 0.0
-            if inside or tip in (new[which], sides[1 - which]) or new[which] == sides[1 - which]:
-                sides[which], ats[which] = new[which], number
-                continue
-            # It closes: the path bends about the other side's corner.
-            tip, number = sides[1 - which], ats[1 - which]
-            bends.append((number, 1 - which))
-            sides, ats = [tip, tip], [number, number]
-            break
-        number += 1
-    return bends
-
-
-def _led_round(mesh: FaceMesh, strip: list[int], way: _Unfolded) -> list[int] | None:
+def _led_round(mesh: FaceMesh, strip: list[int], way: Unfolded) -> list[int] | None:
     """The strip led round the other side of vertices where that is shorter; None if nowhere."""
     result: list[int] = []
     done = 0
@@ -352,7 +220,7 @@ def _led_round(mesh: FaceMesh, strip: list[int], way: _Unfolded) -> list[int] | 
 def _other_side(mesh: FaceMesh, vertex: int, faces: list[int]) -> list[int] | None:
     """The faces about a vertex from the first of some to the last, round the other way."""
     here, goal = faces[0], faces[-1]
-    came = _shared(mesh.faces[here], mesh.faces[faces[1]])
+    came = shared_side(mesh.faces[here], mesh.faces[faces[1]])
     result = [here]
     while here != goal or len(result) == 1:
         corners = mesh.faces[here]

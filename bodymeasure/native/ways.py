@@ -1,0 +1,105 @@
+"""Ways over triangle meshes pulled straight, compiled."""
+
+import ctypes
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from bodymeasure._typing import Array, Complex, Ints
+from bodymeasure.native.library import address, kernels
+
+# The most faces of a strip.
+MOST_FACES = 20_000
+
+
+class _Triangles(ctypes.Structure):
+    """`Triangles` of ``straight_way.cpp``."""
+
+    _fields_ = tuple(
+        (name, ctypes.c_void_p) for name in ("faces", "over", "apex", "angle", "vertices")
+    )
+
+
+class _Way(ctypes.Structure):
+    """`Way` of ``straight_way.cpp``."""
+
+    _fields_ = (
+        ("count", ctypes.c_int64),
+        ("vertices", ctypes.c_void_p),
+        ("faces", ctypes.c_int64 * 2),
+        ("weights", ctypes.c_double * 6),
+        ("most", ctypes.c_int64),
+        ("strip", ctypes.c_void_p),
+        ("sides", ctypes.c_void_p),
+        ("along", ctypes.c_void_p),
+        ("length", ctypes.c_double),
+    )
+
+
+class MeshArrays(NamedTuple):
+    """A mesh as the kernels read it; see `geodesic.across.routes.faces.FaceMesh`.
+
+    Parameters
+    ----------
+    faces, over : ndarray of int, shape (f, 3)
+    apex : ndarray of complex, shape (f, 3)
+    angle : ndarray, shape (n,)
+    vertices : ndarray, shape (n, 3)
+    """
+
+    faces: Ints
+    over: Ints
+    apex: Complex
+    angle: Array
+    vertices: Array
+
+
+class WayFound(NamedTuple):
+    """What `geodesic.across.routes.strips.StraightWay` holds, in lists."""
+
+    strip: list[int]
+    sides: list[int]
+    along: list[float]
+    length: float
+    weights: tuple[list[float], list[float]]
+
+
+def way_straightened(
+    mesh: MeshArrays,
+    faces: tuple[int, int],
+    weights: tuple[Sequence[float], Sequence[float]],
+    vertices: Sequence[int],
+) -> WayFound | int:
+    """Return the way along a mesh's edges, pulled straight.
+
+    Parameters
+    ----------
+    mesh : MeshArrays
+        One of whose sides each is on two faces at most.
+    faces, weights : pair
+        Where its ends are: their faces, and the barycentric coordinates on them.
+    vertices : sequence of int
+
+    Returns
+    -------
+    WayFound or int
+        0 if no strip of faces leads past a vertex; 1 if the Python form has to look.
+    """
+    given = np.array(vertices, np.int64)
+    strip, sides = np.empty((2, MOST_FACES), np.int64)
+    along = np.empty(MOST_FACES)
+    way = _Way(len(given), address(given), faces, (*weights[0], *weights[1]), MOST_FACES)
+    way.strip, way.sides, way.along = map(address, (strip, sides, along))
+    triangles = _Triangles(*map(address, mesh))
+    count = kernels().bodymeasure_straight_way(ctypes.byref(triangles), ctypes.byref(way))
+    if count < 0:
+        return -1 - int(count)
+    shares = list(way.weights)
+    return WayFound(
+        strip[:count].tolist(),
+        sides[: count - 1].tolist(),
+        along[: count - 1].tolist(),
+        way.length,
+        (shares[:3], shares[3:]),
+    )
