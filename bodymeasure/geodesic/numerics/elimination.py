@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import scipy
 
-from bodymeasure._typing import Ints
+from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.numerics.array_libraries import constant
 
 # For up to so many systems, calls cost more than arithmetic.
@@ -79,7 +79,21 @@ def solve_symmetric(triangle: Any, right: Any, xp: Any) -> SymmetricSolution:
     """
     if right.shape[0] >= LARGE and right.shape[1] <= FEW and isinstance(right, np.ndarray):
         return _one_by_one(triangle, right, xp)
+    if right.shape[1] <= FEW and isinstance(right, np.ndarray):
+        return _at_a_time(triangle, right) or _eliminated(triangle, right, xp)
     return _eliminated(triangle, right, xp)
+
+
+def _at_a_time(triangle: Array, right: Array) -> SymmetricSolution | None:
+    """Solve by LAPACK's loops over the batch; None if a matrix is not positive definite."""
+    size = len(right)
+    matrix = triangle[_places(size)].reshape(size, size, -1).transpose(2, 0, 1)
+    try:
+        factor = np.linalg.cholesky(matrix)
+    except np.linalg.LinAlgError:
+        return None
+    solution = np.linalg.solve(matrix, right.T[..., None])[..., 0].T
+    return SymmetricSolution(solution, np.diagonal(factor, axis1=1, axis2=2).T ** 2)
 
 
 def _one_by_one(triangle: Any, right: Any, xp: Any) -> SymmetricSolution:

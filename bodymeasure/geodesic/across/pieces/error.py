@@ -35,7 +35,6 @@ from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.lengths.length import UNKNOWN, Length, is_leading_order
-from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.numerics.banded import solve_free
 
 # See the text above.
@@ -149,8 +148,7 @@ class _Pieces(NamedTuple):
 
 def _of_pieces(refined: RefinedPath) -> _Pieces:
     problem, total = refined.problem, refined.lengths.sum()
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        measured = measure_length(problem.surface, problem.space, refined.values)
+    measured = refined.by_piece
     short = refined.lengths < STRAIGHT * total
     ends = problem.surface.positions(refined.values[:, :, [0, -1]].transpose(0, 2, 1))
     chord = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1)

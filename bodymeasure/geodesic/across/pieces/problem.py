@@ -12,6 +12,7 @@ two apart. So the Hessian is banded either way.
 """
 
 from collections.abc import Iterator
+from functools import cached_property
 
 import numpy as np
 
@@ -121,12 +122,16 @@ class RouteProblem:
                 self._offset[piece, end] = float(flipped)
         self.idle = np.zeros(self.count, bool)
         self.idle[self.rows[self.sign == 0.0]] = True
+        self._size_of_bands = (int(np.ptp(self.rows, axis=1).max()) + 1) * self.count
+
+    @cached_property
+    def _in_bands(self) -> tuple[Bools, Ints]:
+        """Which entries of the pieces' Hessians are wanted, and their places in the bands."""
         row, column = np.broadcast_arrays(self.rows[:, :, None], self.rows[:, None, :])
         # One of a pair of unknowns is the lower; a loop's single piece ends in the unknown in which
         # it starts.
-        self._lower = row >= column
-        self._places = ((row - column) * self.count + column)[self._lower]
-        self._size_of_bands = (int((row - column).max()) + 1) * self.count
+        lower = row >= column
+        return lower, ((row - column) * self.count + column)[lower]
 
     def unknowns(self, inner: Array | None = None) -> Array:
         """Return the unknowns of a path whose pieces meet where the route says.
@@ -211,7 +216,8 @@ class RouteProblem:
         gradient: Array = np.zeros(self.count)
         np.add.at(gradient, self.rows, slope)
         bands: Array = np.zeros(self._size_of_bands)
-        np.add.at(bands, self._places, bend[self._lower])
+        lower, places = self._in_bands
+        np.add.at(bands, places, bend[lower])
         return SecondOrder(float(root.sum()), gradient, bands.reshape(-1, self.count))
 
 

@@ -2,6 +2,7 @@
 
 from copy import copy
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -10,6 +11,8 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.geodesic.across.pieces.problem import RouteProblem, Slides
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.routes.topology import topology
+from bodymeasure.geodesic.lengths.length import Length
+from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.numerics.box_newton import BoxMinimum
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
@@ -53,6 +56,12 @@ class RefinedPath:
     def length(self) -> float:
         """The length of the whole path, in the atlas's unit."""
         return float(self.lengths.sum()) * self.problem.size
+
+    @cached_property
+    def by_piece(self) -> Length:
+        """The length of each piece, with its ends fixed, as a part of the problem's size."""
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            return measure_length(self.problem.surface, self.problem.space, self.values)
 
     @property
     def smoothed(self) -> Bools:

@@ -1,8 +1,8 @@
 """A graph over an atlas whose shortest ways are roughly the distances between its points."""
 
-from collections.abc import Iterator
+from bisect import bisect_left
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -120,9 +120,20 @@ class PatchGraph:
 
     def edges_between(self, vertex: int, other: int) -> list[int]:
         """Return the vertices along edges of the mesh on which a step leads to another vertex."""
-        begin, end = self.steps.indptr[vertex : vertex + 2]
-        step = begin + int(np.flatnonzero(self.steps.indices[begin:end] == other)[0])
+        begins, others = self._ends_of_steps
+        step = bisect_left(others, other, begins[vertex], begins[vertex + 1])
         return self._between(*self.grid[step].tolist())
+
+    @cached_property
+    def _ends_of_steps(self) -> tuple[list[int], list[int]]:
+        """Where the steps of each vertex begin, and the vertices to which they lead, in order."""
+        return self.steps.indptr.tolist(), self.steps.indices.tolist()
+
+    @cached_property
+    def _rows(self) -> list[list[list[int]]]:
+        """The numbers of the vertices in lists, which Python reads faster."""
+        rows: list[list[list[int]]] = self.number.tolist()
+        return rows
 
     def _to_first(self, place: AtlasPoint, vertex: int) -> list[int]:
         """The vertices from a corner of the face that holds a point to one that it is joined to."""
@@ -137,23 +148,23 @@ class PatchGraph:
 
     def _between(self, patch: int, i: int, to_i: int, j: int, to_j: int) -> list[int]:
         """The vertices of a patch along edges of the mesh between two lines of its grid."""
-        result = [int(self.number[patch, i, j])]
-        for a, b in _unit_steps(to_i - i, to_j - j):
-            result.append(int(self.number[patch, i + a, j + b]))
+        rows = self._rows[patch]
+        result = [rows[i + a][j + b] for a, b in _unit_steps(to_i - i, to_j - j)]
         return [each for each in result if each >= 0]
 
 
-def _unit_steps(rows: int, columns: int) -> Iterator[tuple[int, int]]:
-    """Yield the places of steps along lines of a grid or along its diagonals to a place."""
+@lru_cache(maxsize=1024)
+def _unit_steps(rows: int, columns: int) -> tuple[tuple[int, int], ...]:
+    """Return the places on the way, along lines of a grid or along its diagonals, to a place."""
     steps = max(abs(rows), abs(columns))
-    last = (0, 0)
+    result = [(0, 0)]
     for number in range(1, steps + 1):
         i, j = ((2 * each * number + steps) // (2 * steps) for each in (rows, columns))
         # Cells are cut along one diagonal only.
-        if (i - last[0]) * (j - last[1]) < 0:
-            yield i, last[1]
-        yield i, j
-        last = i, j
+        if (i - result[-1][0]) * (j - result[-1][1]) < 0:
+            result.append((i, result[-1][1]))
+        result.append((i, j))
+    return tuple(result)
 
 
 @lru_cache(maxsize=4)

@@ -28,6 +28,8 @@ class RouteMesh:
         Whether u, or v, of a corner is arbitrary, since the corner lies on a collapsed side.
     number : ndarray of int, shape (patches, k, k, 2)
         The number of each triangle of a patch's cells; -1 where a collapsed side leaves none.
+    sides : list of list of int
+        The side of its patch on which each side of a face lies; -1 if it lies on none.
     """
 
     surface: FaceMesh
@@ -35,6 +37,7 @@ class RouteMesh:
     parameters: Array
     free: Bools
     number: Ints
+    sides: list[list[int]]
 
     @classmethod
     def of(cls, atlas: Atlas, segments: int) -> "RouteMesh":
@@ -52,7 +55,8 @@ class RouteMesh:
         number = np.full((len(atlas), segments, segments, 2), -1)
         number[mesh.face_patch, row, column, upper] = np.arange(len(mesh.faces))
         surface = FaceMesh.of_faces(mesh.vertices, mesh.faces)
-        return cls(surface, mesh.face_patch.tolist(), mesh.face_parameters, free, number)
+        sides = _sides_of_patches(mesh.face_parameters, free).tolist()
+        return cls(surface, mesh.face_patch.tolist(), mesh.face_parameters, free, number, sides)
 
     def holding(self, place: AtlasPoint) -> OnFace:
         """Return a point of the atlas as a point of a face on its patch."""
@@ -72,6 +76,16 @@ class RouteMesh:
             for (a, b), free in zip(corners, self.free[face].tolist(), strict=True)
         ]
         return OnFace(face, [each / sum(share) for each in share])
+
+
+def _sides_of_patches(parameters: Array, free: Bools) -> Ints:
+    """The side of the patch on which each side of a face lies, shape (f, 3); -1 for none."""
+    result = np.full(parameters.shape[:2], -1)
+    for number, edge in reversed(list(enumerate(EDGES))):
+        axis = edge.fixed_axis
+        on = (parameters[..., axis] == edge.fixed_value) | free[..., axis]
+        result[on & np.roll(on, -1, axis=1)] = number
+    return result
 
 
 @lru_cache(maxsize=4)

@@ -33,13 +33,13 @@ def route_of(
     steps = zip(pairwise(way.strip), way.sides, way.along, strict=True)
     for (here, there), side, t in steps:
         patch, beyond = mesh.patch[here], mesh.patch[there]
-        leave = _side_of_patch(mesh, here, side)
-        if leave is None:
+        leave = mesh.sides[here][side]
+        if leave < 0:
             continue
         corners, others = mesh.surface.faces[here], mesh.surface.faces[there]
         shared = {corners[side], corners[(side + 1) % 3]}
         entered = next(n for n in range(3) if {others[n], others[(n + 1) % 3]} == shared)
-        enter = _side_of_patch(mesh, there, entered)
+        enter = mesh.sides[there][entered]
         for crossing in neighbors.over.get((patch, leave), ()):
             if (crossing.to_patch, crossing.to_side) == (beyond, enter):
                 axis = 1 - EDGES[leave].fixed_axis
@@ -53,16 +53,6 @@ def route_of(
 def _on_patch(neighbors: Neighbors, place: AtlasPoint, patch: int) -> AtlasPoint | None:
     """The same point as a point of a patch; None if it is none of that patch."""
     return next((same for same in neighbors.same(place) if same.patch == patch), None)
-
-
-def _side_of_patch(mesh: RouteMesh, face: int, side: int) -> int | None:
-    """The side of its patch on which a side of a face lies; None if it lies on none."""
-    ends = [side, (side + 1) % 3]
-    for number, edge in enumerate(EDGES):
-        value, free = mesh.parameters[face, ends, edge.fixed_axis], mesh.free[face, ends]
-        if ((value == edge.fixed_value) | free[:, edge.fixed_axis]).all():
-            return number
-    return None
 
 
 def _without_empty_ends(neighbors: Neighbors, route: Route) -> Route:

@@ -16,7 +16,6 @@ from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.sides import one_sided, seam_runs
-from bodymeasure.geodesic.lengths.measure import measure_length
 
 # A piece below this part of the path's length may be one too many.
 SHORT = 1e-3
@@ -158,8 +157,7 @@ def detours(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Change]:
     samples = values @ space.between_nodes.T
     held = refined.held_nodes
     # The gain is how much shorter each piece could be if nothing held it.
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        gain = np.abs(measure_length(refined.problem.surface, space, values).correction)
+    gain = np.abs(refined.by_piece.correction)
     for piece in np.flatnonzero(~(gain < WORTHWHILE * refined.lengths.sum())).tolist():
         patch = route.patches[piece]
         # The number of the crossing that leaves the piece.
