@@ -59,7 +59,7 @@ ORDERS = {
     " measure",
     "native": "library · points · energy · box, closest, diagonal, normals, route, section, string,"
     " trees, ways",
-    "paper": "method · data · surface · tables · reproduction · page",
+    "paper": "method · data · surface · tables · analysis · reproduction · page",
     "pattern": "grid, planar · cloth, patches · curves, definitions · cutting · flat · hollows ·"
     " pieces · files",
     "report": "files, serial, units · numbers · templating · landmarks, patterns · patches · body ·"

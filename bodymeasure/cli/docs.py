@@ -30,6 +30,7 @@ PAGES = (
     "formats",
     "atlas_format",
     "method",
+    "analysis",
     "proofs",
     "accuracy",
     "paper",

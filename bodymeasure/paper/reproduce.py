@@ -8,6 +8,11 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from bodymeasure.measure import package_versions
+from bodymeasure.paper.analysis.forms import COUNTS as FORM_COUNTS
+from bodymeasure.paper.analysis.forms import forms_table, quadrature_table
+from bodymeasure.paper.analysis.orders import model_errors_table, orders_table
+from bodymeasure.paper.analysis.proven import BODIES, proven_table
+from bodymeasure.paper.analysis.statements import conjugate_table, superconvergence_tables
 from bodymeasure.paper.data.comparison import compare, in_chunks
 from bodymeasure.paper.data.random_patches import (
     GROUPS,
@@ -53,10 +58,14 @@ from bodymeasure.threads import one_blas_thread
 BODY_PATCHES = Reading(f"body {BODY}", "Patches of a sample body, normalized.", 1.0)
 # A quick run measures so many of the body's diagonals and boundary curves on its surface.
 QUICK_CURVES = 12
+# Numbers of patches of the chosen reading for its future work.
+FUTURE_PATCHES, QUICK_FUTURE_PATCHES = 100, 20
 # Numbers of patches of the chosen reading for what lies beyond the paper, and for the scaling.
 BEYOND_PATCHES, QUICK_BEYOND_PATCHES = 200, 20
 SCALING_PATCHES, QUICK_SCALING_PATCHES = 600, 40
 PACKAGES = ("bodymeasure", "numpy", "scipy", "libigl", "matplotlib")
+
+FEW_FORM_COUNTS = (4, 8)
 
 # Opens a progress bar with a label and a total, which is called with how many are done.
 Bar = Callable[[str, int], AbstractContextManager[Callable[[int], None]]]
@@ -199,10 +208,31 @@ def _beyond(study: _Study) -> None:
     study.tables += [medians_table(table), table]
 
 
+def _future(study: _Study) -> None:
+    """The weak form, orders, proofs and bounds."""
+    quick = study.settings.quick
+    nets = study.chosen.data.control_points.reshape(-1, 4, 4, 3)
+    known = known_diagonals(CHOSEN, nets[: QUICK_FUTURE_PATCHES if quick else FUTURE_PATCHES])
+    with study.bar("future work of 2007", 6) as progress:
+        study.tables.append(forms_table(known, FEW_FORM_COUNTS if quick else FORM_COUNTS))
+        progress(1)
+        study.tables += [orders_table(), model_errors_table()]
+        progress(2)
+        study.tables += superconvergence_tables(known)
+        progress(3)
+        study.tables.append(quadrature_table(known))
+        progress(4)
+        study.tables.append(conjugate_table())
+        progress(5)
+        study.tables.append(proven_table(BODIES[:1] if quick else BODIES))
+        progress(6)
+
+
 PARTS: tuple[tuple[str, Callable[[_Study], None]], ...] = (
     ("Tables 3 and 4", _testing),
     ("Table 5", _body),
     ("speed", _speed),
     ("distributed collocation", _scaling),
     ("beyond 2007", _beyond),
+    ("future work of 2007", _future),
 )

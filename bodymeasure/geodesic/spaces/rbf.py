@@ -70,10 +70,10 @@ def rbf_space(
     samples = sample_points(edges, kernel.degree)
     condition, growth = float("inf"), float("inf")
     with many_digits():
-        sampled_basis = _basis(kernel, centers, samples.ravel(), support_radius)
+        sampled_basis = basis(kernel, centers, samples.ravel(), support_radius)
         for shift in SHIFTS:
             nodes = _shifted_nodes(collocation_points, shift)
-            inverted, condition = inverse(_basis(kernel, centers, nodes, support_radius)[0])
+            inverted, condition = inverse(basis(kernel, centers, nodes, support_radius)[0])
             if inverted is None or condition > DEGENERATE_CONDITION:
                 continue
             cardinal = np.stack([part @ inverted for part in sampled_basis])
@@ -184,7 +184,7 @@ def rbf_coefficients(
     if radius.ndim or not 0.0 < radius < np.inf:
         raise InputError(f"support_radius is {support_radius!r}; expected a positive number")
     with many_digits():
-        inverted, _ = inverse(_basis(kernel, centers, nodes, support_radius)[0])
+        inverted, _ = inverse(basis(kernel, centers, nodes, support_radius)[0])
         if inverted is None:
             raise InputError("the collocation system is singular; it has no coefficients")
         return np.asarray(inverted @ decimals(nodal_values), dtype=np.float64)
@@ -207,7 +207,7 @@ def _shifted_nodes(collocation_points: tuple[float, ...], shift: float) -> Array
     return nodes
 
 
-def _basis(
+def basis(
     kernel: Kernel, centers: tuple[float, ...], t: Array, support_radius: float
 ) -> list[Decimals]:
     """The values and two derivatives of 1, phi_1, ..., phi_N at t; each (k, N + 1)."""

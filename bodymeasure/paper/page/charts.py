@@ -64,7 +64,7 @@ def _by_set(
     across, up = across_and_up
     rows = [row for row in table.records if row[across] is not None and row[up] is not None]
     sets = list(dict.fromkeys(row["patches"] for row in table.records))
-    figure, panels = _panels(len(sets))
+    figure, panels = new_panels(len(sets))
     for axes, patches in zip(panels, sets, strict=True):
         for number, family in enumerate(families):
             points = [
@@ -72,17 +72,17 @@ def _by_set(
                 for row in rows
                 if (row["patches"], row["family"]) == (patches, family)
             ]
-            _line(axes, points, number, family, joined=joined)
+            line(axes, points, number, family, joined=joined)
         axes.set_title(patches, fontsize=9)
-        _decades(axes.yaxis)
-    _legend(figure, panels[0])
+        decades(axes.yaxis)
+    legend(figure, panels[0])
     return figure, panels
 
 
 def distribution_chart(table: Table, of: str, name: str) -> bytes:
     """Return the part of the lengths whose difference is below a size, as SVG."""
     with chart_style():
-        figure, (axes,) = _panels(1)
+        figure, (axes,) = new_panels(1)
         rows = [row for row in table.records if row["of"] == of]
         for number, row in enumerate(rows):
             points = [
@@ -90,32 +90,33 @@ def distribution_chart(table: Table, of: str, name: str) -> bytes:
                 for level in LEVELS
                 if row[f"quantile_{level}"] is not None
             ]
-            _line(axes, points, number, row["difference"])
-        _decades(axes.xaxis)
+            line(axes, points, number, row["difference"])
+        decades(axes.xaxis)
         axes.set_xlabel("relative difference, without its sign")
         axes.set_ylabel("lengths up to that, %")
-        _legend(figure, axes)
+        legend(figure, axes)
         return figure_svg(figure, name)
 
 
 def roots_chart(table: Table, name: str) -> bytes:
     """Return how many patches have how many real solutions, as SVG."""
     with chart_style():
-        figure, (axes,) = _panels(1)
+        figure, (axes,) = new_panels(1)
         labels = [c for c in table.columns if c.name.startswith("real_")]
         # The number is odd with few exceptions; a line through the zeros between would zigzag.
         rows = [r for r in table.records if any(r[column.name] for column in labels)]
         axes.xaxis.get_major_locator().set_params(integer=True)
         for number, column in enumerate(labels):
             points = [(row["solutions"], row[column.name]) for row in rows]
-            _line(axes, points, number, column.label.removeprefix("Patches, "))
+            line(axes, points, number, column.label.removeprefix("Patches, "))
         axes.set_xlabel("real solutions of the two-function system")
         axes.set_ylabel("patches")
-        _legend(figure, axes)
+        legend(figure, axes)
         return figure_svg(figure, name)
 
 
-def _panels(count: int) -> tuple[Any, list[Any]]:
+def new_panels(count: int) -> tuple[Any, list[Any]]:
+    """Return a figure, and so many panels beside each other."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(7.6 if count > 1 else 5.6, 3.9))
@@ -126,7 +127,7 @@ def _panels(count: int) -> tuple[Any, list[Any]]:
     return figure, list(panels)
 
 
-def _line(
+def line(
     axes: Any,
     points: Sequence[tuple[float, float]],
     number: int,
@@ -134,6 +135,7 @@ def _line(
     *,
     joined: bool = True,
 ) -> None:
+    """Draw points as a line with the color and the marker of a number."""
     axes.plot(
         [x for x, _ in points],
         [y for _, y in points],
@@ -152,14 +154,14 @@ def _ticks() -> Any:
     return LogLocator(subs=(1.0, 2.0, 5.0))
 
 
-def _decades(axis: Any) -> None:
+def decades(axis: Any) -> None:
     """Make an axis logarithmic, with powers of ten in plain letters."""
     axis.axes.set(**{f"{axis.axis_name}scale": "log"})
     axis.set_major_formatter(lambda value, _: power_of_ten(round(math.log10(value))))
     axis.set_minor_formatter(lambda _value, _: "")
 
 
-def _legend(figure: Any, axes: Any) -> None:
+def legend(figure: Any, axes: Any) -> None:
     """Put the legend below the panels, where it hides nothing."""
     handles, labels = axes.get_legend_handles_labels()
     rows = -(-len(labels) // 2)

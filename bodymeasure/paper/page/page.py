@@ -1,7 +1,7 @@
 """The page of the reproduction, one self-contained file."""
 
 from bodymeasure.paper.data.random_patches import GROUP_SIZE
-from bodymeasure.paper.page import charts
+from bodymeasure.paper.page import analysis_charts, charts
 from bodymeasure.paper.page.sections import CHOICES, LONG, sections_of, tiles
 from bodymeasure.paper.page.shown import shown
 from bodymeasure.paper.reproduction import BODY, CHOSEN, Reproduction
@@ -36,7 +36,7 @@ def render_page(found: Reproduction) -> bytes:
 
 def _pictures(found: Reproduction) -> dict[str, list[tuple[str, str]]]:
     """Return the charts by section, each with its caption."""
-    beyond = found.table("beyond")
+    beyond, future = found.table("beyond"), analysis_charts
     made = {
         "readings": [
             (
@@ -71,6 +71,29 @@ def _pictures(found: Reproduction) -> dict[str, list[tuple[str, str]]]:
                 charts.cost_chart(beyond, charts.METHODS, "cost"),
                 "The error with the correction against processor time, with a point for each "
                 "number of functions.",
+            ),
+        ],
+        "future": [
+            (
+                future.forms_chart(found.table("future_forms"), "forms"),
+                "The error of the length of the computed path by both forms.",
+            ),
+            (
+                future.orders_chart(found.table("future_model"), "orders"),
+                "Errors on the linear model, whose slopes are the orders of convergence.",
+            ),
+            (
+                future.slopes_chart(found.table("future_slopes"), "slopes"),
+                "Errors of lengths against errors of paths: the length of the path falls with the "
+                "square, and the corrected length faster.",
+            ),
+            (
+                future.quadrature_chart(found.table("future_quadrature"), "quadrature"),
+                "How many lengths of the weak form lie below the truth, by the number of points.",
+            ),
+            (
+                future.conjugate_chart(found.table("future_conjugate"), "conjugate"),
+                "Arcs of a great circle as their ends come near to conjugate points.",
             ),
         ],
     }

@@ -72,6 +72,15 @@ SECTIONS: tuple[tuple[str, str, tuple[str, ...], str], ...] = (
         "The paper found three or more functions too slow. With Newton's method from the straight "
         "line, in place of a search for all solutions, they are not.",
     ),
+    (
+        "future",
+        "Future work of 2007",
+        ("future_",),
+        "The paper ends with what it leaves to others: “the theoretical analysis, and weak-form "
+        "solutions”. Here are the weak form beside collocation, the orders at which both converge, "
+        "why lengths are better than paths, and how much is proven. The pages “analysis” and "
+        "“proofs” of the documentation have the arguments.",
+    ),
 )
 # The choices that were made where the paper leaves them open.
 CHOICES = (

@@ -1,0 +1,1 @@
+"""The analysis that the paper left to others, in figures: orders, forms, quadrature, conjugacy."""
