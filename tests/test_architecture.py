@@ -44,8 +44,8 @@ ORDERS = {
     " selection, chart · evaluate",
     "cli": "commands, needs, tables · console · options · inputs · fitting · atlases, docs,"
     " landmarks, measuring, study, surveys · patterns · main",
-    "compare": "names, records · readings · gaps, iso20685, plausible, read, shown · comparison,"
-    " page",
+    "compare": "intraclass, limits, names, records · plots, readings · gaps, iso20685, plausible,"
+    " shown, surveyed · read · comparison, page",
     "fit": "model, scan · completed, solving · topology · export",
     "formats": "groups, json_faults, options, patches, scan_record, spline_patches, text ·"
     " atlas_json, bez, bpt, foreign, geomdl, npz, obj · mesh_vertices · registry",

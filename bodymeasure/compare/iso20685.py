@@ -1,13 +1,16 @@
-"""The verdict of ISO 20685-1 on a mean difference."""
+"""What the differences of a measurement come to, and the verdict of ISO 20685-1 on their mean."""
 
 import math
 from collections.abc import Sequence
 from statistics import fmean, stdev
 
+import numpy as np
 from scipy.special import stdtrit
 
 from bodymeasure.atlas import Unit, convert_length
 from bodymeasure.chart import AccuracyClass
+from bodymeasure.compare.intraclass import intraclass
+from bodymeasure.compare.limits import limits_of_agreement
 from bodymeasure.compare.records import Agreement, ClassVerdict, Difference, Verdict
 
 # The least number of test subjects that the standard asks for.
@@ -37,6 +40,8 @@ def agreement(differences: Sequence[Difference], minimum_subjects: int) -> Agree
     values = [each.difference for each in differences]
     interval = confidence_interval(values)
     largest = max(differences, key=lambda each: abs(each.difference))
+    limits = limits_of_agreement(values)
+    correlation = intraclass(np.array([[each.a, each.b] for each in differences]))
     maximum = maximum_error(first.accuracy_class, first.unit)
     return Agreement(
         key=first.key,
@@ -48,6 +53,13 @@ def agreement(differences: Sequence[Difference], minimum_subjects: int) -> Agree
         deviation=stdev(values) if len(values) > 1 else None,
         low=None if interval is None else interval[0],
         high=None if interval is None else interval[1],
+        lower_limit=None if limits is None else limits.lower,
+        upper_limit=None if limits is None else limits.upper,
+        limit_half_width=None if limits is None else limits.half_width,
+        icc=None if correlation is None else correlation.agreement,
+        icc_low=None if correlation is None else correlation.low,
+        icc_high=None if correlation is None else correlation.high,
+        icc_consistency=None if correlation is None else correlation.consistency,
         largest=largest.difference,
         largest_subject=largest.subject,
         maximum_error=maximum,

@@ -1,9 +1,10 @@
 """The page of a comparison, one self-contained file."""
 
 from bodymeasure.compare import shown
-from bodymeasure.compare.records import VERDICTS, Comparison
+from bodymeasure.compare.plots import Plot, plot_of
+from bodymeasure.compare.records import VERDICTS, Comparison, Difference
 from bodymeasure.report.body.tape import tape_text
-from bodymeasure.report.numbers import NONE
+from bodymeasure.report.numbers import MINUS, NONE
 from bodymeasure.report.templating import moment, render_page
 from bodymeasure.report.units import UNIT_NAMES
 
@@ -32,6 +33,7 @@ def render_comparison(comparison: Comparison) -> bytes:
         "verdicts": {verdict: words for verdict, words in VERDICTS.items() if verdict in used},
         "tones": TONES,
         "marks": MARKS,
+        "plots": [] if len(comparison.subjects) == 1 else _plots(comparison),
     }
     return render_page(
         "bodymeasure.compare",
@@ -44,5 +46,18 @@ def render_comparison(comparison: Comparison) -> bytes:
             "signed": shown.signed,
             "error": shown.error_text,
             "interval": shown.interval,
+            "limits": shown.limits,
+            "icc": shown.icc,
+            "icc_interval": shown.icc_interval,
+            "tick": lambda value: f"{round(value, 9):g}".replace("-", MINUS),
         },
     )
+
+
+def _plots(comparison: Comparison) -> list[Plot]:
+    """Return the Bland-Altman plot of each measurement that has one."""
+    by_key: dict[str, list[Difference]] = {}
+    for each in comparison.differences:
+        by_key.setdefault(each.key, []).append(each)
+    plots = (plot_of(each, by_key[each.key]) for each in comparison.agreements)
+    return [plot for plot in plots if plot is not None]

@@ -13,6 +13,7 @@ from bodymeasure.atlas import Unit
 from bodymeasure.chart import MeasurementDefinition
 from bodymeasure.chart.kinds import KINDS
 from bodymeasure.compare.readings import Reading, Readings, readings_of, readings_of_subjects
+from bodymeasure.compare.surveyed import survey_readings
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes
 from bodymeasure.report.body.records import SCHEMA, ChartDocument
@@ -39,7 +40,9 @@ UNITS = (*(unit.value for unit in Unit), DEGREES)
 
 
 def read_readings(path: Path) -> Readings:
-    """Return the values of a file, by its extension: a chart's ``.json``, or ``.csv``.
+    """Return the values of a file, by its extension.
+
+    They are a chart's ``.json``, a survey's ``.parquet``, or ``.csv``.
 
     A CSV file has the columns ``measurement`` (key or name), ``value`` and ``unit`` (m, cm, mm,
     inch, deg), and may have ``subject`` and ``error``. Tabs and semicolons may be used in place of
@@ -51,6 +54,8 @@ def read_readings(path: Path) -> Readings:
     InputError
         If the file is not as expected; the message gives file, line and what to do.
     """
+    if path.suffix.lower() == ".parquet":
+        return survey_readings(path)
     content = read_bytes(path)
     if path.suffix.lower() == ".json":
         found = _charts(content, path)

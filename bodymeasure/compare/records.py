@@ -51,6 +51,31 @@ class Agreement(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     deviation: Annotated[float | None, Meta(description="Sample standard deviation.")]
     low: Annotated[float | None, Meta(description="Lower end of the 95 % interval of the mean.")]
     high: Annotated[float | None, Meta(description="Upper end of the 95 % interval of the mean.")]
+    lower_limit: Annotated[
+        float | None,
+        Meta(description="Lower limit of agreement (Bland and Altman): mean - 1.96 deviations."),
+    ]
+    upper_limit: Annotated[
+        float | None,
+        Meta(description="Upper limit of agreement: mean + 1.96 deviations."),
+    ]
+    limit_half_width: Annotated[
+        float | None,
+        Meta(description="Half of the width of the 95 % interval of each limit of agreement."),
+    ]
+    icc: Annotated[
+        float | None,
+        Meta(description="Intra-class correlation ICC(A,1): of absolute agreement."),
+    ]
+    icc_low: Annotated[float | None, Meta(description="Lower end of its 95 % interval.")]
+    icc_high: Annotated[float | None, Meta(description="Upper end of its 95 % interval.")]
+    icc_consistency: Annotated[
+        float | None,
+        Meta(
+            description="Intra-class correlation ICC(C,1), for which a constant difference does "
+            "not count."
+        ),
+    ]
     largest: Annotated[float, Meta(description="The difference that is largest in size.")]
     largest_subject: str
     maximum_error: Annotated[

@@ -46,6 +46,36 @@ def interval(agreement: Agreement) -> str:
     return f"{low}{SPACE}to {high}"
 
 
+def limits(agreement: Agreement) -> str:
+    """Return the limits of agreement; a dash for None."""
+    if agreement.lower_limit is None or agreement.upper_limit is None:
+        return NONE
+    ends = (agreement.lower_limit, agreement.upper_limit)
+    low, high = (signed(end, agreement.unit) for end in ends)
+    return f"{low}{SPACE}to {high}"
+
+
+def icc(agreement: Agreement) -> str:
+    """Return the intra-class correlation of agreement; a dash for None."""
+    return correlation(agreement.icc)
+
+
+def icc_interval(agreement: Agreement) -> str:
+    """Return the confidence interval of the intra-class correlation; empty for None."""
+    if agreement.icc_low is None or agreement.icc_high is None:
+        return ""
+    return f"{correlation(agreement.icc_low)}{SPACE}to {correlation(agreement.icc_high)}"
+
+
+def correlation(value: float | None) -> str:
+    """Return a coefficient, never rounded up to 1; a dash for None."""
+    if value is None:
+        return NONE
+    text = f"{value:.3f}"
+    text = "0.999" if value < 1.0 and text == "1.000" else text
+    return text.replace("-", MINUS)
+
+
 def summary(comparison: Comparison) -> list[str]:
     """Return what a comparison comes to, in sentences."""
     agreements = comparison.agreements

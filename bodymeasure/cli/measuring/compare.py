@@ -33,9 +33,11 @@ EXIT_EXCEEDS = 1
 # The value of `bodymeasure.compare`, which is slow to load; a test keeps the two equal.
 MINIMUM_SUBJECTS = 40
 # Suffixes of files of values; any other file is an atlas.
-READ_SUFFIXES = (".csv", ".json")
+READ_SUFFIXES = (".csv", ".json", ".parquet")
 # The file of values in a folder that `chart -o` has written.
 VALUES = "measurements.json"
+# That in a folder of `survey`.
+SURVEY = "survey.parquet"
 # Files of atlases but for .json, which may hold values.
 ATLASES = tuple(suffix for suffix in EXTENSIONS if suffix != ".json")
 WRITTEN_SUFFIXES = (".csv", ".json", ".html")
@@ -80,17 +82,19 @@ def compare(
     """Compare the measurements of A with those of B; a difference is A - B.
 
     Each of the two is an atlas or a sample, which is measured; a chart's measurements.json or
-    measurements.csv; or a CSV file typed by hand, with the columns measurement (key or name),
-    value, unit (m, cm, mm, inch, deg) and, if there are several, subject. --file-unit, --up and
-    --front are for an atlas whose format says none.
+    measurements.csv; a survey's survey.parquet; or a CSV file typed by hand, with the columns
+    measurement (key or name), value, unit (m, cm, mm, inch, deg) and, if there are several,
+    subject. --file-unit, --up and --front are for an atlas whose format says none.
 
-    A folder that `chart -o` has written stands for its measurements.json.
+    A folder that `chart -o` has written stands for its measurements.json, and one of `survey` for
+    its survey.parquet.
 
     A folder of atlases, an .npz file of many bodies, and the files of `chart` for several bodies
     are several subjects, which are paired by their names.
 
     With several subjects, the mean difference of each measurement is assessed by ISO 20685-1: its
-    95 % confidence interval has to lie within the maximum allowable error.
+    95 % confidence interval has to lie within the maximum allowable error. Beside it stand the
+    limits of agreement (Bland and Altman) and the intra-class correlation; an .html page has plots.
     """
     writer = _writer(output)
     # Slow imports, which `--help` does not need.
@@ -156,8 +160,10 @@ def _writer(output: Path | None) -> "Callable[[Comparison], bytes]":
 
 
 def _values_in(name: str) -> str:
-    """Return the file of values in a folder that `chart -o` has written; else the name as it is."""
+    """Return the file of values in a folder of `chart -o` or `survey`; else the name as it is."""
     folder = Path(name)
+    if (folder / SURVEY).is_file():
+        return str(folder / SURVEY)
     values = folder / VALUES
     if not values.is_file():
         return name
@@ -227,9 +233,9 @@ def _differences(comparison: "Comparison") -> "Table":
 
 
 def _agreements(comparison: "Comparison") -> "Table":
-    from bodymeasure.compare.shown import interval, signed
+    from bodymeasure.compare.shown import icc, interval, limits, signed
 
-    spread = ("subjects", "mean A - B", "95 % interval", "largest")
+    spread = ("subjects", "mean A - B", "95 % interval", "limits", "ICC", "largest")
     table = new_table("measurement", *spread, "class", "verdict")
     for each in comparison.agreements:
         table.add_row(
@@ -237,6 +243,8 @@ def _agreements(comparison: "Comparison") -> "Table":
             str(each.subjects),
             signed(each.mean, each.unit),
             interval(each),
+            limits(each),
+            icc(each),
             signed(each.largest, each.unit),
             each.accuracy_class or "",
             Text(each.verdict, COLORS.get(each.verdict, "")),
