@@ -26,6 +26,7 @@ __all__ = [
     "ConvergenceError",
     "Definitions",
     "Derived",
+    "DiagonalArrays",
     "DirectedPath",
     "Drop",
     "EdgeContact",
@@ -90,6 +91,7 @@ __all__ = [
     "contracted_loop",
     "derive_landmarks",
     "diagonals",
+    "diagonals_of_bodies",
     "enclose",
     "export_page",
     "extreme_girth",
@@ -255,6 +257,7 @@ if TYPE_CHECKING:
     )
     from bodymeasure.measure import (
         BoundaryLengths,
+        DiagonalArrays,
         Drop,
         ExtremeGirth,
         Extremum,
@@ -264,6 +267,7 @@ if TYPE_CHECKING:
         boundary_lengths,
         closed_geodesic,
         diagonals,
+        diagonals_of_bodies,
         extreme_girth,
         fork_point,
         limb_girth,

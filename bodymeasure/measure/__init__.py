@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING
 from bodymeasure.lazy import loader
 from bodymeasure.measure.patches.boundary import BoundaryLengths, boundary_lengths
 from bodymeasure.measure.patches.diagonals import diagonals
+from bodymeasure.measure.patches.many_bodies import DiagonalArrays, diagonals_of_bodies
 from bodymeasure.measure.patches.survey import Survey, measure_atlas, package_versions
 
 __all__ = [
     "BoundaryLengths",
+    "DiagonalArrays",
     "Drop",
     "ExtremeGirth",
     "Extremum",
@@ -25,6 +27,7 @@ __all__ = [
     "closed_geodesic",
     "depth",
     "diagonals",
+    "diagonals_of_bodies",
     "extreme_girth",
     "fork_point",
     "girth_arc",
