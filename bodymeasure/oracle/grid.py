@@ -1,6 +1,7 @@
 """Meshes of a single patch in which given points are vertices at every level."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 from typing import TypeVar
 
@@ -57,16 +58,24 @@ class PatchGrid:
             The mesh's number for each vertex of the grid: the same for all those on an edge that
             is collapsed into one point.
         """
+        collapsed = tuple(bool((net == net[0]).all()) for net in _sides(control_points))
+        used, faces, number = _topology((len(self.u), len(self.v)), collapsed)
         parameters = np.stack(np.meshgrid(self.u, self.v, indexing="ij"), axis=-1)
-        grid = np.arange(len(self.u) * len(self.v)).reshape(len(self.u), len(self.v))
-        for edge, net in zip(_sides(grid), _sides(control_points), strict=True):
-            if (net == net[0]).all():
-                edge[:] = edge[0]
-        used, number = np.unique(grid, return_inverse=True)
-        number = number.reshape(-1).astype(np.int64)
-        faces = grid_faces(number.reshape(grid.shape))
-        faces = faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)]
         return evaluate(control_points, parameters.reshape(-1, 2)[used]), faces, number
+
+
+# Nearly all patches of a body have the same few meshes.
+@lru_cache(maxsize=16)
+def _topology(shape: tuple[int, int], collapsed: tuple[bool, ...]) -> tuple[Ints, Ints, Ints]:
+    """The points of a grid that are used, its triangles, and the number of each of its points."""
+    grid = np.arange(shape[0] * shape[1]).reshape(shape)
+    for edge, is_point in zip(_sides(grid), collapsed, strict=True):
+        if is_point:
+            edge[:] = edge[0]
+    used, number = np.unique(grid, return_inverse=True)
+    number = number.reshape(-1).astype(np.int64)
+    faces = grid_faces(number.reshape(shape))
+    return used, faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)], number
 
 
 def grid_lines(points: Array) -> tuple[Array, Array]:

@@ -80,7 +80,7 @@ def test_an_interrupt_of_the_comparison_leaves_nothing(
         setup=TELL_PROGRESS,
     )
     assert process.stdout is not None
-    assert process.stdout.readline().startswith("comparing with libigl")
+    assert process.stdout.readline().startswith("comparing with meshes")
     (os.killpg if to_all else os.kill)(process.pid, sent)
     out, err = process.communicate(timeout=PATIENCE)
     assert process.returncode == code

@@ -1,6 +1,7 @@
 import csv
 import json
 import math
+from collections import Counter
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -60,15 +61,16 @@ def test_a_single_patch_with_pictures_and_progress(
     ran = run("report", "enneper", "-o", tmp_path, "--unit", "mm", "--processes", 1)
     opengl_trouble.cache_clear()
     assert ran.code == 0
-    assert ran.err == "Pictures were drawn without OpenGL, since pyvista is not installed.\n"
+    assert ran.err == ""
     content = checked_content(tmp_path)
     assert content["unit"] == "mm"
     length = content["measurements"][0]["length"]
     assert math.isclose(length, 50.0 * math.sqrt(2.0) / 3.0, rel_tol=1e-13)
     page = Page((tmp_path / "report.html").read_bytes())
-    assert page.source.count("data:image/png") == 2
+    # The scene takes the place of pictures.
+    assert page.source.count("data:image/png") == 0
     assert b'id="bodymeasure-data"' in page.scene
-    assert [label for label, _, _ in bars] == ["comparing with libigl", "drawing"]
+    assert [label for label, _, _ in bars] == ["comparing with meshes"]
     for _, total, done in bars:
         assert done == sorted(done)
         assert done[-1] == total
@@ -115,6 +117,24 @@ def test_lengths_that_disagree_are_told(
     assert "2 longer than the mesh distance" in ran.out
     assert ran.err == "2 lengths disagree with the mesh; see report.html.\n"
     assert checked_content(tmp_path)["summary"]["by_verdict"] == {"longer": 2}
+
+
+@pytest.mark.slow
+def test_libigl_measures_everything_on_request(run: Run, tmp_path: Path) -> None:
+    options = ("--no-pictures", "--processes", 1, "-o", tmp_path)
+    for check, words in (("flips", "edge flips"), ("libigl", "libigl exact on 5, 10, 15, 20")):
+        assert run("report", "female_average", "--check", check, *options).code == 0
+        content = checked_content(tmp_path)
+        assert content["settings"]["cross-check"].startswith(words)
+        diagonals = [each for each in content["measurements"] if each["kind"] == "diagonal"]
+        by = Counter(each["exact_by"] for each in diagonals)
+        if check == "libigl":
+            assert by == {"libigl": 752}
+        else:
+            assert by["libigl"] + by["edge flips"] == 752
+            assert 2 * 376 // 20 <= by["libigl"] < 200
+            page = (tmp_path / "report.html").read_text("utf-8")
+            assert "edge flips (potpourri3d)" in page
 
 
 @pytest.mark.slow

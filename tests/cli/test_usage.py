@@ -190,7 +190,7 @@ def test_a_narrow_terminal_gets_a_progress_bar_and_a_narrow_table(tmp_path: Path
     )
     assert code == 0
     bar, _, table = printed.rpartition("\x1b[2K")
-    assert "comparing with libigl" in bar
+    assert "comparing with meshes" in bar
     lines = re.sub(r"\x1b\[[0-9;]*m|\r", "", table).splitlines()
     assert lines[0].rstrip() == "Enneper's surface"
     assert all(len(line) <= 40 for line in lines if str(tmp_path) not in line)

@@ -9,9 +9,10 @@ from helpers.surfaces.surfaces import ENNEPER, HYPERBOLIC_PARABOLOID, PARABOLOID
 
 from bodymeasure import Atlas, diagonals, solve_geodesic
 from bodymeasure._typing import Array
+from bodymeasure.errors import InputError
 from bodymeasure.measure.patches import cross_check as module
 from bodymeasure.measure.patches.cross_check import RESOLUTION, SAFETY, Verdict
-from bodymeasure.oracle import MeshDistances
+from bodymeasure.oracle import MeshDistances, mesh_distances
 
 NETS = np.stack([ENNEPER, PARABOLOID, HYPERBOLIC_PARABOLOID, PARABOLOID])
 ATLAS = Atlas.from_control_points(NETS, "cm")
@@ -25,7 +26,9 @@ def compare(
         return MeshDistances(exact, uncertainty, 1.01 * exact, by_level, levels, {})
 
     monkeypatch.setattr(module, "mesh_distances", pretend)
-    return module.cross_check(atlas, diagonals(atlas, on_failure="status"), levels=(4, 8))
+    return module.cross_check(
+        atlas, diagonals(atlas, on_failure="status"), levels=(4, 8), check="libigl"
+    )
 
 
 def test_verdicts(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -104,3 +107,71 @@ def test_along_an_edge_the_extrapolation_is_in_doubt() -> None:
     checked = module.cross_check(atlas, solution)
     assert checked.difference[0, 0] < -SAFETY * checked.exact_uncertainty[0, 0]
     assert checked.verdict[0, 0] is Verdict.AGREES
+
+
+def flips_that_are_longer(monkeypatch: pytest.MonkeyPatch, patches: tuple[int, ...]) -> None:
+    """Let edge flips be caught on ways round that are a thousandth longer, on some patches."""
+
+    def caught(*problems: Any, engine: str, **options: Any) -> MeshDistances:
+        found = mesh_distances(*problems, engine=engine, **options)
+        if engine == "flips":
+            for array in (found.exact, found.by_level):
+                array[list(patches)] *= 1.001
+        return found
+
+    monkeypatch.setattr(module, "mesh_distances", caught)
+
+
+def many(count: int) -> Atlas:
+    return Atlas.from_control_points(np.stack([NETS[k % 3] for k in range(count)]), "cm")
+
+
+def test_flips_measure_what_libigl_need_not_confirm(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("igl")
+    monkeypatch.setattr(module, "WORST", 1)
+    atlas = many(41)
+    solution = diagonals(atlas)
+    checked = module.cross_check(atlas, solution, levels=(5, 10))
+    whole = module.cross_check(atlas, solution, levels=(5, 10), check="libigl")
+    assert checked.confirmed[::20].all()
+    assert checked.confirmed.sum() < 20
+    assert whole.confirmed.all()
+    assert np.isnan(whole.flips_longer)
+    assert 0.0 <= checked.flips_longer < 1e-6
+    np.testing.assert_array_equal(checked.verdict, whole.verdict)
+    np.testing.assert_allclose(checked.exact, whole.exact, rtol=1e-6)
+    np.testing.assert_array_equal(checked.exact[checked.confirmed], whole.exact[checked.confirmed])
+
+
+def test_libigl_decides_where_flips_disagree(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("igl")
+    atlas = many(41)
+    solution = diagonals(atlas)
+    # One patch that is not in the sample: its lengths seem too short, until libigl confirms them.
+    flips_that_are_longer(monkeypatch, (7,))
+    checked = module.cross_check(atlas, solution, levels=(5, 10))
+    assert checked.confirmed[7]
+    assert not checked.confirmed.all()
+    assert checked.flips_longer == pytest.approx(1e-3, rel=1e-2)
+    assert (checked.verdict == Verdict.AGREES).all()
+
+
+def test_flips_that_are_often_longer_serve_no_purpose(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("igl")
+    monkeypatch.setattr(module, "WORST", 1)
+    atlas = many(41)
+    flips_that_are_longer(monkeypatch, (0, 20, 40))
+    checked = module.cross_check(atlas, diagonals(atlas), levels=(5, 10))
+    assert checked.confirmed.all()
+
+
+def test_without_potpourri3d_libigl_measures_everything(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("igl")
+    monkeypatch.setattr("bodymeasure.oracle.flips.find_spec", lambda _: None)
+    checked = module.cross_check(ATLAS, diagonals(ATLAS), levels=(4, 8))
+    assert checked.confirmed.all()
+
+
+def test_a_check_that_there_is_not() -> None:
+    with pytest.raises(InputError, match="check is 'both'; expected 'flips' or 'libigl'"):
+        module.cross_check(ATLAS, diagonals(ATLAS), check="both")  # type: ignore[arg-type]

@@ -67,6 +67,7 @@ def make_survey(
             length=0.1 + rng.random((4, 4)) / 30.0, error_estimate=np.full((4, 4), 1e-17)
         ),
         cross_check=SimpleNamespace(
+            confirmed=np.arange(4) % 2 == 0,
             exact=exact,
             exact_uncertainty=1e-7 * exact,
             heat=exact * 1.01,

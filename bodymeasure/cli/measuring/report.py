@@ -14,6 +14,7 @@ from bodymeasure.cli.measuring.scene import pictures_wanted, scene_of
 from bodymeasure.cli.needs import COMPARISON, PAGE, PICTURES, require
 from bodymeasure.cli.options import (
     all_pictures_option,
+    check_option,
     despite_errors_option,
     folder_option,
     length_unit,
@@ -31,6 +32,7 @@ from bodymeasure.wording import counted
 if TYPE_CHECKING:
     from rich.table import Table
 
+    from bodymeasure.measure.patches.cross_check import Check
     from bodymeasure.report import Pictures
     from bodymeasure.report.patches.records import Document
 
@@ -56,6 +58,7 @@ STATUSES = {"on_boundary": "of them run along an edge of their patch"}
 )
 @unit_option
 @no_cross_check_option
+@check_option
 @no_pictures_option
 @all_pictures_option
 @processes_option
@@ -65,12 +68,13 @@ def report(
     output: Path,
     unit: str,
     no_cross_check: bool,
+    check: "Check",
     no_pictures: bool,
     all_pictures: bool,
     processes: int,
     despite_errors: bool,
 ) -> int:
-    """Measure ATLAS, check the lengths against libigl, and write a report.
+    """Measure ATLAS, check the lengths against meshes, and write a report.
 
     ATLAS is the average female sample if not given.
     """
@@ -85,14 +89,19 @@ def report(
         # Slow imports, which `--help` does not need.
         from bodymeasure.report import disagreements, survey_document, write_report
 
-        with progress_bar("comparing with libigl", 2 * len(loaded)) as progress:
+        with progress_bar("comparing with meshes", 2 * len(loaded)) as progress:
             survey = measure_atlas(
-                loaded, compare=not no_cross_check, processes=processes, progress=progress
+                loaded,
+                compare=not no_cross_check,
+                check=check,
+                processes=processes,
+                progress=progress,
             )
         document = survey_document(survey, unit)
         scene = scene_of(survey) if with_pictures else None
-        near = scene is None or all_pictures
-        pictures = _pictures(survey, document, near=near) if with_pictures else None
+        # The scene shows all that pictures do, and is made in a fraction of the time.
+        drawn = with_pictures and (scene is None or all_pictures)
+        pictures = _pictures(survey, document) if drawn else None
         files = write_report(survey, output, unit=unit, pictures=pictures or False, scene=scene)
     print_table(_table(document, time.perf_counter() - begin))
     print_files(files)
@@ -105,15 +114,14 @@ def report(
     return EXIT_DISAGREES if wrong else 0
 
 
-def _pictures(survey: Survey, document: "Document", *, near: bool) -> "Pictures":
+def _pictures(survey: Survey, document: "Document") -> "Pictures":
     from bodymeasure.report import closeup_patches
-    from bodymeasure.report.patches.outputs import BESIDE_SCENE
     from bodymeasure.scene import SIDES
     from bodymeasure.scene import pictures as draw
 
-    closeups, sides = (closeup_patches(document), SIDES) if near else ((), BESIDE_SCENE)
-    with progress_bar("drawing", len(sides) + len(closeups)) as progress:
-        return draw(survey, closeups, sides=sides, advance=count_calls(progress))
+    closeups = closeup_patches(document)
+    with progress_bar("drawing", len(SIDES) + len(closeups)) as progress:
+        return draw(survey, closeups, advance=count_calls(progress))
 
 
 def _table(document: "Document", seconds: float) -> "Table":
@@ -136,7 +144,7 @@ def _table(document: "Document", seconds: float) -> "Table":
             f"{unit}",
         )
         table.add_row("largest error estimate", f"{summary.error_estimate.maximum:.0e} {unit}")
-    label = "compared with libigl"
+    label = "compared with meshes"
     for verdict, (words, color) in VERDICTS.items():
         if count := summary.by_verdict.get(verdict, 0):
             table.add_row(label, Text(f"{count:,} {words}", color))

@@ -68,7 +68,7 @@ def show_window(
 
 
 def _survey(loaded: "Atlas", no_cross_check: bool, processes: int) -> Survey:
-    with progress_bar("comparing with libigl", 2 * len(loaded)) as progress:
+    with progress_bar("comparing with meshes", 2 * len(loaded)) as progress:
         return measure_atlas(
             loaded, compare=not no_cross_check, processes=processes, progress=progress
         )

@@ -66,14 +66,23 @@ def times_at(quadrature: Quadrature, speed: Array, parts: Array) -> Array:
     rate, gone = rate[:, row, piece], gone[:, row, piece]
     x = 2.0 * wanted / gone.sum(axis=0) - 1.0
     low, high = np.full_like(x, -1.0), np.full_like(x, 1.0)
+    # A few paths nearly stand still somewhere and take many steps: the others wait no longer.
+    found, rest = x.copy(), np.arange(len(x))
     for _ in range(STEPS):
         excess = legendre.legval(x, gone, tensor=False) - wanted
-        close = (np.abs(excess) <= CLOSE * through[:, -1:]).all()
+        close = (np.abs(excess) <= CLOSE * through[rest, -1:]).all(axis=1)
         low, high = np.where(excess < 0.0, x, low), np.where(excess > 0.0, x, high)
         step = x - excess / legendre.legval(x, rate, tensor=False)
         x = np.where((step >= low) & (step <= high), step, (low + high) / 2.0)
-        if close:
-            break
+        if close.any():
+            found[rest] = x
+            keep = ~close
+            rest, x, low, high, wanted = (each[keep] for each in (rest, x, low, high, wanted))
+            rate, gone = rate[:, keep], gone[:, keep]
+            if len(rest) == 0:
+                break
+    found[rest] = x
+    x = found
     edges = np.concatenate([[0.0], np.cumsum(quadrature.widths)])
     times: Array = edges[piece] + quadrature.widths[piece] * (x + 1.0) / 2.0
     return np.clip(times, 0.0, 1.0)

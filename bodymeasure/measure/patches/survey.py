@@ -17,10 +17,13 @@ from bodymeasure.threads import one_blas_thread
 from bodymeasure.wording import counted
 
 if TYPE_CHECKING:
-    from bodymeasure.measure.patches.cross_check import CrossCheck
+    from bodymeasure.measure.patches.cross_check import Check, CrossCheck
 
 # Packages whose versions can change a number or a picture of a survey.
-PACKAGES = ("bodymeasure", "numpy", "scipy", "libigl", "pyvista", "vtk", "matplotlib")
+PACKAGES = (
+    *("bodymeasure", "numpy", "scipy", "libigl", "potpourri3d"),
+    *("pyvista", "vtk", "matplotlib"),
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,6 +68,7 @@ def measure_atlas(
     method: Method | None = None,
     search: Search | None = None,
     compare: bool = True,
+    check: "Check" = "flips",
     processes: int = 1,
     progress: Callable[[int], None] | None = None,
 ) -> Survey:
@@ -79,6 +83,9 @@ def measure_atlas(
         See `solve_geodesic`.
     compare : bool
         Whether to compare with mesh distances, which takes by far the most time.
+    check : {"flips", "libigl"}
+        What measures on meshes: edge flips, of which libigl confirms a sample, each disagreement
+        and the worst cases; or libigl everything, in four times the time.
     processes : int
         Worker processes of the comparison.
     progress : callable, optional
@@ -116,14 +123,27 @@ def measure_atlas(
         from bodymeasure.measure.patches.cross_check import cross_check
 
         with _timed(seconds, "cross-check"):
-            checked = cross_check(atlas, solution, processes=processes, progress=progress)
-        levels = ", ".join(map(str, checked.levels))
-        settings["cross-check"] = (
-            f"libigl exact on {levels} segments a side of each patch, extrapolated; heat on the "
-            "finest"
-        )
+            checked = cross_check(
+                atlas, solution, check=check, processes=processes, progress=progress
+            )
+        settings["cross-check"] = _in_words(checked)
     return Survey(
         atlas, solution, boundary, checked, findings, settings, package_versions(PACKAGES), seconds
+    )
+
+
+def _in_words(checked: "CrossCheck") -> str:
+    """Return what measured on which meshes."""
+    levels = ", ".join(map(str, checked.levels))
+    meshes = f"{levels} segments a side of each patch, extrapolated"
+    heat = "heat (libigl) on the second of them"
+    confirmed, count = int(checked.confirmed.sum()), len(checked.confirmed)
+    if confirmed == count:
+        return f"libigl exact on {meshes}; {heat}"
+    return (
+        f"edge flips (potpourri3d) on {meshes}; libigl exact instead on {confirmed} of {count} "
+        "patches: a sample, each that disagrees or nearly does, and the worst; there, flips were "
+        f"longer by {checked.flips_longer:.1g} at most; {heat}"
     )
 
 

@@ -6,7 +6,7 @@ from datetime import UTC, datetime
 from enum import Enum
 from math import isfinite
 from statistics import median
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from msgspec import UNSET
@@ -121,11 +121,16 @@ def _diagonals(survey: "Survey", unit: Unit) -> list[PatchRecord]:
             )
             or None,
             verdict=None if check is None else check.verdict[patch, number].name.lower(),
+            exact_by=None if check is None else _engine(bool(check.confirmed[patch])),
             **{name: values[patch][number] for name, values in columns.items()},
         )
         for patch in range(len(atlas))
         for number in range(2)
     ]
+
+
+def _engine(confirmed: bool) -> Literal["libigl", "edge flips"]:
+    return "libigl" if confirmed else "edge flips"
 
 
 def _sides(survey: "Survey", unit: Unit) -> list[PatchRecord]:

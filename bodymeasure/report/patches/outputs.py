@@ -16,9 +16,6 @@ from bodymeasure.report.serial import schema_bytes, to_json
 if TYPE_CHECKING:
     from bodymeasure.measure import Survey
 
-# The sides of the body that are drawn beside a scene that can be turned: enough for paper.
-BESIDE_SCENE = ("front", "back")
-
 
 def write_report(
     survey: "Survey",
@@ -42,8 +39,8 @@ def write_report(
         Unit of the lengths.
     pictures : bool, "all" or Pictures
         Whether the page has pictures, which are drawn then; or pictures that are drawn already,
-        by `bodymeasure.scene.pictures`. Beside a `scene`, they are the body from front and back,
-        and patches from near are only drawn for "all".
+        by `bodymeasure.scene.pictures`. Beside a `scene`, which shows more, they are only drawn
+        for "all".
     scene : bytes, optional
         A page that shows the body with its diagonals, to turn, which is put into ``report.html``:
         `bodymeasure.export_page` makes it.
@@ -97,11 +94,9 @@ def _pictures(
 ) -> Pictures | None:
     if not isinstance(wanted, bool | str):
         return wanted
-    if not wanted:
+    if not wanted or (scene is not None and wanted is True):
         return None
     # Matplotlib is slow to load, and not needed without pictures.
     from bodymeasure.scene import pictures as draw
 
-    if scene is not None and wanted is True:
-        return draw(survey, sides=BESIDE_SCENE)
     return draw(survey, closeup_patches(document))

@@ -84,7 +84,7 @@ class PatchRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
     exact: Annotated[
         float | None,
         Meta(
-            description="Length of the exact shortest path inside the patch on triangle meshes, "
+            description="Length of the shortest path inside the patch on triangle meshes, "
             "extrapolated over the sizes of the meshes."
         ),
     ] = None
@@ -97,7 +97,14 @@ class PatchRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True)
     ] = None
     heat: Annotated[
         float | None,
-        Meta(description="Heat distance on the finest mesh; it shows gross mistakes only."),
+        Meta(description="Heat distance on a mesh; it shows gross mistakes only."),
+    ] = None
+    exact_by: Annotated[
+        Literal["libigl", "edge flips"] | None,
+        Meta(
+            description="What measured `exact`: libigl's exact algorithm, or edge flips "
+            "(potpourri3d), which bound it from above."
+        ),
     ] = None
     verdict: Annotated[
         str | None, Meta(description="A key of `verdicts`; null where nothing was compared.")
