@@ -12,7 +12,7 @@ from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
 from bodymeasure.measure.patches import cross_check as module
 from bodymeasure.measure.patches.cross_check import RESOLUTION, SAFETY, Verdict
-from bodymeasure.oracle import MeshDistances, mesh_distances
+from bodymeasure.oracle import Engine, MeshDistances, mesh_distances
 
 NETS = np.stack([ENNEPER, PARABOLOID, HYPERBOLIC_PARABOLOID, PARABOLOID])
 ATLAS = Atlas.from_control_points(NETS, "cm")
@@ -112,7 +112,7 @@ def test_along_an_edge_the_extrapolation_is_in_doubt() -> None:
 def flips_that_are_longer(monkeypatch: pytest.MonkeyPatch, patches: tuple[int, ...]) -> None:
     """Let edge flips be caught on ways round that are a thousandth longer, on some patches."""
 
-    def caught(*problems: Any, engine: str, **options: Any) -> MeshDistances:
+    def caught(*problems: Any, engine: Engine, **options: Any) -> MeshDistances:
         found = mesh_distances(*problems, engine=engine, **options)
         if engine == "flips":
             for array in (found.exact, found.by_level):
