@@ -32,7 +32,7 @@ from bodymeasure.wording import counted
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from bodymeasure.measure.patches.cross_check import Check
+    from bodymeasure.measure.patches.checks import Check
     from bodymeasure.report import Pictures
     from bodymeasure.report.patches.records import Document
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import partial
-from typing import Any, Literal, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas import Atlas
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import GeodesicSolution, Status
+from bodymeasure.measure.patches.checks import Check
 from bodymeasure.oracle import LEVELS, MeshDistances, has_flips, mesh_distances
 
 # The mesh distance's own uncertainty covers its error for 99.4 to 99.9 % of pairs of points
@@ -27,9 +28,6 @@ from bodymeasure.oracle import LEVELS, MeshDistances, has_flips, mesh_distances
 # which is as far as meshes of this size can show.
 SAFETY = 3.0
 RESOLUTION = 1e-6
-
-Check = Literal["flips", "libigl"]
-"""Which distances lengths are compared with: those of edge flips, or libigl's alone."""
 
 # Of so many patches libigl confirms one, and this many of the worst ones, twice as many as reports
 # show.

@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING
 from bodymeasure.atlas import Atlas, Finding, check_atlas
 from bodymeasure.geodesic import GeodesicSolution, Method, RBFCollocation, Search
 from bodymeasure.measure.patches.boundary import BoundaryLengths, boundary_lengths
+from bodymeasure.measure.patches.checks import Check
 from bodymeasure.measure.patches.diagonals import diagonals
 from bodymeasure.native import is_compiled
 from bodymeasure.threads import one_blas_thread
 from bodymeasure.wording import counted
 
 if TYPE_CHECKING:
-    from bodymeasure.measure.patches.cross_check import Check, CrossCheck
+    from bodymeasure.measure.patches.cross_check import CrossCheck
 
 # Packages whose versions can change a number or a picture of a survey.
 PACKAGES = (
@@ -68,7 +69,7 @@ def measure_atlas(
     method: Method | None = None,
     search: Search | None = None,
     compare: bool = True,
-    check: "Check" = "flips",
+    check: Check = "flips",
     processes: int = 1,
     progress: Callable[[int], None] | None = None,
 ) -> Survey:
