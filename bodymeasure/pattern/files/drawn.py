@@ -9,6 +9,7 @@ from bodymeasure._typing import Array
 from bodymeasure.pattern.definitions.panels import Edge
 from bodymeasure.pattern.files.allowance import widened
 from bodymeasure.pattern.files.marks import Notch, hole_of, notches_of
+from bodymeasure.pattern.flat.smooth_chain import smooth_chain
 from bodymeasure.pattern.pieces.pattern import Pattern
 from bodymeasure.pattern.pieces.piece import Piece
 from bodymeasure.pattern.planar import shapely
@@ -129,7 +130,7 @@ def drawn_piece(pattern: Pattern, piece: Piece, allowance: float, size: str) -> 
         DrawnEdge(
             edge.name,
             edge.seam,
-            tuple(scale * part - origin for part in edge.parts),
+            tuple(smooth_chain(scale * part - origin) for part in edge.parts),
             _allowance(piece, by_name.get(edge.name), allowance),
             edge.name == panel.fold,
         )
@@ -137,7 +138,7 @@ def drawn_piece(pattern: Pattern, piece: Piece, allowance: float, size: str) -> 
     )
     drills = {dart.name: 1000.0 * dart.drill for dart in panel.dart}
     darts = tuple(
-        _dart(dart.name, scale * np.stack(dart.legs) - origin, drills.get(dart.name, 0.0))
+        _dart(dart.name, [scale * leg - origin for leg in dart.legs], drills.get(dart.name, 0.0))
         for dart in piece.darts
     )
     fold = next((edge.parts[0][[0, -1]] for edge in edges if edge.is_fold), None)
@@ -148,8 +149,9 @@ def drawn_piece(pattern: Pattern, piece: Piece, allowance: float, size: str) -> 
     return DrawnPiece(piece, size, cut, edges, darts, notches, scale, origin)
 
 
-def _dart(name: str, legs: Array, drill: float) -> DrawnDart:
-    return DrawnDart(name, (legs[0], legs[1]), hole_of(legs[0], legs[1], drill))
+def _dart(name: str, legs: list[Array], drill: float) -> DrawnDart:
+    one, other = (smooth_chain(leg) for leg in legs)
+    return DrawnDart(name, (one, other), hole_of(one, other, drill))
 
 
 def _allowance(piece: Piece, edge: Edge | None, asked: float) -> float:
