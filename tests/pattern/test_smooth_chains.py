@@ -17,7 +17,7 @@ def chain_of_arcs(radius: float, step: float, count: int) -> Array:
     turn = step / radius
     wider = 0.5 * step / np.sin(0.5 * turn)
     angle = turn * np.arange(count + 1)
-    return wider * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    return np.asarray(wider * np.stack([np.cos(angle), np.sin(angle)], axis=1))
 
 
 @pytest.mark.parametrize("radius", [30.0, 60.0, 400.0])

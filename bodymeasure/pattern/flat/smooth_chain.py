@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import scipy
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 
 # The part of its second differences by which a vertex lies off the arc of which each side of its
 # chain is as long: a circle with arcs of length h lies h^2 / 24 r inside of the chain's corners.
@@ -41,7 +41,7 @@ def smooth_chain(points: Array) -> Array:
     return np.concatenate([*parts, points[-1:]])
 
 
-def _corners(points: Array) -> Array:
+def _corners(points: Array) -> Ints:
     """Return the inner points, counted from 0, at which a chain does not run on smoothly."""
     sides = np.diff(points, axis=0)
     sizes = np.linalg.norm(sides, axis=1)
