@@ -92,12 +92,8 @@ def girth_arc(
     if side not in ("front", "back"):
         raise InputError(f"side is {side!r}; expected 'front' or 'back'")
     curve = girth.tape
-    wanted = np.asarray([start, end], dtype=np.float64)
-    wanted -= curve.plane.distances(wanted)[:, None] * curve.plane.normal
-    ends = (nearest_place(curve, wanted[0]), nearest_place(curve, wanted[1]))
-    away = np.linalg.norm(curve.positions_at(np.array(ends)) - wanted, axis=1)
-    error = girth.error_estimate + UNSETTLED * float(away.sum())
-    first, last = _ends_of(curve, ends, np.asarray(front, dtype=np.float64), side)
+    first, last, away = arc_ends(girth, start, end, front, side)
+    error = girth.error_estimate + UNSETTLED * away
     contact = _run(curve, first, last)
     places = TautPlaces.on(girth.tape, girth.hull)
     taut, rest = places.run(first, last), places.run(last, first)
@@ -117,6 +113,27 @@ def girth_arc(
         _length_by_region(girth, first, last),
         girth.unit,
     )
+
+
+def arc_ends(
+    girth: Girth, start: ArrayLike, end: ArrayLike, front: ArrayLike, side: Literal["front", "back"]
+) -> tuple[float, float, float]:
+    """Return the places at which a part of a girth begins and ends, as for `girth_arc`.
+
+    Returns
+    -------
+    first, last : float
+        Places of the girth's tape; the part runs forwards from the first one.
+    away : float
+        The sum of their distances from the positions that were given.
+    """
+    curve = girth.tape
+    wanted = np.asarray([start, end], dtype=np.float64)
+    wanted -= curve.plane.distances(wanted)[:, None] * curve.plane.normal
+    ends = (nearest_place(curve, wanted[0]), nearest_place(curve, wanted[1]))
+    away = np.linalg.norm(curve.positions_at(np.array(ends)) - wanted, axis=1)
+    first, last = _ends_of(curve, ends, np.asarray(front, dtype=np.float64), side)
+    return first, last, float(away.sum())
 
 
 def _ends_of(

@@ -26,7 +26,7 @@ REST = 1.0 / 3.0
 STANDING_OUT = 1e-12
 
 
-class _Profile(NamedTuple):
+class Profile(NamedTuple):
     """The profile and the point over which a tape in a vertical plane passes.
 
     Parameters
@@ -75,11 +75,10 @@ class OverMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="over"):
         return length_class(self.name)
 
     def measure(self, body: Body, others: Mapping[str, Measured]) -> Measured:
-        arc = vertical_drop(body.atlas, body.point(self.start), body.point(self.level)).arc
-        middle = _middle(body, self.start, self.over)
-        profile = _Profile(arc, middle, _outwards(body, self.start, arc))
-        coarse, _ = _hull(profile, SAMPLES // 2)
-        fine, places = _hull(profile, SAMPLES)
+        profile = profile_of(body, self)
+        arc = profile.arc
+        coarse, _ = taut_corners(profile, SAMPLES // 2)
+        fine, places = taut_corners(profile, SAMPLES)
         rest = REST * (_length(fine) - _length(coarse))
         length = _length(fine) + rest
         return Measured(
@@ -102,6 +101,14 @@ class OverMeasure(MeasurementDefinition, frozen=True, kw_only=True, tag="over"):
         return {**start, self.level: level, **dict.fromkeys(self.over, half)}
 
 
+def profile_of(body: Body, definition: OverMeasure) -> Profile:
+    """Return the profile along which a tape is measured."""
+    start, level = body.point(definition.start), body.point(definition.level)
+    arc = vertical_drop(body.atlas, start, level).arc
+    middle = _middle(body, definition.start, definition.over)
+    return Profile(arc, middle, _outwards(body, definition.start, arc))
+
+
 def _middle(body: Body, start: str, over: tuple[str, str]) -> Array:
     """Return the middle between two landmarks, moved sideways into the tape's plane."""
     left = body.atlas.axes.left_vector
@@ -119,7 +126,7 @@ def _outwards(body: Body, start: str, arc: SectionLoop) -> Array:
     return np.asarray(across if normal @ across >= 0.0 else -across)
 
 
-def _hull(profile: _Profile, count: int) -> tuple[Array, Array]:
+def taut_corners(profile: Profile, count: int) -> tuple[Array, Array]:
     """Return the corners of the tape, and their places on the profile (NaN where it stands free).
 
     The tape is the convex hull of all that stands out beyond the line from start to end.

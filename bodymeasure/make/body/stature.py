@@ -1,0 +1,83 @@
+"""The stature of a body of the space, and how each component changes it."""
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure.extremities.places import Region, places
+from bodymeasure.extremities.surface import CLOSER, MARGIN, STEPS, patchworks
+from bodymeasure.fit.model import body_model, limit_matrix, shaped
+from bodymeasure.make.body.atlases import COUNT
+from bodymeasure.subdivision import QuadMesh, children, limit_positions, part, quads_within, subdivide
+
+# In meters: the top is looked for that far below the highest limit of a vertex of the skull.
+CAP = 0.02
+
+
+class _Top(NamedTuple):
+    """The way to the highest point: what is kept of the mesh, and which vertex it is at the end."""
+
+    cap: bytes
+    best: int
+    highest: int
+
+
+def stature_of(coefficients: Array) -> tuple[float, Array]:
+    """Return the stature of a body, in meters, and its derivative by each coefficient, (120,).
+
+    The stature is that of `bodymeasure.extremities.extremity_lengths`; its derivative is the
+    movement of the highest point upwards.
+    """
+    vertices = shaped(coefficients)
+    height = np.asarray(limit_matrix() @ vertices[:, 2])
+    skull = places().region == Region.SKULL
+    cap = skull & (height > height[skull].max() - CAP)
+    finest = _subdivided(vertices, cap)
+    quads = finest.mesh.quads[finest.inside]
+    numbers = np.unique(quads)
+    best = int(numbers[np.argmax(finest.limit[numbers, 2])])
+    limit, inside = _closer(finest.mesh, finest.inside, best)
+    highest = int(inside[np.argmax(limit[inside, 2])])
+    slopes = _slopes(_Top(np.packbits(cap).tobytes(), best, highest))
+    return float(limit[highest, 2]), slopes
+
+
+class _Finest(NamedTuple):
+    mesh: QuadMesh
+    limit: Array
+    inside: Bools
+
+
+def _subdivided(vertices: Array, cap: Bools) -> _Finest:
+    last = patchworks(QuadMesh(vertices, body_model().quads), cap)[STEPS]
+    return _Finest(last.mesh, last.limit, last.inside)
+
+
+def _closer(mesh: QuadMesh, chosen: Bools, best: int) -> tuple[Array, Ints]:
+    """Return limits of the finest vertices about a vertex, and which of them count."""
+    near = quads_within(mesh, np.array([best]), 1 + MARGIN)
+    closer, old = part(mesh, near)
+    inside = np.asarray((closer.quads == np.searchsorted(old, best)).any(axis=1))
+    inside &= chosen[near]
+    for _ in range(CLOSER):
+        closer, inside = subdivide(closer), children(inside, 1)
+    return limit_positions(closer), np.unique(closer.quads[inside])
+
+
+@lru_cache(maxsize=16)
+def _slopes(top: _Top) -> Array:
+    """Return how each component moves a point of the limit surface upwards.
+
+    Subdivision is linear, so that components are subdivided as bodies are, three at a time in place
+    of the coordinates.
+    """
+    cap = np.unpackbits(np.frombuffer(top.cap, dtype=np.uint8))[: len(places().region)] > 0
+    rises = body_model().components[:, :, 2]
+    found = []
+    for first in range(0, COUNT, 3):
+        finest = _subdivided(np.ascontiguousarray(rises[first : first + 3].T), cap)
+        limit, _ = _closer(finest.mesh, finest.inside, top.best)
+        found.append(limit[top.highest])
+    return np.concatenate(found)
