@@ -50,8 +50,10 @@ __all__ = [
     "LandmarkRule",
     "Location",
     "LoopKind",
+    "MadeBody",
     "Measured",
     "MeasurementDefinition",
+    "Measurements",
     "MedoidSizes",
     "MeshPath",
     "Method",
@@ -102,13 +104,16 @@ __all__ = [
     "geodesic_between",
     "geodesic_from",
     "geodesics_between",
+    "grade_body",
     "grade_pattern",
     "homogeneous",
     "limb_girth",
     "load_definitions",
     "load_pattern",
     "load_sample",
+    "make_body",
     "make_pattern",
+    "make_sizes",
     "map_body",
     "measure_atlas",
     "measure_chart",
@@ -117,6 +122,7 @@ __all__ = [
     "plane_girth",
     "rbf_coefficients",
     "read_atlas",
+    "read_measurements",
     "read_population",
     "read_scan",
     "read_survey",
@@ -163,6 +169,7 @@ _HOMES = (
     "report",
     "report.patterns",
     "viewer",
+    "make",
     "surveys",
 )
 
@@ -254,6 +261,14 @@ if TYPE_CHECKING:
         geodesics_between,
         rbf_coefficients,
         solve_geodesic,
+    )
+    from bodymeasure.make import (
+        MadeBody,
+        Measurements,
+        grade_body,
+        make_body,
+        make_sizes,
+        read_measurements,
     )
     from bodymeasure.measure import (
         BoundaryLengths,

@@ -29,6 +29,7 @@ LAYERS = (
     ("viewer",),
     ("surveys",),
     ("bench", "compare", "paper"),
+    ("make",),
     ("cli", "plugin"),
     ("__main__", "_build"),
 )
@@ -43,7 +44,7 @@ ORDERS = {
     " approximated, landmarks · input · taken · definitions, sensitivity · needed, reading,"
     " selection, chart · evaluate",
     "cli": "commands, needs, tables · console · options · inputs · fitting · atlases, docs,"
-    " landmarks, measuring, study, surveys · patterns · main",
+    " landmarks, measuring, study, surveys · making, patterns · main",
     "compare": "intraclass, limits, names, records · plots, readings · gaps, iso20685, plausible,"
     " shown, surveyed · read · comparison, page",
     "fit": "model, scan · completed, solving · topology · export",
@@ -52,6 +53,7 @@ ORDERS = {
     "geodesic": "numerics, rigorous, status · across/routes, spaces, surfaces · lengths ·"
     " across/pieces, solving · proofs · contact, graph, tracing · elements · across/contact,"
     " methods, shortest · across/search · across/poles",
+    "make": "gradient · body · input · checks",
     "measure": "patches · body/cutting, body/drops, body/height_saddles, body/merging,"
     " body/straight, body/taut_places · body/forks, body/girths · body/closed_girth,"
     " body/extreme_girth, body/girth_arcs",

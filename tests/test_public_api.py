@@ -28,7 +28,7 @@ QUOTED = {
 }
 # Packages in which a reader finds what the members of results hold; methods are asked for patches
 # and return batches by what is in bodymeasure.geodesic.
-INNER = ("fit", "atlas", "chart", "geodesic", "measure", "section", "pattern", "surveys")
+INNER = ("fit", "atlas", "chart", "geodesic", "measure", "section", "pattern", "surveys", "make")
 
 
 def hints(member: object) -> dict[str, object]:

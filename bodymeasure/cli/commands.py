@@ -24,6 +24,7 @@ COMMANDS = {
     "report": Listed("measuring.report", "Measure a body, check the lengths, write a report."),
     "chart": Listed("measuring.chart", "Chart the body measurements of a body."),
     "fit": Listed("fitting.fit", "Fit a body to a scan: a triangle mesh in, an atlas out."),
+    "make": Listed("making.make", "Make a body from its measurements."),
     "compare": Listed(
         "measuring.compare", "Compare two bodies, or a chart with hand measurements."
     ),

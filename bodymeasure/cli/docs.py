@@ -22,6 +22,7 @@ PAGES = (
     "viewer",
     "landmarks",
     "scans",
+    "made_bodies",
     "body_models",
     "surveys",
     "python",

@@ -26,6 +26,7 @@ SUBJECTS = {
     "Geodesics": ("geodesic",),
     "Girths, tapes and other measurements": ("measure", "section", "taut"),
     "Charts of body measurements": ("chart",),
+    "Bodies made to measure": ("make",),
     "Surveys of many bodies": ("surveys",),
     "Flat pieces": ("pattern", "report.patterns"),
     "Reports": ("report",),

@@ -1,1 +1,1 @@
-"""Bodies of the space by their coefficients: atlas, prior, and the measurements with derivatives."""
+"""Bodies of the space by their coefficients: atlas, prior, measurements and derivatives."""

@@ -20,6 +20,7 @@ from bodymeasure.make.body.stature import stature_of
 from bodymeasure.make.gradient import gradient_of, has_gradient
 
 STATURE = "stature"
+WHOLE = "head, hands and feet follow from the rest of the body, but for the stature; leave it out"
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,14 +80,11 @@ class Measuring:
             if reason := self._fault(operand):
                 return f"it needs {operand!r}, and {reason}"
         if not has_gradient(definition):
-            return (
-                f"measurements of the kind {type(definition).tag()!r} are of head, hands and feet, "
-                "which follow from the rest of the body; leave it out"
-            )
+            return f"it is of the kind {type(definition).tag()!r}; {WHOLE}"
         own = atlas_of(np.zeros(120)).landmarks
         absent = [n for n in definition.landmarks if n not in own and n not in self._rules]
         if absent:
-            return f"the bodies have no landmark {absent[0]!r}; leave it out"
+            return f"the bodies have no landmark {absent[0]!r}; {WHOLE}"
         return ""
 
     def of(self, coefficients: Array, *, slopes: bool = True) -> Readout:
@@ -125,3 +123,12 @@ class Measuring:
 
 def _reason(item: Measured) -> str:
     return "" if item.outcome is Outcome.MEASURED else item.reason or item.outcome.value
+
+
+def can_be_asked(definitions: Definitions, key: str) -> bool:
+    """Return whether bodies of the space can be asked for a measurement."""
+    try:
+        Measuring(definitions, [key])
+    except InputError:
+        return False
+    return True

@@ -10,7 +10,14 @@ from bodymeasure.extremities.places import Region, places
 from bodymeasure.extremities.surface import CLOSER, MARGIN, STEPS, patchworks
 from bodymeasure.fit.model import body_model, limit_matrix, shaped
 from bodymeasure.make.body.atlases import COUNT
-from bodymeasure.subdivision import QuadMesh, children, limit_positions, part, quads_within, subdivide
+from bodymeasure.subdivision import (
+    QuadMesh,
+    children,
+    limit_positions,
+    part,
+    quads_within,
+    subdivide,
+)
 
 # In meters: the top is looked for that far below the highest limit of a vertex of the skull.
 CAP = 0.02

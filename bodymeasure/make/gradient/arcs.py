@@ -20,12 +20,12 @@ BESIDE = 1e-3
 AT_LANDMARK = 1e-9
 
 
-def pull_girth_arc(pull: Pull, body: Body, found: Measured, definition: GirthArcMeasure) -> None:
+def pull_girth_arc(pull: Pull, body: Body, found: Measured, definition: GirthArcMeasure) -> None:  # noqa: ARG001
     """Add the derivatives of a part of a girth between the places nearest to two landmarks."""
     girth = body.level_girth(definition.at, cut=definition.cut)
-    positions = [body.position(name) for name in (definition.start, definition.end)]
+    start, end = body.position(definition.start), body.position(definition.end)
     front = body.atlas.axes.front_vector
-    first, last, _ = arc_ends(girth, *positions, front, definition.side)
+    first, last, _ = arc_ends(girth, start, end, front, definition.side)
     curve = girth.tape
     spans = girth.hull.spans if definition.tape == "taut" else NO_SPANS
     begin, stop = _span_at(spans, first), _span_at(spans, last)
@@ -52,9 +52,7 @@ def pull_girth_arc(pull: Pull, body: Body, found: Measured, definition: GirthArc
 class _Gathered:
     """The derivatives of an arc, node by node."""
 
-    def __init__(
-        self, pull: Pull, definition: GirthArcMeasure, body: Body, curve: Curve
-    ) -> None:
+    def __init__(self, pull: Pull, definition: GirthArcMeasure, body: Body, curve: Curve) -> None:
         self._pull, self._at, self._curve = pull, definition.at, curve
         self._names = (definition.start, definition.end)
         self._places = np.stack([body.position(name) for name in self._names])
@@ -108,9 +106,10 @@ class _Gathered:
         tangent = velocity / np.linalg.norm(velocity)
         point = curve.positions_at(np.array([place]))[0]
         number = int(np.linalg.norm(self._places - point, axis=1).argmin())
-        wanted = self._places[number] - float(
-            curve.plane.distances(self._places[number])
-        ) * curve.plane.normal
+        wanted = (
+            self._places[number]
+            - float(curve.plane.distances(self._places[number])) * curve.plane.normal
+        )
         off = wanted - point
         step = 0.5 * float(np.linalg.norm(points[2] - points[0]))
         curved = (points[2] - 2.0 * points[1] + points[0]) / step**2

@@ -37,7 +37,7 @@ def chain_weights(nodes: Nodes) -> Array:
     fine = bends(nodes.positions)
     weights = FINE * fine
     weights[nodes.coarse] += COARSE * bends(nodes.positions[nodes.coarse])
-    return weights
+    return np.asarray(weights)
 
 
 def bends(points: Array) -> Array:
@@ -46,4 +46,4 @@ def bends(points: Array) -> Array:
     sizes = np.linalg.norm(steps, axis=1, keepdims=True)
     steps = np.divide(steps, sizes, out=np.zeros_like(steps), where=sizes > 0.0)
     none = np.zeros((1, 3))
-    return np.concatenate([none, steps]) - np.concatenate([steps, none])
+    return np.asarray(np.concatenate([none, steps]) - np.concatenate([steps, none]))

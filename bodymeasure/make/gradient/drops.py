@@ -6,8 +6,8 @@ from bodymeasure._typing import Array
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.kinds.base import Measured
 from bodymeasure.chart.kinds.surface.drop import DropMeasure
-from bodymeasure.chart.kinds.surface.over import OverMeasure, profile_of, taut_corners
 from bodymeasure.chart.kinds.surface.over import SAMPLES as OVER_SAMPLES
+from bodymeasure.chart.kinds.surface.over import OverMeasure, profile_of, taut_corners
 from bodymeasure.make.gradient.chain import COARSE, FINE, Nodes, bends, chain_weights
 from bodymeasure.make.gradient.girths import NO_SPANS
 from bodymeasure.make.gradient.planes import pull_level
@@ -17,7 +17,7 @@ from bodymeasure.measure import vertical_drop
 from bodymeasure.section import SectionLoop
 
 
-def pull_drop(pull: Pull, body: Body, found: Measured, definition: DropMeasure) -> None:
+def pull_drop(pull: Pull, body: Body, found: Measured, definition: DropMeasure) -> None:  # noqa: ARG001
     """Add the derivatives of a tape in a vertical plane."""
     start, level = body.point(definition.start), body.point(definition.level)
     drop = vertical_drop(body.atlas, start, level, plane=definition.plane)
@@ -28,7 +28,7 @@ def pull_drop(pull: Pull, body: Body, found: Measured, definition: DropMeasure) 
     _pull_ended(pull, body, drop.arc, nodes, chain_weights(nodes), definition)
 
 
-def pull_over(pull: Pull, body: Body, found: Measured, definition: OverMeasure) -> None:
+def pull_over(pull: Pull, body: Body, found: Measured, definition: OverMeasure) -> None:  # noqa: ARG001
     """Add the derivatives of a tape in a vertical plane that passes over another one."""
     profile = profile_of(body, definition)
     for count, factor in ((OVER_SAMPLES, FINE), (OVER_SAMPLES // 2, COARSE)):
@@ -63,6 +63,6 @@ def _pull_ended(
     slide = float(weights[-1] @ tangent) / float(tangent @ up)
     pull.at(definition.level, slide * up)
     weights[-1] -= slide * up
-    inner = Nodes(*(part[1:] for part in nodes))
+    inner = Nodes(nodes.patch[1:], nodes.parameters[1:], nodes.positions[1:], nodes.coarse[1:])
     moved = pull_in_plane(pull, inner, weights[1:], arc.plane)
     pull_level(pull, moved, arc.plane.normal, definition.start)

@@ -29,8 +29,10 @@ def pull_extreme(pull: Pull, point: AtlasPoint, direction: Array, vector: Array)
     jet = _jet(pull, point)
     slopes = np.stack([jet[1, 0], jet[0, 1]])
     hessian = np.array(
-        [[jet[2, 0] @ direction, jet[1, 1] @ direction],
-         [jet[1, 1] @ direction, jet[0, 2] @ direction]]
+        [
+            [jet[2, 0] @ direction, jet[1, 1] @ direction],
+            [jet[1, 1] @ direction, jet[0, 2] @ direction],
+        ]
     )
     pull.point(point, vector)
     free = np.flatnonzero(np.abs(slopes @ direction) < FLAT * np.linalg.norm(slopes, axis=1))
@@ -73,8 +75,10 @@ def pull_outermost(
     side = np.cross(up, direction)
     # There the skin has no slope along the loop: (S_u x S_v) . side is 0.
     turned = np.array(
-        [(np.cross(jet[2, 0], by_v) + np.cross(by_u, jet[1, 1])) @ side,
-         (np.cross(jet[1, 1], by_v) + np.cross(by_u, jet[0, 2])) @ side]
+        [
+            (np.cross(jet[2, 0], by_v) + np.cross(by_u, jet[1, 1])) @ side,
+            (np.cross(jet[1, 1], by_v) + np.cross(by_u, jet[0, 2])) @ side,
+        ]
     )
     matrix = np.stack([np.array([by_u @ up, by_v @ up]), turned])
     height, turn = np.linalg.solve(matrix.T, np.array([by_u @ vector, by_v @ vector])).tolist()

@@ -21,7 +21,7 @@ NO_SPANS = np.empty((0, 2))
 AT_END = 1e-5
 
 
-def pull_girth(pull: Pull, body: Body, found: Measured, definition: GirthMeasure) -> None:
+def pull_girth(pull: Pull, body: Body, found: Measured, definition: GirthMeasure) -> None:  # noqa: ARG001
     """Add the derivatives of a horizontal girth."""
     girth = body.level_girth(definition.at, cut=definition.cut, limb=definition.limb)
     moved = _pull_round(pull, girth, taut=definition.tape == "taut")

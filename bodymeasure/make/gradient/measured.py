@@ -58,9 +58,7 @@ def has_gradient(definition: MeasurementDefinition) -> bool:
     return isinstance(definition, (*KINDS, FormulaMeasure))
 
 
-def gradient_of(
-    key: str, taken: Mapping[str, Measured], body: Body, derived: Derived
-) -> Pull:
+def gradient_of(key: str, taken: Mapping[str, Measured], body: Body, derived: Derived) -> Pull:
     """Return the derivative of a measurement with respect to the control points.
 
     Parameters

@@ -88,7 +88,7 @@ def _beside(way: Way) -> Ints:
     rows = rows[(rows >= 0) & (rows < len(way.patch))]
     rows = rows[way.piece[rows] == way.piece[way.node]]
     inside = 0.0 < way.time[way.node] < 1.0
-    return rows if inside else rows[:0]
+    return np.asarray(rows if inside else rows[:0])
 
 
 def _differences(times: Array) -> tuple[Array, Array]:

@@ -49,7 +49,10 @@ def pull_leg(pull: Pull, path: AtlasPath, names: tuple[str, str] | None) -> None
             pull.skin(patch, at, 0.5 * (shares * slopes[:, axis])[:, None] * tangents, order)
     if names is None or not pieces:
         return
-    for name, piece, time, sign in ((names[0], pieces[0], 0.0, -1.0), (names[1], pieces[-1], 1.0, 1.0)):
+    for name, piece, time, sign in (
+        (names[0], pieces[0], 0.0, -1.0),
+        (names[1], pieces[-1], 1.0, 1.0),
+    ):
         at, _, tangents = _along(path, piece, np.array([time]))
         pull.at(name, sign * tangents[0])
         pull.skin(np.array([piece.patch]), at, -sign * tangents)
@@ -57,8 +60,7 @@ def pull_leg(pull: Pull, path: AtlasPath, names: tuple[str, str] | None) -> None
 
 def _along(path: AtlasPath, piece: PathPiece, times: Array) -> tuple[Array, Array, Array]:
     """Return parameters, their slopes and unit tangents at some fractions of a piece."""
-    matrices = np.stack([piece.space.matrices(float(time))[:2, 0] for time in times])
-    at, slopes = (matrices @ piece.values.T).swapaxes(0, 1)
+    at, slopes = piece.space.matrices(times)[:2] @ piece.values.T
     at = np.clip(at, 0.0, 1.0)
     jet = derivatives(path.atlas.control_points[piece.patch], at, order=1)
     velocity = slopes[:, :1] * jet[:, 1, 0] + slopes[:, 1:] * jet[:, 0, 1]
@@ -75,7 +77,7 @@ def pull_path(pull: Pull, body: Body, found: Measured, definition: PathMeasure) 
         pull_leg(pull, path, names)
 
 
-def pull_closed(pull: Pull, body: Body, found: Measured, definition: ClosedMeasure) -> None:
+def pull_closed(pull: Pull, body: Body, found: Measured, definition: ClosedMeasure) -> None:  # noqa: ARG001
     """Add the derivatives of the length of a closed geodesic, wherever it was laid."""
     path = closed_geodesic(body.atlas, body.point(definition.at), on_failure="status")
     pull_leg(pull, path, None)
@@ -92,7 +94,7 @@ def _pull_taut(pull: Pull, body: Body, found: Measured, definition: PathMeasure)
     held[0], held[-1] = 0, len(weights) - 1
     for name, node in zip(definition.through, held, strict=True):
         pull.at(name, weights[node])
-    touching = tape.normals.any(axis=1)
+    touching = np.asarray(tape.normals.any(axis=1))
     touching[held] = False
     rows = np.flatnonzero(touching)
     if len(rows):

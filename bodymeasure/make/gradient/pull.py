@@ -62,9 +62,7 @@ class Pull:
 
     def point(self, point: AtlasPoint, vector: Array, order: tuple[int, int] = (0, 0)) -> None:
         """Add the derivative with respect to one point of the skin."""
-        self.skin(
-            np.array([point.patch]), np.array([[point.u, point.v]]), vector[None], order
-        )
+        self.skin(np.array([point.patch]), np.array([[point.u, point.v]]), vector[None], order)
 
     def at(self, landmark: str, vector: Array) -> None:
         """Add the derivative with respect to the position of a landmark."""

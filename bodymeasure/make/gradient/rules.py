@@ -1,10 +1,7 @@
 """Derivatives of landmarks that follow from others by rule."""
 
-import numpy as np
-
 from bodymeasure._typing import Array
 from bodymeasure.atlas import AtlasPoint
-from bodymeasure.bezier import derivatives
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.landmarks.choice import direction_vector
 from bodymeasure.chart.landmarks.rules.at_height import AtHeight

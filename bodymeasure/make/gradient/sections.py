@@ -1,5 +1,6 @@
 """Derivatives of tapes in planes: girths, parts of them, and drops."""
 
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -60,14 +61,12 @@ def nodes_along(curve: Curve, first: float, last: float, spans: Array) -> tuple[
                 bounds += [low, high]
     places, coarse = [], []
     bounds = np.unique(bounds).tolist()
-    for low, high in zip(bounds[:-1], bounds[1:], strict=True):
+    for low, high in pairwise(bounds):
         middle = 0.5 * (low + high)
         steps = 1 if any(one < middle < other for one, other in skipped) else STEPS
         places += [low + (high - low) * k / steps for k in range(steps)]
         coarse += [k % 2 == 0 for k in range(steps)]
-    within = [
-        not any(one < place < other for one, other in skipped) for place in places
-    ]
+    within = [not any(one < place < other for one, other in skipped) for place in places]
     kept = np.array([*within, True])
     place = np.array([*places, last])[kept]
     again = np.where(place >= count, count, 0.0) if curve.closed else 0.0

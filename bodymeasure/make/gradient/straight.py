@@ -24,12 +24,12 @@ def pull_slopes(
         pull.at(name, slope)
 
 
-def pull_breadth(pull: Pull, body: Body, found: Measured, definition: BreadthMeasure) -> None:
+def pull_breadth(pull: Pull, body: Body, found: Measured, definition: BreadthMeasure) -> None:  # noqa: ARG001
     """Add the derivatives of a breadth."""
     _pull_extent(pull, body, definition.at, body.atlas.axes.left_vector)
 
 
-def pull_depth(pull: Pull, body: Body, found: Measured, definition: DepthMeasure) -> None:
+def pull_depth(pull: Pull, body: Body, found: Measured, definition: DepthMeasure) -> None:  # noqa: ARG001
     """Add the derivatives of a depth."""
     _pull_extent(pull, body, definition.at, body.atlas.axes.front_vector)
 

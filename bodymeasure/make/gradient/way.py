@@ -102,7 +102,9 @@ def way_to(path: AtlasPath, number: int, fraction: float) -> Way:
         coarse.append(np.arange(len(own) - 1) % 2 == 0)
         starts.append(total)
         total += len(own) - 1
-    after = [np.concatenate([*(part[i][:-1] for part in parts), parts[-1][i][-1:]]) for i in range(5)]
+    after = [
+        np.concatenate([*(part[i][:-1] for part in parts), parts[-1][i][-1:]]) for i in range(5)
+    ]
     before = [array.copy() for array in after]
     for part, start in zip(parts[:-1], starts[1:], strict=True):
         for array, values in zip(before, part, strict=True):
@@ -137,8 +139,7 @@ def _on_piece(
 ) -> tuple[Ints, Array, Array, Array, Array]:
     """Return patch, parameters, velocity, direction square to the path, and positions."""
     piece = path.pieces[number]
-    matrices = np.stack([piece.space.matrices(float(time))[:2, 0] for time in times])
-    at, along = (matrices @ piece.values.T).swapaxes(0, 1)
+    at, along = piece.space.matrices(times)[:2] @ piece.values.T
     at = np.clip(at, 0.0, 1.0)
     jet = derivatives(path.atlas.control_points[piece.patch], at, order=1)
     velocity = along[:, :1] * jet[:, 1, 0] + along[:, 1:] * jet[:, 0, 1]
@@ -189,9 +190,7 @@ def pull_way(pull: Pull, way: Way, weigh: Weigh, names: tuple[str, str]) -> None
         _pull_chain(pull, way, rows, weights, names)
 
 
-def _pull_chain(
-    pull: Pull, way: Way, rows: Ints, weights: Array, names: tuple[str, str]
-) -> None:
+def _pull_chain(pull: Pull, way: Way, rows: Ints, weights: Array, names: tuple[str, str]) -> None:
     points = way.positions[rows]
     inner = np.arange(1, len(rows) - 1)
     numbers = rows[inner]
@@ -207,10 +206,10 @@ def _pull_chain(
         velocity[numbers] / np.linalg.norm(velocity[numbers], axis=1, keepdims=True)
         for velocity in (way.before_velocity, way.velocity)
     )
-    crosses = way.seam[numbers].any(axis=1)
+    crosses = np.asarray(way.seam[numbers].any(axis=1))
     # A node on a seam slides along it by 1 / sine for each unit by which the way moves aside.
     sine = np.where(crosses, (seam.slide * two.slide).sum(axis=1), 1.0)
-    held = way.held[numbers] | (np.abs(sine) < TINY)
+    held = np.asarray(way.held[numbers] | (np.abs(sine) < TINY))
     sine = np.where(held, 1.0, sine)
     moved = np.where(crosses[:, None], seam.slide / sine[:, None], two.slide)
     # Either side has half of the bend of a smooth way, and a kink has its own part.

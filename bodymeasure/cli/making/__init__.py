@@ -1,0 +1,1 @@
+"""Bodies made to measure."""
