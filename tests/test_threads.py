@@ -21,7 +21,7 @@ from bodymeasure.threads import one_blas_thread
 WITHOUT = {
     *("homogeneous", "load_definitions", "load_pattern", "load_sample"),
     *("path_to_trimesh", "sample_names"),
-    *("read_atlas", "read_population", "read_survey", "read_topology"),
+    *("read_atlas", "read_measurements", "read_population", "read_survey", "read_topology"),
     *("write_atlas", "write_chart", "write_glb"),
     *("write_paths", "write_population", "write_report", "show"),
 }

@@ -42,6 +42,8 @@ FORTY = (
     "bust_front_arc", "waist_front_arc", "hip_front_arc", "shoulder_breadth", "hip_breadth",
     "shoulder_slope_right", "high_bust_girth",
 )  # fmt: skip
+# What is asked for in round trips, by the presets of the default set.
+PRESETS = ("core", "trousers")
 SETS = ROOT / "tests" / "data" / "make" / "possible_sets.json"
 
 
@@ -81,13 +83,13 @@ def held_out(count: int) -> None:
 
 def round_trips() -> None:
     for name in SAMPLES:
-        chart = bm.measure_chart(bm.load_sample(name))
+        chart = bm.measure_chart(bm.load_sample(name), only=PRESETS)
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / f"{name}.smis"
             path.write_bytes(to_smis(chart_document(chart, Unit.CM)))
             (wanted,) = bm.read_measurements(path)
         begin = time.process_time()
-        body = bm.make_body(wanted, despite_doubts=True)
+        body = bm.make_body(wanted)
         seconds = time.process_time() - begin
         again = bm.measure_chart(body.atlas, only=[one.key for one in wanted.values])
         misses = {
@@ -96,13 +98,10 @@ def round_trips() -> None:
             if one.unit != "deg"
         }
         worst = max(misses, key=misses.__getitem__)
-        angles = [
-            abs(again[one.key].value - one.base) for one in wanted.values if one.unit == "deg"
-        ]
         over = {key: round(miss, 2) for key, miss in misses.items() if miss > 0.1}
         print(
             f"{name}: {len(wanted.values)} measurements, {body.rounds} rounds, {seconds:.1f} s,"
-            f" worst {misses[worst]:.3f} mm ({worst}), angles {max(angles):.3f} deg,"
+            f" worst {misses[worst]:.3f} mm ({worst}),"
             f" chi-square {body.chi_square:.0f}, over 0.1 mm: {over}, {body.warnings}",
             flush=True,
         )
