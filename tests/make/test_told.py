@@ -18,7 +18,7 @@ from bodymeasure.make.checks.told import Told, told
 from bodymeasure.make.input.measurements import Value
 
 # Bodies of normal coefficients of all 120 components, some of their measurements, and what a hand
-# adds (3 mm), made once by tests/benchmarks/bodies/made_bodies.py.
+# adds (3 mm), made once by tests/benchmarks/make/made_bodies.py.
 POSSIBLE = Path(__file__).parents[1] / "data" / "make" / "possible_sets.json"
 
 

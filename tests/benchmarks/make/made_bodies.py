@@ -1,7 +1,7 @@
 """How well bodies are made to measure: held-out bodies, round trips, refusals, derivatives.
 
-python tests/benchmarks/bodies/made_bodies.py            ten held-out bodies, and round trips
-python tests/benchmarks/bodies/made_bodies.py --sets     makes the file of possible sets anew
+python tests/benchmarks/make/made_bodies.py            ten held-out bodies, and round trips
+python tests/benchmarks/make/made_bodies.py --sets     makes the file of possible sets anew
 """
 
 import argparse
