@@ -31,13 +31,13 @@ from bodymeasure.native import (
     is_compiled,
 )
 
-# The degrees of the patches that the kernel is written for.
-DEGREES = (3, 3)
+# The control points of the patches that the kernel is written for.
+SHAPE = (4, 4, 3)
 
 
-def are_served(problems: OffsetProblems) -> bool:
-    """Return whether there is a kernel for these patches."""
-    return is_compiled() and isinstance(problems.nets, np.ndarray) and problems.degrees == DEGREES
+def serves(nets: Any) -> bool:
+    """Return whether there is a kernel for patches of these control points."""
+    return is_compiled() and isinstance(nets, np.ndarray) and nets.shape[1:] == SHAPE
 
 
 def is_served(space: TrialSpace) -> bool:

@@ -34,7 +34,7 @@ class OffsetProblems:
     @classmethod
     def of(cls, nets: Any, start: Array, end: Array) -> "OffsetProblems":
         """Return the problems of going from start to end, no coordinate of which may be equal."""
-        if _are_corners(start, end):
+        if are_corners(start, end):
             return cls(nets, start, end, True)
         xp = namespace(nets)
         parts = constant(restrict(to_numpy(_centered(nets)), start, end), nets, xp)
@@ -95,6 +95,6 @@ def _centered(nets: Any) -> Any:
     return nets - 0.5 * (nets[:, :1, :1, :] + nets[:, -1:, -1:, :])
 
 
-def _are_corners(start: Array, end: Array) -> bool:
+def are_corners(start: Array, end: Array) -> bool:
     """Return whether all points are corners of their patches."""
     return bool(((start == 0.0) | (start == 1.0)).all() and (end == 1.0 - start).all())

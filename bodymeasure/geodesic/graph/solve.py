@@ -12,7 +12,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.graph import arrays, compiled
-from bodymeasure.geodesic.graph.problems import OffsetProblems
+from bodymeasure.geodesic.graph.problems import OffsetProblems, are_corners
 from bodymeasure.geodesic.graph.rung import GUESS_STEPS, Climbed, Rung, guess_space
 from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.solving.protocol import MethodResult, PathBatch
@@ -26,7 +26,7 @@ FIRST = (1, 1e-2)
 # The same on the spaces after it, or on a single one.
 LATER = (2, 1e-4)
 # The number of problems whose failures are gathered for the next trial space. This bounds the
-# memory.
+# memory, except where compiled code writes results where they stay.
 BLOCK = 16384
 
 
@@ -62,7 +62,7 @@ def solve_offsets(
     is_whole = len(across) == len(start)
     # A system without a solution ends in numbers that are not finite, and its problem is left over.
     with np.errstate(all="ignore"):
-        for rows in arrays.slices(len(across), BLOCK):
+        for rows in arrays.slices(len(across), _block(surface, ends) if is_whole else BLOCK):
             block = across[rows]
             # What is in a row need not be copied.
             here = rows if is_whole else block
@@ -76,6 +76,12 @@ def solve_offsets(
     return MethodResult(tuple(_joined(parts) for parts in batches.values()), iterations)
 
 
+def _block(surface: BezierSurfaces, ends: tuple[Array, Array]) -> int:
+    """How many problems are solved at once: all of them where that copies nothing."""
+    copies_nothing = compiled.serves(surface.control_points) and are_corners(*ends)
+    return max(BLOCK, len(ends[0])) if copies_nothing else BLOCK
+
+
 def _taken(surface: BezierSurfaces, rows: Ints) -> Any:
     return surface.take(rows).control_points
 
@@ -86,7 +92,7 @@ def _solve_block(
     rest = np.arange(problems.count)
     iterations = np.full(problems.count, GUESS_STEPS)
     batches: list[PathBatch] = []
-    are_served = compiled.are_served(problems)
+    are_served = compiled.serves(problems.nets)
     offset = (compiled if are_served else arrays).guess(problems)
     before = guess_space()
     steps = FIRST if len(spaces) > 1 else LATER
@@ -111,7 +117,7 @@ def _solve_block(
 
 
 def _climbed(problems: OffsetProblems, rest: Ints, rung: Rung, offset: Any) -> Iterator[Climbed]:
-    if compiled.are_served(problems) and compiled.is_served(rung.space):
+    if compiled.serves(problems.nets) and compiled.is_served(rung.space):
         yield compiled.climb(problems, rest, rung, offset)
     else:
         yield from arrays.climb(problems, rest, rung, offset)

@@ -93,7 +93,11 @@ def search_further(
         doubtful[chunk] = found.doubtful
     for batch in shorter:
         replaced[batch.problems] = True
-    kept = [batch.take(np.flatnonzero(~replaced[batch.problems])) for batch in result.batches]
+    # A million paths are not copied to leave a few out.
+    kept = [
+        batch.take(np.flatnonzero(~gone)) if gone.any() else batch
+        for batch, gone in ((batch, replaced[batch.problems]) for batch in result.batches)
+    ]
     batches = (
         replace(batch, converged=batch.converged & ~doubtful[batch.problems])
         for batch in [*kept, *shorter]
