@@ -86,13 +86,25 @@ def run_survey(
                 versions=versions,
                 measurements=list(charting.columns),
             )
-            unfinished = folder / UNFINISHED
-            write_table(unfinished, head, parts)
-            unfinished.replace(table)
+            _write(table, head, parts)
         elif progress is not None:
             progress(count, count)
         parts.remove()
     return read_survey(table)
+
+
+def _write(table: Path, head: Head, parts: Parts) -> None:
+    """Write the table whole or not at all."""
+    unfinished = table.with_name(UNFINISHED)
+    try:
+        write_table(unfinished, head, parts)
+        unfinished.replace(table)
+    except OSError as error:
+        unfinished.unlink(missing_ok=True)
+        raise InputError(
+            f"{table}: cannot be written ({error.strerror or error}); make room on the disk, and "
+            "give the same call again: all that was measured is kept"
+        ) from None
 
 
 def _measure(

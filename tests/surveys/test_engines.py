@@ -168,8 +168,9 @@ def test_a_cluster_gives_up_a_body_that_ends_its_workers_and_no_other() -> None:
 def test_no_scheduler_at_an_address_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("distributed")
     monkeypatch.setattr("bodymeasure.surveys.engine.cluster.TIMEOUT", 0.5)
-    with pytest.raises(InputError, match="no scheduler answers there"):
-        connected("tcp://127.0.0.1:9")
+    refused = pytest.raises(InputError, match="no scheduler answers there")
+    with refused, connected("tcp://127.0.0.1:9"):
+        pass
 
 
 def test_workers_with_other_versions_are_refused() -> None:

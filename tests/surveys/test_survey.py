@@ -235,6 +235,38 @@ def test_a_missing_package_is_named_before_the_work(
     assert not (tmp_path / "out").exists()
 
 
+def test_a_full_disk_loses_no_measured_body(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(path: Path, *_: object) -> None:
+        path.write_bytes(b"half")
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as changed:
+        changed.setattr(run, "write_table", fail)
+        with pytest.raises(InputError, match=r"No space left on device.*make room on the disk"):
+            bm.survey(["female_average"], knees(), folder=tmp_path)
+    assert not list(tmp_path.glob(".*unfinished"))
+    counts: list[int] = []
+    bm.survey(
+        ["female_average"], knees(), folder=tmp_path, progress=lambda done, _: counts.append(done)
+    )
+    assert counts == [1]
+
+
+@pytest.mark.slow
+def test_a_body_is_fitted_to_a_scan(tmp_path: Path) -> None:
+    pytest.importorskip("trimesh")
+    scan = Path(__file__).parents[1] / "data" / "scans" / "coarse.ply"
+    only = ["waist_girth", "knee_height"]
+    table = bm.survey([scan], folder=tmp_path, only=only, file_unit="m", processes=2)
+    fitted = bm.fit_body(scan, file_unit="m")
+    chart = chart_document(bm.measure_chart(fitted.atlas, only=only), "cm")
+    for record in chart.measurements:
+        assert table[record.key][0] == record.value
+        assert table.member(record.key, "input_uncertainty")[0] == record.input_uncertainty
+
+
 def test_an_unknown_measurement_of_a_table_is_refused(tmp_path: Path) -> None:
     table = bm.survey([bm.load_sample("female_average")], knees(), folder=tmp_path)
     assert repr(table) == "<SurveyTable of 1 body, 3 measurements in cm>"

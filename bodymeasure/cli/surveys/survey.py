@@ -1,5 +1,6 @@
 """`bodymeasure survey`."""
 
+from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -111,9 +112,10 @@ def survey(
         if not size.keys() <= known:
             missing = ", ".join(sorted(size.keys() - known))
             raise InputError(f"--size names {missing}, which the survey does not measure")
-    engine = engine_of(processes, None if scheduler is None else connected(scheduler))
+    cluster = nullcontext() if scheduler is None else connected(scheduler)
     try:
-        with output_folder(output), long_progress("surveying") as progress:
+        with cluster as client, output_folder(output), long_progress("surveying") as progress:
+            engine = engine_of(processes, client)
             table = run_survey(found, charting, output, engine, progress=progress)
     except KeyboardInterrupt:
         print_note("What is done is kept; the same command goes on from there.")

@@ -1,6 +1,7 @@
 """The survey on a cluster: Dask's workers on this machine or on others."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from importlib.util import find_spec
 from typing import Any, Protocol
 
@@ -125,8 +126,9 @@ class Cluster:
                     )
 
 
-def connected(address: str) -> Client:
-    """Return a client of the scheduler at an address, such as ``tcp://host:8786``.
+@contextmanager
+def connected(address: str) -> Iterator[Client]:
+    """Connect to the scheduler at an address, such as ``tcp://host:8786``.
 
     Raises
     ------
@@ -140,10 +142,13 @@ def connected(address: str) -> Client:
 
     dask: Any = distributed
     try:
-        client: Client = dask.Client(address, timeout=TIMEOUT, set_as_default=False)
-        return client
+        client = dask.Client(address, timeout=TIMEOUT, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
         raise InputError(
             f"{address}: no scheduler answers there ({error}); start one with `dask scheduler`, "
             "and give the address that it prints, such as tcp://host:8786"
         ) from None
+    try:
+        yield client
+    finally:
+        client.close()
