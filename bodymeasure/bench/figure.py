@@ -72,6 +72,10 @@ LOOKS = {
     "pygeodesic exact": Look("#CC79A7", "D", size=9.0, width=4.0),
     "potpourri3d edge flips": Look("#009E73", "^", layer=4),
     "libigl heat": Look("#B8860B", "v"),
+    "straightest [4], potpourri3d": Look("#56B4E9", "P", size=6.5),
+    "unfolding [5]": Look("#8a5a2b", "X", size=6.0),
+    "straightest, normals [6]": Look("#7a7a7a", "D", size=5.0),
+    "fast marching [7], potpourri3d": Look("#7B4EA3", "o"),
 }
 # The part of failures from which on a method is drawn hollow.
 MANY_FAILURES = 0.1

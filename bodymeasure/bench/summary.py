@@ -88,6 +88,28 @@ def _quartiles(seconds: Sequence[float], count: int) -> tuple[float, float, floa
     return float(lower), float(median), float(upper)
 
 
+def orders(name: str, compared: Sequence[Result]) -> list[Figure]:
+    """Return the orders at which methods on meshes converge on a set, by their median errors.
+
+    An order p means errors that fall as the power p of the distance of neighboring points.
+    """
+    settings = {points_setting(points): points - 1 for points in POINTS_A_SIDE}
+    rows = [r for r in compared if (r.set, r.family) == (name, "mesh") and r.error_median]
+    found = []
+    for method in dict.fromkeys(row.method for row in rows):
+        known = [
+            (settings[r.setting], r.error_median)
+            for r in rows
+            if r.method == method and r.error_median is not None
+        ]
+        if len(known) < len(settings):
+            continue
+        segments, errors = np.log(np.array(known)).T
+        order = -float(np.polyfit(segments, errors, 1)[0])
+        found.append(Figure(name=f"{name}: {method}, order", value=order, unit=""))
+    return found
+
+
 def figures(
     compared: Sequence[Result], growth: Sequence[GrowthRecord], whole_body: Sequence[Figure]
 ) -> list[Figure]:
@@ -117,6 +139,7 @@ def figures(
                     unit="times as slow",
                 )
             )
+        found += orders(name, compared)
     large = [record for record in growth if record.patches >= FLAT_FROM]
     times = [record.time_median for record in large]
     found += [

@@ -11,12 +11,15 @@ import numpy as np
 from bodymeasure._typing import Array
 from bodymeasure.bench.entrants.boundary_value import BoundaryValueProblem
 from bodymeasure.bench.entrants.mesh_paths import (
-    MeshedPatch,
     edge_flips,
+    fast_marching,
     igl_exact,
     igl_heat,
     pygeodesic_exact,
 )
+from bodymeasure.bench.entrants.meshed_patch import MeshedPatch
+from bodymeasure.bench.entrants.shooting import straightest, with_normals
+from bodymeasure.bench.entrants.unfolding import unfolded
 from bodymeasure.bench.problems.patches import Problems
 from bodymeasure.geodesic import (
     WU_C2,
@@ -41,10 +44,15 @@ BVP = "solve_bvp"
 IGL_EXACT = "libigl exact"
 TOLERANCES = (1e-3, 1e-6, 1e-8)
 POINTS_A_SIDE = (17, 33, 65)
+# The numbers in brackets are those of the paper's references.
 MESH_METHODS = {
     IGL_EXACT: igl_exact,
     "pygeodesic exact": pygeodesic_exact,
     "potpourri3d edge flips": edge_flips,
+    "straightest [4], potpourri3d": straightest,
+    "unfolding [5]": unfolded,
+    "straightest, normals [6]": with_normals,
+    "fast marching [7], potpourri3d": fast_marching,
     "libigl heat": igl_heat,
 }
 # The errors by which a library reports that it cannot measure a problem, which is counted.

@@ -4,39 +4,10 @@ The mesh is made beforehand; the time of a library includes what it builds from 
 pair of points.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from bodymeasure._typing import Array, Ints
-from bodymeasure.oracle.grid import PatchGrid
+from bodymeasure.bench.entrants.meshed_patch import MeshedPatch
 from bodymeasure.oracle.libigl import exact_distance, heat_distances
-
-
-@dataclass(frozen=True, eq=False)
-class MeshedPatch:
-    """A patch as triangles on an even grid, and the vertices to be joined.
-
-    Parameters
-    ----------
-    vertices : ndarray, shape (n, 3)
-    faces : ndarray of int, shape (f, 3)
-    source, target : int
-    """
-
-    vertices: Array
-    faces: Ints
-    source: int
-    target: int
-
-    @classmethod
-    def of(cls, net: Array, start: Array, end: Array, points: int) -> "MeshedPatch":
-        """Return a patch with `points` points a side; the ends are at the nearest of them."""
-        side = np.linspace(0.0, 1.0, points)
-        grid = PatchGrid(side, side)
-        vertices, faces, number = grid.mesh(net)
-        source, target = (int(number[grid.vertex(point)]) for point in (start, end))
-        return cls(vertices, faces, source, target)
 
 
 def igl_exact(mesh: MeshedPatch) -> float:
@@ -48,6 +19,14 @@ def igl_heat(mesh: MeshedPatch) -> float:
     """Return libigl's distance by the heat method, the factorization included."""
     sources = np.array([mesh.source])
     return float(heat_distances(mesh.vertices, mesh.faces, sources)[0, mesh.target])
+
+
+def fast_marching(mesh: MeshedPatch) -> float:
+    """Return potpourri3d's distance by fast marching, the paper's reference [7]."""
+    from potpourri3d import MeshFastMarchingDistanceSolver
+
+    solver = MeshFastMarchingDistanceSolver(mesh.vertices, mesh.faces)
+    return float(solver.compute_distance([[(mesh.source, [])]])[mesh.target])
 
 
 def edge_flips(mesh: MeshedPatch) -> float:
