@@ -30,8 +30,9 @@ from bodymeasure.wording import counted
 TOLERANCE = 0.1
 # Degrees that stand for a millimeter of tolerance: some 15 cm away, it is 0.4 degrees.
 DEGREES_FOR_MM = 0.2
-# With fewer, nearly any body would do; with more, every further tape says what others have said.
-FEWEST, MOST = 3, 80
+# With fewer, nearly any body would do; with more, tapes say again what others have said, a little
+# differently, and no body of the space meets them all.
+FEWEST, MOST = 3, 40
 # Rounds after which a set is given up: 3 are usual.
 MOST_ROUNDS = 15
 # In millimeters: a miss worth a warning is larger than what a tape can tell.
@@ -59,7 +60,7 @@ def make_body(
     Parameters
     ----------
     values : mapping of str to float or str, or Measurements
-        Three measurements or more by their keys or names, such as ``{"waist_girth": 72}``, or with
+        Three to forty measurements by their keys or names, such as ``{"waist_girth": 72}``, or with
         units of their own, such as ``{"waist_girth": "28 1/4 in"}``; or what `read_measurements`
         returns. A key without its ``_left`` or ``_right`` is of the right side.
     unit : Unit or str, optional
@@ -162,7 +163,11 @@ def measurements_from(
         what = counted(count, "measurement")
         raise InputError(
             f"{found.name or 'values'}: has {what}; expected {FEWEST} to {MOST}: "
-            + ("with fewer, nearly any body would do" if count < FEWEST else "leave some out")
+            + (
+                "with fewer, nearly any body would do"
+                if count < FEWEST
+                else "choose some, as by --only or read_measurements(..., only=['core', 'trousers'])"
+            )
         )
     return found
 

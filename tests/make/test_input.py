@@ -92,6 +92,18 @@ def test_own_json_and_that_of_freesewing(tmp_path: Path) -> None:
     assert "heel_girth_right" in found.notes[0]
 
 
+def test_a_file_may_hold_more_than_is_wanted(tmp_path: Path) -> None:
+    values = {"waist_circ": "72", "leg_knee_circ": "37", "neck_circ": "40", "hip_circ": "98"}
+    path = tmp_path / "ann.smis"
+    path.write_text(_smis(values))
+    (found,) = bm.read_measurements(path, only=["trousers"])
+    assert {one.key for one in found.values} == {"waist_girth", "knee_girth_right", "hip_girth"}
+    with pytest.raises(InputError, match="no measurement and no preset 'trouser'"):
+        bm.read_measurements(path, only=["trouser"])
+    with pytest.raises(InputError, match="has no value that a body can be made from"):
+        bm.read_measurements(path, only=["calf_girth"])
+
+
 def test_tables_of_sizes_and_lists_of_people(tmp_path: Path) -> None:
     table = "size;bust_girth (cm);Waist girth (in)\n36;84,5;26 1/2\n38;88;\n"
     one, other = _read(tmp_path, "roll.csv", table)

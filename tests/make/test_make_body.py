@@ -25,6 +25,10 @@ FOURTEEN = (
 )  # fmt: skip
 
 
+def _askable(count: int) -> list[str]:
+    return [one.key for one in bm.load_definitions().measurement if "{" not in one.key][:count]
+
+
 @cache
 def _few() -> MadeBody:
     return bm.make_body(FEW, unit="cm")
@@ -160,6 +164,11 @@ def test_contradicting_measurements_are_met_half_way_and_said() -> None:
             {"waist_girth": 72.0, "hip_girth": 98.0},
             {"unit": "cm"},
             "has 2 measurements; expected 3",
+        ),
+        (
+            dict.fromkeys(_askable(41), 50.0),
+            {"unit": "cm"},
+            "has 41 measurements; expected 3 to 40",
         ),
         (FEW, {}, "168 has no unit, and none is guessed"),
         ({**FEW, "wast_girth": 70.0}, {"unit": "cm"}, "did you mean 'waist_girth'?"),

@@ -41,7 +41,7 @@ vary_option = click.option(
 
 
 def given_values(
-    texts: tuple[str, ...], definitions: "Definitions", unit: str | None
+    texts: tuple[str, ...], definitions: "Definitions", unit: str | None, only: tuple[str, ...]
 ) -> "tuple[Measurements, ...]":
     """Return the measurements of a file, or those that were given one by one.
 
@@ -61,10 +61,12 @@ def given_values(
                 "MEASUREMENTS is one file; write several people into one CSV file, with a column "
                 "subject or one row for each."
             )
-        return read_measurements(texts[0], definitions=definitions, unit=unit)
+        return read_measurements(texts[0], definitions=definitions, unit=unit, only=only)
     if len(single) < len(texts):
         other = next(text for text in texts if text not in single)
         raise click.UsageError(f"{other!r} is not KEY=VALUE; give either a file or values.")
+    if only:
+        raise click.UsageError("--only chooses from a file; leave out values that you do not want.")
     names, found = Names(definitions), {}
     for text in single:
         name, _, value = text.partition("=")

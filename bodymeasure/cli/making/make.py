@@ -10,7 +10,7 @@ from bodymeasure.atlas import Unit
 from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_files, print_note, print_table, progress_bar
 from bodymeasure.cli.making.arguments import given_values, values_argument, vary_option
-from bodymeasure.cli.options import definitions_option
+from bodymeasure.cli.options import definitions_option, only_option
 from bodymeasure.cli.tables import new_table
 from bodymeasure.errors import InputError
 from bodymeasure.files import output_folder, require_writable, write_all
@@ -44,6 +44,7 @@ VALUES = (".csv", ".json")
     help="Unit of lengths that say none; never guessed.",
 )
 @definitions_option
+@only_option
 @vary_option
 @click.option(
     "--tolerance",
@@ -81,6 +82,7 @@ def make(
     age: float | None,
     unit: str | None,
     definitions: Path | None,
+    only: tuple[str, ...],
     vary: dict[str, list[str]] | None,
     tolerance: float,
     components: int,
@@ -89,7 +91,7 @@ def make(
 ) -> int:
     """Make the most plausible body that has some MEASUREMENTS.
 
-    MEASUREMENTS is a file, or three or more of the chart's measurements as KEY=VALUE, such as
+    MEASUREMENTS is a file, or three to forty of the chart's measurements as KEY=VALUE, such as
     bust_girth=88cm. Files are those of SeamlyMe (.smis) and Valentina (.vit), .json of FreeSewing
     or of a chart, and .csv: with the columns measurement, value and unit, or a table of sizes with
     one row for each size and the measurements as columns, which makes a body of each.
@@ -114,7 +116,7 @@ def make(
     from bodymeasure.make import grade_body, make_sizes
 
     loaded = load_definitions(definitions)
-    sizes = given_values(measurements, loaded, unit)
+    sizes = given_values(measurements, loaded, unit, only)
     if vary and len(sizes) > 1:
         raise click.UsageError("--vary changes one body; give the measurements of one.")
     several = len(sizes) > 1 or bool(vary)

@@ -1,13 +1,14 @@
 """Reading the measurements that bodies are to have."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from os import PathLike
 from pathlib import Path
 
 import msgspec
 
-from bodymeasure.arguments import file_path, require_kind
-from bodymeasure.chart import Definitions, load_definitions
+from bodymeasure.arguments import file_path, require_kind, several
+from bodymeasure.chart import Definitions, load_definitions, selected_keys
 from bodymeasure.compare import Reading, read_readings
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes
@@ -24,7 +25,11 @@ SUFFIXES = (".smis", ".vit", ".json", ".csv")
 
 
 def read_measurements(
-    path: str | PathLike[str], *, definitions: Definitions | None = None, unit: str | None = None
+    path: str | PathLike[str],
+    *,
+    definitions: Definitions | None = None,
+    unit: str | None = None,
+    only: Sequence[str] = (),
 ) -> tuple[Measurements, ...]:
     r"""Read the measurements that one body, or several, are to have.
 
@@ -39,6 +44,9 @@ def read_measurements(
         The set that the measurements belong to; the default set if not given.
     unit : {"m", "cm", "mm", "inch"}, optional
         Unit of a table of sizes that says none.
+    only : sequence of str
+        The measurements to take, all if none are given: keys, keys without ``_left`` or
+        ``_right``, which stand for both, and names of the set's presets, such as ``core``.
 
     Returns
     -------
@@ -66,6 +74,7 @@ def read_measurements(
     chosen = load_definitions() if definitions is None else definitions
     require_kind(chosen, Definitions, "definitions", "what load_definitions returns")
     names = Names(chosen)
+    keys = selected_keys(chosen, several(only, str, "only", "the key of a measurement"))
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise InputError(f"{path}: expected a name that ends in one of {', '.join(SUFFIXES)}")
@@ -85,6 +94,11 @@ def read_measurements(
     if not written_by_hand:
         # The files of programs hold what bodies cannot be asked for; a person's list should not.
         found = tuple(_without_others(one, chosen) for one in found)
+    if keys:
+        found = tuple(
+            replace(one, values=tuple(value for value in one.values if value.key in keys))
+            for one in found
+        )
     for one in found:
         if not one.values:
             raise InputError(f"{path}: {one.name!r} has no value that a body can be made from")

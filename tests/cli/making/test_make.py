@@ -65,7 +65,7 @@ def test_doubts_stop_it_and_nothing_is_written(run: Run, tmp_path: Path) -> None
     ("arguments", "message"),
     [
         (("bust_girth=88", *GOOD[1:]), "has no unit, and none is guessed"),
-        (GOOD[:2], "has 2 measurements; expected 3 to 80"),
+        (GOOD[:2], "has 2 measurements; expected 3 to 40"),
         ((*GOOD, "bust=88cm"), "'bust_girth' is given a second time"),
         ((*GOOD, "nothing.csv"), "'nothing.csv' is not KEY=VALUE"),
         (("nothing.csv",), "no such file"),
