@@ -166,7 +166,7 @@ def measurements_from(
             + (
                 "with fewer, nearly any body would do"
                 if count < FEWEST
-                else "choose some, as by --only or read_measurements(..., only=['core', 'trousers'])"
+                else "choose some, with --only or read_measurements(..., only=['core'])"
             )
         )
     return found
