@@ -36,8 +36,8 @@ LAYERS = (
 # The same within a package: a name is a folder or a module. What is not named stands on top, and
 # groups do not import from there.
 ORDERS = {
-    "atlas": "approximation, axes, components, normals, point, scan_fit, seams, size, units ·"
-    " contents, faces, tessellation · atlas · topology · queries · check · summary",
+    "atlas": "approximation, axes, normals, point, scan_fit, seams, size, units ·"
+    " contents, faces, tessellation · atlas · prepared · topology · queries · check · summary",
     "bench": "problems · entrants · size · records · timing · summary · figure",
     "chart": "accuracy, formula, landmarks/choice, landmarks/names, picks, tapes · entry,"
     " landmarks/paths, landmarks/places · body, input/slopes, sides · kinds, landmarks/rules ·"

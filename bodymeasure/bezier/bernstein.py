@@ -1,5 +1,7 @@
 """The Bernstein basis and its derivatives."""
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -30,12 +32,23 @@ def bernstein(degree: int, t: ArrayLike, order: int = 0) -> Array:
     """
     t = np.asarray(t, dtype=np.float64)
     result = np.zeros((*t.shape, order + 1, degree + 1))
-    # The k-th derivative has `difference @ coefficients` as its coefficients, of degree n - k.
-    difference = np.eye(degree + 1)
-    for k in range(min(order, degree) + 1):
-        result[..., k, :] = np.stack(bernstein_values(degree - k, t), axis=-1) @ difference
-        difference = (degree - k) * np.diff(difference, axis=0)
+    for i, value in enumerate(bernstein_values(degree, t)):
+        result[..., 0, i] = value
+    for k in range(1, min(order, degree) + 1):
+        values = np.empty((*t.shape, degree - k + 1))
+        for i, value in enumerate(bernstein_values(degree - k, t)):
+            values[..., i] = value
+        result[..., k, :] = values @ _differences(degree, k)
     return result
+
+
+@lru_cache(maxsize=256)
+def _differences(degree: int, k: int) -> Array:
+    """The map from coefficients to those of the k-th derivative, of degree n - k."""
+    difference = np.eye(degree + 1)
+    for lower in range(k):
+        difference = (degree - lower) * np.diff(difference, axis=0)
+    return difference
 
 
 def bernstein_values(degree: int, t: Array) -> list[Array]:

@@ -4,7 +4,7 @@ import numpy as np
 import scipy
 
 from bodymeasure._typing import Array, Bools
-from bodymeasure.atlas.components import connected_components
+from bodymeasure.atlas.topology.components import connected_components
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.mesh.arrays import TriangleMesh, face_spheres, part_of
 from bodymeasure.mesh.curved import curved, vertex_normals

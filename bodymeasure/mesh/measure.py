@@ -7,9 +7,9 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Unit
-from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.queries.locations import FARTHEST, far_words
 from bodymeasure.atlas.size import require_size
+from bodymeasure.atlas.topology.components import connected_components
 from bodymeasure.errors import InputError
 from bodymeasure.mesh.arrays import TriangleMesh, part_of, triangle_mesh
 from bodymeasure.mesh.coarseness import coarseness_error, length_of

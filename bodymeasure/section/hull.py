@@ -127,6 +127,41 @@ def signed_area(flat: Array) -> float:
     return float(_cross(flat, np.roll(flat, -1, axis=0)).sum())
 
 
+class _Samples(NamedTuple):
+    """Samples of a curve, in order.
+
+    Parameters
+    ----------
+    place : ndarray, shape (n,)
+    flat, arriving, leaving : ndarray, shape (n, 2)
+        Positions in the plane's frame, and velocities on the pieces before and after them.
+    """
+
+    place: Array
+    flat: Array
+    arriving: Array
+    leaving: Array
+
+    @classmethod
+    def at(cls, loop: Curve, place: Array) -> "_Samples":
+        """Return the samples at places that begin pieces or lie within them."""
+        to_frame = loop.plane.frame().T
+        row = place.astype(np.int64)
+        leaving = loop.velocities(row, (place - row)[:, None])[:, 0] @ to_frame
+        begins = np.flatnonzero(place == row)
+        arriving = leaving.copy()
+        ends = np.ones((len(begins), 1))
+        before = (row[begins] - 1) % loop.count
+        arriving[begins] = loop.velocities(before, ends)[:, 0] @ to_frame
+        return cls(place, loop.positions_at(place) @ to_frame, arriving, leaving)
+
+    def joined(self, other: "_Samples") -> "_Samples":
+        """Return both, each place once."""
+        both = [np.concatenate(pair) for pair in zip(self, other, strict=True)]
+        _, order = np.unique(both[0], return_index=True)
+        return _Samples(*(each[order] for each in both))
+
+
 _Corners = Callable[[Array, Array], Ints]
 
 
@@ -142,27 +177,25 @@ def _refined(loop: Curve, corners_of: _Corners, turn: float) -> Hull:
     turn : float
         Positive if the curve goes counterclockwise round what it encloses.
     """
-    frame = loop.plane.frame()
-    place = np.arange(SAMPLES * loop.count) / SAMPLES
-    flat = loop.positions_at(place) @ frame.T
+    samples = _Samples.at(loop, np.arange(SAMPLES * loop.count) / SAMPLES)
     previous = np.inf
     for _ in range(20):
-        corners = corners_of(place, flat)
+        place = samples.place
+        corners = corners_of(place, samples.flat)
         first, last = corners, np.roll(corners, -1)
-        saved = _saved(loop, place, flat, first, last)
+        saved = _saved(loop, samples, first, last)
         total = loop.length - float(saved.sum())
         hollow = saved > NEGLIGIBLE * loop.length
         # Skipped ends of pieces that save nothing may be kinks, whose hollows show on finer steps.
         skips = (last - first) % len(place) > 1
         skips &= hollow | (np.floor(place[first]) != np.floor(place[last]))
         ends = np.concatenate([first[skips], last[skips]])
-        steps = np.concatenate([ends - 1, ends, _concave_steps(loop, place, flat, corners, turn)])
+        steps = np.concatenate([ends - 1, ends, _concave_steps(samples, corners, turn)])
         new = _between(place, np.unique(steps % len(place)), float(loop.count))
         if not len(new):
             break
         previous = total
-        place, order = np.unique(np.concatenate([place, new]), return_index=True)
-        flat = np.concatenate([flat, loop.positions_at(new) @ frame.T])[order]
+        samples = samples.joined(_Samples.at(loop, new))
     change = abs(previous - total) if np.isfinite(previous) else 0.0
     spans = np.stack([place[first[hollow]], place[last[hollow]]], axis=1)
     bridges = loop.positions_at(spans.ravel()).reshape(-1, 2, 3)
@@ -212,14 +245,9 @@ def _perimeter(corners: Array) -> float:
     return float(np.linalg.norm(corners - np.roll(corners, 1, axis=0), axis=1).sum())
 
 
-def _saved(
-    loop: Curve,
-    place: Array,
-    flat: Array,
-    first: Ints,
-    last: Ints,
-) -> Array:
+def _saved(loop: Curve, samples: _Samples, first: Ints, last: Ints) -> Array:
     """Arc less chord from each corner to the next, shape (corners,); 0 from sample to sample."""
+    place, flat = samples.place, samples.flat
     span = (last - first) % len(place)
     rows = np.flatnonzero(span > 1)
     result = np.zeros(len(first))
@@ -232,34 +260,24 @@ def _saved(
     return result
 
 
-def _concave_steps(
-    loop: Curve,
-    place: Array,
-    flat: Array,
-    corners: Ints,
-    turn: float,
-) -> Ints:
+def _concave_steps(samples: _Samples, corners: Ints, turn: float) -> Ints:
     """Return the steps from a corner to the next sample that may hide a hollow.
 
     In these the loop turns inwards: at an end, against the chord, or at a kink between two pieces.
     """
-    on_hull = np.zeros(len(place), dtype=np.bool_)
+    count = len(samples.place)
+    on_hull = np.zeros(count, dtype=np.bool_)
     on_hull[corners] = True
     steps = np.flatnonzero(on_hull & np.roll(on_hull, -1))
-    row = place[steps].astype(np.int64)
-    after = np.append(place[1:], float(loop.count))[steps]
-    fraction = np.asarray(np.stack([place[steps], after], axis=1) - row[:, None], dtype=np.float64)
-    direction = loop.velocities(row, fraction) @ loop.plane.frame().T
-    chord = np.roll(flat, -1, axis=0)[steps] - flat[steps]
+    there = (steps + 1) % count
+    leaving, arriving = samples.leaving[steps], samples.arriving[there]
+    chord = samples.flat[there] - samples.flat[steps]
 
     anticlockwise = np.sign(turn)
-    into, out_of = (
-        anticlockwise * _sine(*pair)
-        for pair in ((direction[:, 0], chord), (chord, direction[:, 1]))
-    )
+    into, out_of = (anticlockwise * _sine(*pair) for pair in ((leaving, chord), (chord, arriving)))
     concave = (into < -STRAIGHT) | (out_of < -STRAIGHT)
-    following = np.roll(steps, -1) == (steps + 1) % len(place)
-    kink = anticlockwise * _sine(direction[:, 1], np.roll(direction[:, 0], -1, axis=0))
+    following = np.roll(steps, -1) == there
+    kink = anticlockwise * _sine(arriving, np.roll(leaving, -1, axis=0))
     concave |= following & (kink < -STRAIGHT)
     # The hollow of a kink reaches into the step after it, too.
     return np.concatenate([steps[concave], steps[concave] + 1])

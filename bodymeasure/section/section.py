@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from bodymeasure._typing import Array, Ints
-from bodymeasure.atlas import Atlas, EdgeTable, edge_table
+from bodymeasure.atlas import Atlas, EdgeTable
 from bodymeasure.atlas.atlas import require_atlas
+from bodymeasure.atlas.topology.edges import edges_of
 from bodymeasure.bezier import project
 from bodymeasure.errors import InputError
 from bodymeasure.section.arcs import Arcs, Chain, chain_arcs, pair_crossings
@@ -106,7 +107,7 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
             f"patch {atlas.patch_names[flat[0]]!r} lies in {plane}, so that the section is no "
             "curve; move or tilt the plane"
         )
-    table = edge_table(atlas.index)
+    table = edges_of(atlas)
     poles = poles_in(atlas.points, table, plane, size)
     table, pole = opened(table, poles.sides)
     approximation = atlas.approximation

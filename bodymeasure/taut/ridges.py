@@ -17,9 +17,10 @@ from bodymeasure.taut.skin import Feet, Skin
 # The sine of the least angle of a ridge that holds a pin, some three degrees. Over seams that turn
 # by less, as those between patches of a body do, short segments are enough.
 SHARP = 0.05
-# Points of a segment between which a change of patches is looked for, and the halvings that follow.
+# Points of a segment between which a change of patches is looked for, and the halvings that follow,
+# so many rounds of some at a time: the places that they may ask for are looked up together.
 SAMPLES = 8
-HALVINGS = 12
+ROUNDS, AT_A_TIME = 3, 4
 # The most steps of Newton's method along a seam, and the most seams that a node passes at a time.
 MAX_STEPS = 12
 MAX_SEAMS = 3
@@ -91,10 +92,10 @@ def crossings(skin: Skin, nodes: Array) -> tuple[Ints, Array, Pins]:
     row, step = np.nonzero((patch[:, 1:] != patch[:, :-1]) & (low_in[:, 1:] | low_in[:, :-1]))
     low, high = t[step], t[step + 1]
     before = patch[row, step]
-    for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        same = skin.feet(start[row] + middle[:, None] * way[row]).patch == before
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    if not len(row):
+        return row, np.empty((0, 3)), no_pins(0)
+    for _ in range(ROUNDS):
+        low, high = _narrowed(skin, (start[row], way[row]), before, (low, high))
     position = start[row] + high[:, None] * way[row]
     here = skin.feet(start[row] + low[:, None] * way[row])
     after = skin.feet(position).patch
@@ -107,6 +108,25 @@ def crossings(skin: Skin, nodes: Array) -> tuple[Ints, Array, Pins]:
     row, before, side, along = row[sharp], before[sharp], side[sharp], along[sharp]
     place = _curve(skin, before, side, along)[0]
     return differ[row], place, Pins(before, side)
+
+
+def _narrowed(
+    skin: Skin, segments: tuple[Array, Array], patch: Ints, bounds: tuple[Array, Array]
+) -> tuple[Array, Array]:
+    """Return bounds (k,) after some halvings; the upper ones are where a patch ends."""
+    start, way = segments
+    low, width = bounds[0], bounds[1] - bounds[0]
+    parts = 2**AT_A_TIME
+    t = low[:, None] + width[:, None] * np.arange(1, parts) / parts
+    places = (start[:, None] + t[..., None] * way[:, None]).reshape(-1, 3)
+    same = skin.feet(places).patch.reshape(t.shape) == patch[:, None]
+    row = np.arange(len(low))
+    first, last = np.zeros(len(low), np.int64), np.full(len(low), parts)
+    for _ in range(AT_A_TIME):
+        middle = (first + last) // 2
+        on = same[row, middle - 1]
+        first, last = np.where(on, middle, first), np.where(on, last, middle)
+    return low + width * first / parts, low + width * last / parts
 
 
 def _closest(skin: Skin, positions: Array, patch: Ints, side: Ints) -> tuple[Ints, Ints, Array]:

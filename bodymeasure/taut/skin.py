@@ -1,6 +1,5 @@
 """The skin of a body as an obstacle: feet of positions on it, and how far outside they are."""
 
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -10,9 +9,11 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.check.degeneracy import collapsed_sides
 from bodymeasure.atlas.normals import normals_and_bends
+from bodymeasure.atlas.prepared import prepared
 from bodymeasure.atlas.queries.feet import descend_in_powers
 from bodymeasure.atlas.queries.outside import Outside, outward_signs
-from bodymeasure.atlas.seams import AXIS, VALUE, edge_table
+from bodymeasure.atlas.seams import AXIS, VALUE
+from bodymeasure.atlas.topology.edges import edges_of
 from bodymeasure.atlas.topology.joins import entered, kink_angles, on_sides, over_sides, seams_of
 from bodymeasure.bezier import evaluate, project
 from bodymeasure.bezier.power_form import jets, power_coefficients
@@ -85,7 +86,7 @@ class Skin:
         side = np.linspace(0.0, 1.0, SAMPLES)
         grid = np.stack(np.meshgrid(side, side, indexing="ij"), axis=-1)
         samples = evaluate(atlas.control_points, np.broadcast_to(grid, (len(atlas), *grid.shape)))
-        table = edge_table(atlas.index)
+        table = edges_of(atlas)
         self.signs = outward_signs(atlas, samples, table, outside)
         self.grid = grid.reshape(-1, 2)
         flat = samples.reshape(-1, 3)
@@ -235,7 +236,7 @@ class Skin:
         return position, sign[:, None] * normal, sign[:, None, None] * bend
 
 
-@lru_cache(maxsize=4)
+@prepared
 def skin_of(atlas: Atlas, outside: Outside) -> Skin:
     """Return the skin of an atlas, which is made once."""
     return Skin(atlas, outside)

@@ -7,8 +7,8 @@ import scipy
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.check.degeneracy import SAME_PLACE
-from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.seams import edge_table, sides_of
+from bodymeasure.atlas.topology.components import connected_components
 from bodymeasure.bezier import bernstein, project
 
 # Two free edges were meant to be one seam if they run this close together, as a part of the shorter

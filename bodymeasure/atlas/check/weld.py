@@ -5,9 +5,9 @@ import numpy as np
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.check.degeneracy import collapsed_sides
 from bodymeasure.atlas.check.gaps import free_edges, near_seams, welded_index
-from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.seams import EdgeTable, edge_table, sides_of, weights_differ
 from bodymeasure.atlas.size import require_size
+from bodymeasure.atlas.topology.components import connected_components
 
 
 def weld(

@@ -1,7 +1,5 @@
 """The points of patches and of an atlas that are closest to given positions."""
 
-from functools import lru_cache
-
 import numpy as np
 import scipy
 from numpy.typing import ArrayLike
@@ -9,6 +7,7 @@ from numpy.typing import ArrayLike
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint, on_edges
+from bodymeasure.atlas.prepared import prepared
 from bodymeasure.atlas.queries.feet import descend
 from bodymeasure.bezier import derivatives, evaluate, project
 from bodymeasure.errors import InputError
@@ -169,7 +168,7 @@ class _Search:
         return edge
 
 
-@lru_cache(maxsize=4)
+@prepared
 def _search_of(atlas: Atlas) -> _Search:
     return _Search(atlas)
 

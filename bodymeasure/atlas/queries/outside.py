@@ -6,8 +6,8 @@ import numpy as np
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.seams import EdgeTable
+from bodymeasure.atlas.topology.components import connected_components
 from bodymeasure.atlas.topology.joins import parts, round_of_side, seams_of, turned_patches
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError

@@ -5,9 +5,9 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
-from bodymeasure.atlas.components import connected_components
 from bodymeasure.atlas.normals import normal_vectors
 from bodymeasure.atlas.seams import AXIS, EDGES, VALUE, EdgeTable
+from bodymeasure.atlas.topology.components import connected_components
 
 # Points along a seam at which the normals of both sides are compared, with its ends.
 _ALONG = np.linspace(0.0, 1.0, 9)

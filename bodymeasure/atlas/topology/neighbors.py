@@ -7,7 +7,8 @@ import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.seams import EDGES, edge_table
+from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.topology.edges import edges_of
 
 # Digits to which the parameters of two places must agree to be the same. They are sums of a few
 # numbers in [0, 1].
@@ -66,7 +67,7 @@ class Neighbors:
     """The steps that lead from each patch of an atlas over its seams."""
 
     def __init__(self, atlas: Atlas) -> None:
-        table = edge_table(atlas.index)
+        table = edges_of(atlas)
         self.collapsed = table.collapsed
         on_edge: dict[int, list[tuple[int, int]]] = {}
         for patch, side in np.argwhere(~self.collapsed).tolist():

@@ -7,8 +7,9 @@ import scipy
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import EDGES, Atlas, AtlasPoint
-from bodymeasure.atlas.topology.neighbors import Neighbors, on_side
+from bodymeasure.atlas.topology.neighbors import on_side
 from bodymeasure.bezier import derivatives, project
+from bodymeasure.geodesic.across.routes.topology import topology
 
 # Points along a side of each patch from which Newton's method starts.
 STARTS = 5
@@ -94,7 +95,7 @@ def _slopes(atlas: Atlas, patch: Ints, place: Array) -> tuple[Array, Array]:
 
 def _on_seams(atlas: Atlas, patches: Ints) -> Iterator[AtlasPoint]:
     """Yield points where the height is least along a seam and falls to both sides, or reversed."""
-    neighbors = Neighbors(atlas)
+    neighbors = topology(atlas).neighbors
     for (patch, side), crossings in neighbors.over.items():
         if patch not in patches or len(crossings) != 1:
             continue

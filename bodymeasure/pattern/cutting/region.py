@@ -6,7 +6,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import AtlasPoint
-from bodymeasure.atlas.components import connected_components
+from bodymeasure.atlas.topology.components import connected_components
 from bodymeasure.errors import InputError
 from bodymeasure.pattern.cloth.cloth import Cloth
 from bodymeasure.pattern.cutting.mesh import CutMesh

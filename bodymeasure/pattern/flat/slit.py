@@ -3,7 +3,7 @@
 import numpy as np
 
 from bodymeasure._typing import Array, Ints
-from bodymeasure.atlas.components import connected_components
+from bodymeasure.atlas.topology.components import connected_components
 from bodymeasure.pattern.cloth.cloth import Cloth
 from bodymeasure.pattern.flat.mesh import Chain, Leg, PieceMesh
 from bodymeasure.pattern.flat.remesh import Remeshed

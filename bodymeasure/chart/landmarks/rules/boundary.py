@@ -6,9 +6,10 @@ from typing import ClassVar
 import numpy as np
 
 from bodymeasure._typing import Array, Ints
-from bodymeasure.atlas import EDGES, Atlas, AtlasPoint, edge_table
-from bodymeasure.atlas.components import connected_components
+from bodymeasure.atlas import EDGES, Atlas, AtlasPoint
 from bodymeasure.atlas.seams import sides_of
+from bodymeasure.atlas.topology.components import connected_components
+from bodymeasure.atlas.topology.edges import edges_of
 from bodymeasure.bezier import bernstein, evaluate, project
 from bodymeasure.chart.entry import Fault, Landmark
 from bodymeasure.chart.landmarks.choice import (
@@ -88,7 +89,7 @@ class Boundary(LandmarkRule, frozen=True, kw_only=True, tag="boundary"):
 
 def _open_sides(atlas: Atlas, patches: Ints) -> tuple[Ints, Ints]:
     """Return patch and side (in the order of `EDGES`) of each open edge of some patches."""
-    table = edge_table(atlas.index)
+    table = edges_of(atlas)
     control = table.control_index[patches]
     collapsed = (control == control[:, :, :1]).all(axis=2)
     row, side = np.nonzero((table.sides[table.edge[patches]] == 1) & ~collapsed)
@@ -102,7 +103,7 @@ def _nearest_curve(
 ) -> tuple[Ints, Ints]:
     """Return the sides that make up the boundary curve nearest to a landmark."""
     patch, side = sides
-    ends = edge_table(atlas.index).control_index[patch, side][:, [0, -1]]
+    ends = edges_of(atlas).control_index[patch, side][:, [0, -1]]
     curve = connected_components(ends[:, 0], ends[:, 1], len(atlas.points))[ends[:, 0]]
     along = np.arange(SAMPLES + 1) / SAMPLES
     nets = sides_of(atlas.control_points)[patch, side]

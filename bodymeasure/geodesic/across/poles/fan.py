@@ -7,7 +7,7 @@ pole. The patches about a pole are its fan; their angles add up to 2 pi on a smo
 """
 
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -15,7 +15,9 @@ import numpy as np
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.seams import EDGES, edge_table
+from bodymeasure.atlas.prepared import prepared
+from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.topology.edges import edges_of
 from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors, on_side
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.across.routes.topology import topology
@@ -54,10 +56,10 @@ class Poles(NamedTuple):
         return AtlasPoint(int(self.patch[first]), *on_side(int(self.side[first]), 0.5))
 
 
-@lru_cache(maxsize=4)
+@prepared
 def poles_of(atlas: Atlas) -> Poles:
     """Return the collapsed sides of an atlas, which are kept for the next path."""
-    table = edge_table(atlas.index)
+    table = edges_of(atlas)
     patch, side = np.nonzero(table.collapsed)
     point = table.control_index[patch, side, 0]
     positions = atlas.points[point]

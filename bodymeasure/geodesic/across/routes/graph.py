@@ -12,6 +12,7 @@ import scipy
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.prepared import prepared
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.across.routes.mesh import RouteMesh, whole_mesh
 from bodymeasure.geodesic.numerics.grid_steps import SHORTEST, grid_steps
@@ -167,7 +168,7 @@ def _unit_steps(rows: int, columns: int) -> tuple[tuple[int, int], ...]:
     return tuple(result)
 
 
-@lru_cache(maxsize=4)
+@prepared
 def patch_graph(atlas: Atlas) -> PatchGraph:
     """Return the graph of an atlas, which is kept for the next path."""
     enough = (k for k in SEGMENTS if len(atlas) * k * k >= ENOUGH)

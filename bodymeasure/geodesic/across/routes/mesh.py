@@ -1,15 +1,16 @@
 """The triangle mesh of an atlas over which the starts of paths are pulled straight."""
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.seams import EDGES, edge_table
+from bodymeasure.atlas.prepared import prepared
+from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.tessellation import tessellate
+from bodymeasure.atlas.topology.edges import edges_of
 from bodymeasure.geodesic.across.routes.faces import FaceMesh, OnFace
 
 
@@ -43,7 +44,7 @@ class RouteMesh:
     def of(cls, atlas: Atlas, segments: int) -> "RouteMesh":
         """Return the mesh of an atlas's tessellation."""
         mesh = tessellate(atlas, segments)
-        collapsed = edge_table(atlas.index).collapsed[mesh.face_patch]
+        collapsed = edges_of(atlas).collapsed[mesh.face_patch]
         free = np.zeros(mesh.face_parameters.shape, bool)
         for side, edge in enumerate(EDGES):
             on = mesh.face_parameters[..., edge.fixed_axis] == edge.fixed_value
@@ -88,7 +89,7 @@ def _sides_of_patches(parameters: Array, free: Bools) -> Ints:
     return result
 
 
-@lru_cache(maxsize=4)
+@prepared
 def whole_mesh(atlas: Atlas, segments: int) -> RouteMesh:
     """Return the mesh of an atlas's tessellation, which is kept for the next path."""
     return RouteMesh.of(atlas, segments)

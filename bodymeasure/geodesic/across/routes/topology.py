@@ -1,13 +1,13 @@
 """The seams of an atlas, and the parts of it that they join."""
 
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
 from bodymeasure._typing import Ints
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.components import connected_components
+from bodymeasure.atlas.prepared import prepared
+from bodymeasure.atlas.topology.components import connected_components
 from bodymeasure.atlas.topology.neighbors import Neighbors
 
 
@@ -18,7 +18,7 @@ class Topology(NamedTuple):
     part: Ints
 
 
-@lru_cache(maxsize=4)
+@prepared
 def topology(atlas: Atlas) -> Topology:
     """Return the topology of an atlas, which is kept for the next path."""
     neighbors = Neighbors(atlas)
