@@ -104,7 +104,8 @@ def have_length(statuses: NDArray[Any]) -> Bools:
     """Return `Status.has_length` for each of an array of statuses."""
     result: Bools = np.asarray(statuses == Status.CONVERGED)
     # Each comparison takes as long as a copy, and most batches need one.
-    for status in Status:
-        if status.has_length and not result.all():
-            result |= statuses == status
+    if not result.all():
+        for status in Status:
+            if status.has_length:
+                result |= statuses == status
     return result

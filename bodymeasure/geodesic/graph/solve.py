@@ -72,7 +72,8 @@ def solve_offsets(
             iterations[here] = result.iterations
             for batch in result.batches:
                 parts = batches.setdefault(batch.space, [])
-                parts.append(batch.renumbered(block[batch.problems]))
+                same = is_whole and rows.start == 0
+                parts.append(batch if same else batch.renumbered(block[batch.problems]))
     return MethodResult(tuple(_joined(parts) for parts in batches.values()), iterations)
 
 
@@ -105,7 +106,10 @@ def _solve_block(
         left, offsets = [], []
         for part in _climbed(problems, rest, rung, offset):
             if len(part.done.problems):
-                batches.append(part.done.renumbered(rest[part.done.problems]))
+                every = len(rest) == problems.count
+                batches.append(
+                    part.done if every else part.done.renumbered(rest[part.done.problems])
+                )
             left.append(part.left)
             offsets.append(part.offset)
         keep = np.concatenate(left)

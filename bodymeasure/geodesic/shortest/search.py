@@ -98,11 +98,12 @@ def search_further(
         batch.take(np.flatnonzero(~gone)) if gone.any() else batch
         for batch, gone in ((batch, replaced[batch.problems]) for batch in result.batches)
     ]
-    batches = (
-        replace(batch, converged=batch.converged & ~doubtful[batch.problems])
-        for batch in [*kept, *shorter]
-        if len(batch.problems)
-    )
+    batches = [batch for batch in [*kept, *shorter] if len(batch.problems)]
+    if doubtful.any():
+        batches = [
+            replace(batch, converged=batch.converged & ~doubtful[batch.problems])
+            for batch in batches
+        ]
     return MethodResult(tuple(batches), result.iterations)
 
 
