@@ -4,7 +4,7 @@ import io
 from dataclasses import dataclass
 from typing import Any
 
-from bodymeasure.bench.entrants.entrants import DEFAULT
+from bodymeasure.bench.entrants.entrants import DEFAULT, NUMPY
 from bodymeasure.bench.records import BenchDocument, Result, SetRecord
 from bodymeasure.scene.figures.chart_style import TEXT_SIZE, chart_style, power_of_ten
 
@@ -60,6 +60,7 @@ class Look:
 _OURS, _OTHERS = "#0072B2", "#3a9bd1"
 LOOKS = {
     DEFAULT: Look(_OURS, "*", size=13.0, layer=5),
+    NUMPY: Look(_OURS, "h", size=7.0, layer=4),
     "RBF, full form": Look(_OTHERS, "o"),
     "RBF, weak form": Look(_OTHERS, "X", size=6.0),
     "RBF, 8 of Wu's C2": Look(_OTHERS, "s", size=5.5),

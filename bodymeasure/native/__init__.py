@@ -10,7 +10,7 @@ from bodymeasure.native.diagonal import (
     diagonal_paths,
 )
 from bodymeasure.native.energy import PathTables, energies
-from bodymeasure.native.library import is_compiled
+from bodymeasure.native.library import is_compiled, without_kernels
 from bodymeasure.native.normals import normals_in_powers
 from bodymeasure.native.points import (
     MOST_COLUMNS,
@@ -57,4 +57,5 @@ __all__ = [
     "shortest_ways",
     "string_equilibrium",
     "way_straightened",
+    "without_kernels",
 ]

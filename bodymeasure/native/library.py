@@ -7,6 +7,9 @@ Any other value is the path of a library to take instead, such as one that check
 
 import ctypes
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from functools import cache
 from importlib.util import find_spec
 from typing import Any
@@ -36,9 +39,34 @@ KERNELS = {
 }
 
 
-@cache
+_IS_OFF = ContextVar("kernels are switched off", default=False)
+
+
+@contextmanager
+def without_kernels() -> Iterator[None]:
+    """Let the NumPy forms serve in a `with` statement, in this thread, to compare them.
+
+    Examples
+    --------
+    >>> from bodymeasure.native import is_compiled, without_kernels
+    >>> with without_kernels():
+    ...     print(is_compiled())
+    False
+    """
+    token = _IS_OFF.set(True)
+    try:
+        yield
+    finally:
+        _IS_OFF.reset(token)
+
+
 def library() -> ctypes.CDLL | None:
     """Return the library; None if there is none, or it is switched off."""
+    return None if _IS_OFF.get() else _found()
+
+
+@cache
+def _found() -> ctypes.CDLL | None:
     chosen = os.environ.get(SWITCH)
     if chosen == "0":
         return None

@@ -21,5 +21,6 @@ def test_each_stage_is_seen(make: type) -> None:
     shares = stage_shares(make(40))
     assert list(shares) == [*STAGES, REST]
     # If a function of the table had been renamed, its stage would have no share.
-    assert all(0.0 < share < 1.0 for share in shares.values()), shares
+    may_be_empty = {"paths left to the full form"} if make is mild_set else set()
+    assert all(0.0 < shares[name] < 1.0 for name in shares.keys() - may_be_empty), shares
     assert sum(shares.values()) == pytest.approx(1.0)

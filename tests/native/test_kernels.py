@@ -25,7 +25,7 @@ from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.geodesic.surfaces.control_points import extremes
 from bodymeasure.native import diagonal, is_compiled
-from bodymeasure.native.library import SWITCH, library
+from bodymeasure.native.library import SWITCH, without_kernels
 from bodymeasure.section import Plane
 from bodymeasure.section.pieces import CutSurface, Pieces
 from bodymeasure.section.roots import bracketed_roots
@@ -40,12 +40,9 @@ UP = np.array([0.0, 0.0, 1.0])
 @contextmanager
 def by_numpy() -> Iterator[None]:
     """Switch the kernels off."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv(SWITCH, "0")
-        library.cache_clear()
+    with without_kernels():
         assert not is_compiled()
         yield
-    library.cache_clear()
     assert is_compiled()
 
 

@@ -32,6 +32,7 @@ from bodymeasure.geodesic import (
     Shooting,
     solve_geodesic,
 )
+from bodymeasure.native import without_kernels
 
 Solve = Callable[[], Array]
 Prepare = Callable[[Problems], Solve]
@@ -40,6 +41,8 @@ Family = Literal["bodymeasure", "scipy", "mesh"]
 Pace = Literal["batch", "fast", "slow", "very slow"]
 
 DEFAULT = "RBF, fast form"
+# The same without compiled kernels.
+NUMPY = "RBF, fast form in NumPy"
 BVP = "solve_bvp"
 IGL_EXACT = "libigl exact"
 TOLERANCES = (1e-3, 1e-6, 1e-8)
@@ -115,6 +118,7 @@ def entrants() -> tuple[Entrant, ...]:
         Entrant(name, "", "bodymeasure", pace, _solver(method)) for name, method, pace in ours
     ]
     pace: Pace
+    result.insert(1, Entrant(NUMPY, "", "bodymeasure", "batch", _in_numpy(RBFCollocation())))
     for tolerance in TOLERANCES:
         one = partial(BoundaryValueProblem, tolerance=tolerance)
         prepare = _one_by_one(one)
@@ -147,6 +151,22 @@ def _solver(method: Method) -> Prepare:
         return solve
 
     return prepare
+
+
+def _in_numpy(method: Method) -> Prepare:
+    """Return what prepares one of bodymeasure's own methods in its NumPy form."""
+    prepare = _solver(method)
+
+    def prepare_in_numpy(problems: Problems) -> Solve:
+        solve = prepare(problems)
+
+        def solve_in_numpy() -> Array:
+            with without_kernels():
+                return solve()
+
+        return solve_in_numpy
+
+    return prepare_in_numpy
 
 
 def _one_by_one(make: Callable[[Array, Array, Array], Callable[[], float]]) -> Prepare:

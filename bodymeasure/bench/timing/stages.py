@@ -8,15 +8,16 @@ from typing import Any
 from bodymeasure.bench.problems.sets import ProblemSet
 from bodymeasure.geodesic import RBFCollocation, solve_geodesic
 
-# The functions of each stage, by module and name, and the caller under which they count (any, if
-# it is None). None of these functions calls another one of the table.
+# The functions of each stage, by module and name: those of the compiled form, and those of NumPy's.
+# None of these functions calls another one of the table.
 _Function = tuple[str, str]
-_FAST = "graph/solve"
-STAGES: Mapping[str, tuple[tuple[_Function, _Function | None], ...]] = {
-    "first guess": (((_FAST, "_guess"), None),),
-    "Newton's method": (((_FAST, "_newton"), (_FAST, "_solve_block")),),
-    "length, error and certificate": (((_FAST, "_measured"), None),),
-    "paths left to the full form": ((("solving/on_spaces", "solve_on_spaces"), None),),
+STAGES: Mapping[str, tuple[_Function, ...]] = {
+    "first guess": (("graph/compiled", "guess"), ("graph/arrays", "guess")),
+    "Newton's method, length, error and certificate": (
+        ("graph/compiled", "climb"),
+        ("graph/arrays", "climb"),
+    ),
+    "paths left to the full form": (("solving/on_spaces", "solve_on_spaces"),),
 }
 REST = "checks, scaling, sharing out, gathering"
 CALLS = 5
@@ -42,24 +43,17 @@ def stage_shares(problem_set: ProblemSet) -> dict[str, float]:
         profile.disable()
     # The table, which typeshed lacks, has calls, own time, whole time and callers of functions.
     table: dict[tuple[str, int, str], Any] = pstats.Stats(profile).stats  # type: ignore[attr-defined]
-    whole = _seconds(table, ("solve", "solve_geodesic"), None)
+    whole = _seconds(table, ("solve", "solve_geodesic"))
     shares = {
-        stage: sum(_seconds(table, function, caller) for function, caller in functions) / whole
+        stage: sum(_seconds(table, function) for function in functions) / whole
         for stage, functions in STAGES.items()
     }
     return {**shares, REST: 1.0 - sum(shares.values())}
 
 
-def _seconds(
-    table: Mapping[tuple[str, int, str], Any], function: _Function, caller: _Function | None
-) -> float:
-    """Return the time in a function and all that it calls, under one caller or under any."""
-    for key, (_, _, _, whole, callers) in table.items():
-        if _is(key, function):
-            if caller is None:
-                return float(whole)
-            return float(sum(each[3] for by, each in callers.items() if _is(by, caller)))
-    return 0.0
+def _seconds(table: Mapping[tuple[str, int, str], Any], function: _Function) -> float:
+    """Return the time in a function and all that it calls."""
+    return float(sum(whole for key, (_, _, _, whole, _) in table.items() if _is(key, function)))
 
 
 def _is(key: tuple[str, int, str], function: _Function) -> bool:
