@@ -11,6 +11,7 @@ from helpers.command_line import hide_here, run_here
 from helpers.populations import knees, write_shapes
 
 import bodymeasure as bm
+from bodymeasure.cli.surveys.made import made_bodies
 from bodymeasure.errors import InputError, MissingExtraError
 from bodymeasure.surveys import MedoidSizes, SizeTable, StepSizes, SurveyTable, size_table
 from bodymeasure.surveys.records import MEMBERS, Column, Row, read_survey, write_table
@@ -167,6 +168,36 @@ def test_the_page_has_the_sizes_and_their_mannequins(tmp_path: Path) -> None:
     assert len(bm.write_sizes(table, tmp_path / "again")) == 3
 
 
+@pytest.mark.slow
+def test_a_body_is_made_for_each_size(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = write_shapes(tmp_path / "many.npz", 4)
+    only = ["stature", "waist_girth", "hip_girth", "bust_girth"]
+    survey = bm.survey(path, folder=tmp_path / "out", only=only)
+    steps = "waist_girth=20,stature=30"
+    ran = run_here(capsys, "sizes", tmp_path / "out", "--by", steps, "-o", tmp_path / "s", "--make")
+    assert ran.code == 0
+    table = size_table(survey, StepSizes({"waist_girth": 20.0, "stature": 30.0}))
+    for size in table.sizes:
+        name = size.name.replace("/", "-")
+        body = bm.read_atlas(tmp_path / "s" / "mannequins" / f"{name}-made.atlas")
+        waist = 100.0 * bm.measure_chart(body, only=["waist_girth"])["waist_girth"].value
+        assert waist == pytest.approx(size.center["waist_girth"], abs=0.01)
+    with (tmp_path / "s" / "sizes.csv").open(encoding="utf-8", newline="") as file:
+        assert all(row["not_made"] == "" for row in csv.DictReader(file))
+
+
+def test_why_no_body_was_made_is_said(tmp_path: Path) -> None:
+    survey = bm.survey(["female_average"], folder=tmp_path / "out", only=["waist_girth"])
+    table = size_table(survey, StepSizes({"waist_girth": 4.0}))
+    made = made_bodies(table, lambda _done, _all: None)
+    files = bm.write_sizes(table, tmp_path / "sizes", made=made)
+    assert not [file for file in files if file.stem.endswith("-made")]
+    with files[1].open(encoding="utf-8", newline="") as file:
+        (row,) = csv.DictReader(file)
+    assert "has 1 measurement; expected 3 to" in row["not_made"]
+    assert "expected 3 to" in files[0].read_text(encoding="utf-8")
+
+
 def test_the_command_prints_the_sizes(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -181,6 +212,8 @@ def test_the_command_prints_the_sizes(
     assert "They fit 75.0% of 4 bodies." in few.out
     both = run_here(capsys, *asked, "--medoids", "2", "--least", "0.1")
     assert (both.code, "--least and --most are for" in both.err) == (2, True)
+    nowhere = run_here(capsys, *asked, "--make")
+    assert (nowhere.code, "give a folder for them with -o" in nowhere.err) == (2, True)
     wrong = run_here(capsys, "sizes", tmp_path / "no.parquet", "--by", "a=8")
     assert (wrong.code, "no such file" in wrong.err) == (2, True)
     hide_here(monkeypatch, "kmedoids")

@@ -10,6 +10,8 @@ from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_files, print_note, print_table
 from bodymeasure.cli.needs import require
 from bodymeasure.cli.options import folder_option
+from bodymeasure.cli.surveys.made import made_bodies
+from bodymeasure.cli.surveys.progress import long_progress
 from bodymeasure.cli.surveys.size import pairs
 from bodymeasure.cli.tables import new_table
 from bodymeasure.files import output_folder
@@ -59,6 +61,13 @@ MEDOIDS = ("sizes by medoids", "kmedoids", "kmedoids", "survey")
     metavar="N",
     help="The most sizes at multiples of the steps; those of the most bodies are kept.",
 )
+@click.option(
+    "--make",
+    "made",
+    is_flag=True,
+    help="Make a body for each size besides, with its key measurements and the means of others; "
+    "some seconds each.",
+)
 def sizes(
     survey: Path,
     steps: dict[str, float],
@@ -66,6 +75,7 @@ def sizes(
     medoids: int | None,
     least: float | None,
     most: int | None,
+    made: bool,
 ) -> int:
     """Make a table of sizes from a SURVEY: survey.parquet, or its folder.
 
@@ -76,6 +86,8 @@ def sizes(
     """
     if medoids is not None and (least is not None or most is not None):
         raise click.UsageError("--least and --most are for sizes at multiples of the steps.")
+    if made and output is None:
+        raise click.UsageError("--make writes bodies; give a folder for them with -o.")
     needs = [TABLE, *((PAGE,) if output is not None else ())]
     require(*needs, *((MEDOIDS,) if medoids is not None else ()))
     # Slow imports, which `--help` does not need.
@@ -90,12 +102,19 @@ def sizes(
     table = size_table(read_survey(survey), scheme)
     files: tuple[Path, ...] = ()
     if output is not None:
-        with output_folder(output):
-            files = write_sizes(table, output)
+        with output_folder(output), long_progress("making bodies") as progress:
+            bodies = made_bodies(table, progress) if made else None
+            files = write_sizes(table, output, made=bodies)
     print_table(_sizes(table))
     RESULTS.print(Text(f"\nThey fit {table.coverage:.1%} of {table.bodies:,} bodies."))
     print_files([file for file in files if file.suffix != ".atlas"])
-    missing = len(table.sizes) - sum(file.suffix == ".atlas" for file in files)
+    stems = [file.stem for file in files if file.suffix == ".atlas"]
+    unmade = len(table.sizes) - sum(stem.endswith("-made") for stem in stems)
+    missing = len(table.sizes) - sum(not stem.endswith("-made") for stem in stems)
+    if made and unmade:
+        print_note(
+            f"{unmade} of {len(table.sizes)} bodies could not be made; sizes.csv has the reasons."
+        )
     if files and missing:
         print_note(
             f"{missing} of {len(table.sizes)} mannequins are not written, since their bodies are "

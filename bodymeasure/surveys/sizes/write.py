@@ -1,9 +1,11 @@
 """Writing a table of sizes: a page, CSV, and the mannequin of each size as an atlas."""
 
+from collections.abc import Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 
 from bodymeasure.arguments import file_path, require_kind
+from bodymeasure.atlas import Atlas
 from bodymeasure.errors import BodymeasureError
 from bodymeasure.files import make_folder
 from bodymeasure.formats import write_atlas
@@ -15,14 +17,19 @@ from bodymeasure.report.templating import render_page
 from bodymeasure.report.units import UNIT_NAMES
 from bodymeasure.surveys.bodies.again import BodiesAgain
 from bodymeasure.surveys.page.links import settings_beside
-from bodymeasure.surveys.sizes.sizes import SizeTable
+from bodymeasure.surveys.sizes.sizes import Size, SizeTable
 from bodymeasure.threads import one_blas_thread
 
 MANNEQUINS = "mannequins"
 
 
 @one_blas_thread()
-def write_sizes(table: SizeTable, folder: str | PathLike[str]) -> tuple[Path, ...]:
+def write_sizes(
+    table: SizeTable,
+    folder: str | PathLike[str],
+    *,
+    made: Mapping[str, Atlas | str] | None = None,
+) -> tuple[Path, ...]:
     """Write a table of sizes.
 
     Parameters
@@ -32,6 +39,9 @@ def write_sizes(table: SizeTable, folder: str | PathLike[str]) -> tuple[Path, ..
         For ``sizes.html``, ``sizes.csv`` with a row for each size, ``controls.csv`` with the other
         measurements of each, and ``mannequins`` with the surveyed body that is nearest to each, as
         an atlas. Made if it is not there.
+    made : mapping of str to Atlas or str, optional
+        Bodies that were made for the sizes, by their names, which are written besides; or words on
+        why there is none. `make_body` makes a body with the key measurements of a size.
 
     Returns
     -------
@@ -60,14 +70,38 @@ def write_sizes(table: SizeTable, folder: str | PathLike[str]) -> tuple[Path, ..
     place = file_path(folder, "the folder")
     make_folder(place)
     mannequins = _mannequins(table, place)
+    bodies, words = ({}, []) if made is None else _made(table, place, made)
     contents = {
         "sizes.html": render_sizes(
-            table, {number: path.name for number, path in mannequins.items()}
+            table,
+            {number: path.name for number, path in mannequins.items()},
+            {number: path.name for number, path in bodies.items()},
+            words,
         ),
-        "sizes.csv": _sizes_csv(table),
+        "sizes.csv": _sizes_csv(table, words),
         "controls.csv": _controls_csv(table),
     }
-    return (*write_files(place, contents), *mannequins.values())
+    return (*write_files(place, contents), *mannequins.values(), *bodies.values())
+
+
+def _made(
+    table: SizeTable, folder: Path, made: Mapping[str, Atlas | str]
+) -> tuple[dict[int, Path], list[str]]:
+    """Write the bodies that were made; return them by the sizes' numbers, and words on each."""
+    written, words = {}, []
+    for number, size in enumerate(table.sizes):
+        found = made.get(size.name, "none was made")
+        words.append(found if isinstance(found, str) else "")
+        if isinstance(found, Atlas):
+            path = folder / MANNEQUINS / f"{_stem(size)}-made.atlas"
+            make_folder(path.parent)
+            write_atlas(found, path)
+            written[number] = path
+    return written, words
+
+
+def _stem(size: Size) -> str:
+    return size.name.replace("/", "-")
 
 
 def _mannequins(table: SizeTable, folder: Path) -> dict[int, Path]:
@@ -79,7 +113,7 @@ def _mannequins(table: SizeTable, folder: Path) -> dict[int, Path]:
     # In the order of the survey, in which they are read the fastest.
     for number in sorted(range(len(table.sizes)), key=lambda each: table.sizes[each].mannequin):
         size = table.sizes[number]
-        path = folder / MANNEQUINS / f"{size.name.replace('/', '-')}.atlas"
+        path = folder / MANNEQUINS / f"{_stem(size)}.atlas"
         try:
             atlas = again.atlas(subjects[size.mannequin], sources[size.mannequin])
         except BodymeasureError:
@@ -90,19 +124,21 @@ def _mannequins(table: SizeTable, folder: Path) -> dict[int, Path]:
     return dict(sorted(written.items()))
 
 
-def _sizes_csv(table: SizeTable) -> bytes:
+def _sizes_csv(table: SizeTable, made: Sequence[str]) -> bytes:
     keys = [column.key for column in table.keys]
     columns = ["size", *keys]
     columns += [f"{key}_{end}" for key in keys for end in ("from", "to")]
     columns += ["bodies", "part", "together", "mannequin", "source", "distance"]
+    columns += ["not_made"] if made else []
     rows: list[list[object]] = []
-    for size in table.sizes:
+    for number, size in enumerate(table.sizes):
         row: list[object] = [size.name, *size.center.values()]
         for key, center in size.center.items():
             half = 0.5 * table.steps[key]
             row += [center - half, center + half]
         row += [size.bodies, size.part, size.together, table.survey.subjects[size.mannequin]]
-        rows.append([*row, table.survey.sources[size.mannequin], size.distance])
+        row += [table.survey.sources[size.mannequin], size.distance]
+        rows.append([*row, made[number]] if made else row)
     return csv_bytes(columns, rows)
 
 
@@ -116,14 +152,21 @@ def _controls_csv(table: SizeTable) -> bytes:
     return csv_bytes(("size", "key", "unit", "bodies", "mean", "deviation"), rows)
 
 
-def render_sizes(table: SizeTable, mannequins: dict[int, str]) -> bytes:
+def render_sizes(
+    table: SizeTable,
+    mannequins: Mapping[int, str],
+    bodies: Mapping[int, str] | None = None,
+    words: Sequence[str] = (),
+) -> bytes:
     """Return the page of a table of sizes, which loads nothing else.
 
     Parameters
     ----------
     table : SizeTable
-    mannequins : dict of int to str
-        The files of the mannequins by the numbers of the sizes.
+    mannequins, bodies : mapping of int to str
+        The files of the mannequins, and of bodies that were made, by the numbers of the sizes.
+    words : sequence of str
+        Why no body was made for each size, empty where one was; none if that was not asked for.
 
     Raises
     ------
@@ -141,6 +184,8 @@ def render_sizes(table: SizeTable, mannequins: dict[int, str]) -> bytes:
         "table": table,
         "subjects": [survey.subjects[size.mannequin] for size in table.sizes],
         "mannequins": mannequins,
+        "bodies": bodies or {},
+        "words": words,
         "folder": MANNEQUINS,
         "controls": controls,
         "unit_name": UNIT_NAMES[survey.unit],
