@@ -37,6 +37,8 @@ FEWEST, MOST = 3, 40
 MOST_ROUNDS = 15
 # In millimeters: a miss worth a warning is larger than what a tape can tell.
 MISSED = 1.0
+# In tolerances: the same, where the tolerance is wide.
+LOOSE = 3.0
 # In standard deviations: bodies of the space have no larger coefficients.
 FAR = 4.5
 
@@ -265,6 +267,8 @@ def _after(
     words = []
     miss = np.abs(solution.readout.values - wanted.values)
     limit = np.where(wanted.degrees, DEGREES_FOR_MM * MISSED, 1e-3 * MISSED)
+    # What was to be met less closely may be missed by more.
+    limit = np.maximum(limit, LOOSE * wanted.tolerance)
     for row in np.argsort(-miss / limit).tolist():
         if miss[row] > limit[row]:
             value = values[row]

@@ -71,5 +71,5 @@ def test_sizes_need_names_of_their_own(tmp_path: Path) -> None:
         bm.make_sizes([*sizes, *sizes])
     path.write_text("size,bust (cm),waist (cm),hip (cm)\n36,84,38,93\n")
     sizes = bm.read_measurements(path)
-    with pytest.raises(InputError, match="36: no body is likely"):
+    with pytest.raises(InputError, match="36: waist_girth does not go with"):
         bm.make_sizes(sizes)

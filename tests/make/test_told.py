@@ -22,6 +22,14 @@ from bodymeasure.make.input.measurements import Value
 POSSIBLE = Path(__file__).parents[1] / "data" / "make" / "possible_sets.json"
 
 
+# German women's sizes from 32 to 54, in centimeters.
+SIZES = (
+    (76, 60, 86), (80, 64, 90), (84, 68, 94), (88, 72, 97), (92, 76, 100), (96, 80, 103),
+    (100, 84, 106), (104, 88, 109), (110, 94.5, 114), (116, 101, 119), (122, 107.5, 124),
+    (128, 114, 129),
+)  # fmt: skip
+
+
 @cache
 def _mean() -> dict[str, tuple[float, np.ndarray]]:
     """The mean body's measurements and their derivatives, of all that the sets hold."""
@@ -63,6 +71,15 @@ def test_impossible_sets_are_told_with_the_culprit(one: Impossible) -> None:
 def test_possible_sets_are_not_refused() -> None:
     assert len(_possible()) == 100
     assert sum(bool(_told(one).refusal) for one in _possible()) <= 2
+
+
+@pytest.mark.parametrize(("bust", "waist", "hip"), SIZES)
+def test_sizes_that_are_sold_are_not_refused(bust: float, waist: float, hip: float) -> None:
+    sold = {"bust_girth": bust, "waist_girth": waist, "hip_girth": hip, "stature": 168.0}
+    found = _told(sold)
+    assert not found.refusal
+    # The largest are rare in the space, and that is said.
+    assert bool(found.warnings) == (bust > 110.0)
 
 
 def test_a_value_on_the_border_warns_and_says_what_would_be_usual() -> None:
