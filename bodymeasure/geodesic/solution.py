@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure.geodesic.closer_bounds import closer_bounds
 from bodymeasure.geodesic.lengths.arc_length_times import checked_times
 from bodymeasure.geodesic.proofs.bounds import Bounds
 from bodymeasure.geodesic.proofs.curvature import CurvatureBounds
@@ -145,17 +146,24 @@ class GeodesicSolution:
 
         They hold by theorem, whatever the computed path is like, but for one thing: its geodesic
         curvature is sampled, at more points than it was found from, and 5 % are added for what lies
-        between them (see the page "proofs" of the documentation; `enclose` samples nothing). They
-        are the closer, the smaller `residual` is: 20 functions (``RBFCollocation(functions=20)``)
-        bring most of them to rounding. Where the theorem says nothing, as of paths along an edge,
-        the distance in space is the lower bound. NaN where there is no length, and on surfaces that
-        are no polynomial patches.
+        between them (see the page "proofs" of the documentation; `enclose` samples nothing). Where
+        the computed path gives wide bounds, finer paths are found for them, when this is first
+        asked for. Where the theorem says nothing, as of paths along an edge, the distance in space
+        is the lower bound. NaN where there is no length, and on surfaces that are no polynomial
+        patches.
         """
         count = int(np.prod(self.shape))
         lower, upper = np.full((2, count), np.nan)
         if self.patches is not None:
             with one_blas_thread():
-                lower, upper = self.patches.bounds(self.batches, self._curvature)
+                status = np.asarray(self.status, dtype=object).ravel()
+                lower, upper = closer_bounds(
+                    self.patches,
+                    self.batches,
+                    (self.start.reshape(-1, 2), self.end.reshape(-1, 2)),
+                    self._curvature,
+                    np.array([each is Status.CONVERGED for each in status], bool),
+                )
         none = np.isnan(self._upper)
         return Bounds(*(self._shaped(np.where(none, np.nan, each)) for each in (lower, upper)))
 

@@ -30,7 +30,7 @@ MORE_POINTS = 8
 # On random patches, four times as many points find at most 1 % more.
 BETWEEN = 1.05
 # The rounding errors of a sum that gives a length, relative to it.
-ROUNDING = 3e-16
+ROUNDING = 2.5e-16
 # By how much two such sums of the same length differ.
 NOISE = 5e-16
 # How far outside (u, v) in [0, 1] rounding puts a path along an edge.

@@ -48,7 +48,8 @@ class PatchesOfPaths:
         return to_numpy(self.control_points)
 
     @cached_property
-    def _surfaces(self) -> BezierSurfaces:
+    def surfaces(self) -> BezierSurfaces:
+        """The patches as surfaces that the solver can use."""
         return BezierSurfaces(self.nets)
 
     def take(self, paths: Ints) -> "PatchesOfPaths":
@@ -84,7 +85,7 @@ class PatchesOfPaths:
         k = np.where(has_little_curvature(curvature), curvature.curvature, np.nan)
         for batch in batches:
             here, (first, last) = batch.problems, (batch.values[:, :, end] for end in (0, -1))
-            surface = self._surfaces.take(self.surface_of[here])
+            surface = self.surfaces.take(self.surface_of[here])
             ends = surface.positions(np.stack([first, last], axis=1))
             distance = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1)
             if batch.contacts:

@@ -17,6 +17,8 @@ from bodymeasure.geodesic import GeodesicSolution
 
 BODIES = ("female_average", "female_heavy", "female_old", "female_full_bust", "male_average")
 REPEATS = 3
+# With so many functions, lengths are between their bounds to the last bit.
+FINE = 20
 
 
 def row(name: str, solution: GeodesicSolution) -> None:
@@ -48,7 +50,10 @@ def width(name: str, body: bm.Atlas, functions: int | None) -> None:
         lower, upper = solution.bounds
         seconds.append(solved + time.process_time() - begin)
     known = solution.converged
-    outside = (lower > solution.length) | (upper < solution.length)
+    # Computed lengths are known up to their error estimates.
+    outside = np.maximum(lower - solution.length, solution.length - upper) > (
+        0.0 if functions == FINE else solution.error_estimate
+    )
     relative = upper / lower - 1.0
     every = np.quantile(relative[known], [0.5, 0.95])
     print(
@@ -64,7 +69,7 @@ def main() -> None:
     for name in BODIES:
         body = bm.load_sample(name)
         row(name, bm.diagonals(body, on_failure="status"))
-        for functions in (None, 12, 16, 20):
+        for functions in (None, 12, FINE):
             width(name, body, functions)
     rng = np.random.default_rng(1)
     kinds = {
