@@ -72,6 +72,11 @@ class TrialSpace:
         return self.matrices(self.quadrature.points)
 
     @cached_property
+    def at_ends(self) -> Array:
+        """The maps of `matrices` at both ends."""
+        return self.matrices([0.0, 1.0])
+
+    @cached_property
     def with_lines(self) -> "TrialSpace":
         """The space, on the same nodes, of straight lines plus functions that vanish at the ends.
 

@@ -121,7 +121,11 @@ def joint_jumps(refined: RefinedPath) -> Array:
 
     Shape (crossings,); zero where the crossing counts for nothing.
     """
-    crossings = _crossings(refined, refined.lengths < STRAIGHT * refined.lengths.sum())
+    return _jumps(_crossings(refined, refined.lengths < STRAIGHT * refined.lengths.sum()))
+
+
+def _jumps(crossings: "_Crossings") -> Array:
+    """Return what `joint_jumps` does, of crossings that are known."""
     length = np.linalg.norm(crossings.seam, axis=1)
     count = crossings.movable & ~crossings.short & (length > 0.0)
     jumps = np.abs(crossings.difference) / np.where(count, length, 1.0)
@@ -194,7 +198,7 @@ class _Crossings(NamedTuple):
 
 def _crossings(refined: RefinedPath, short: Bools) -> _Crossings:
     problem = refined.problem
-    slopes = problem.space.matrices([0.0, 1.0])[1]
+    _, slopes, _ = problem.space.at_ends
     moved = refined.values - refined.values[:, :, :1]
     ends = refined.values[:, :, [0, -1]].transpose(0, 2, 1)
     _, s_u, s_v = problem.surface.jet(ends, 1)
@@ -224,7 +228,7 @@ def _of_path(refined: RefinedPath, crossings: _Crossings) -> tuple[float, float]
     The difference is that of the unit tangents' components along a seam. The excess is infinite
     where the path is no minimum.
     """
-    jump = joint_jumps(refined)
+    jump = _jumps(crossings)
     right = np.zeros(refined.problem.count)
     right[refined.problem.joints] = np.where(crossings.movable, crossings.difference, 0.0)
     free = ~(refined.minimum.held | refined.problem.idle)

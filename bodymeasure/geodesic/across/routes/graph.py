@@ -121,9 +121,17 @@ class PatchGraph:
 
     def edges_between(self, vertex: int, other: int) -> list[int]:
         """Return the vertices along edges of the mesh on which a step leads to another vertex."""
-        begins, others = self._ends_of_steps
-        step = bisect_left(others, other, begins[vertex], begins[vertex + 1])
-        return self._between(*self.grid[step].tolist())
+        known = self._edges.get((vertex, other))
+        if known is None:
+            begins, others = self._ends_of_steps
+            step = bisect_left(others, other, begins[vertex], begins[vertex + 1])
+            known = self._edges[vertex, other] = self._between(*self.grid[step].tolist())
+        return known
+
+    @cached_property
+    def _edges(self) -> dict[tuple[int, int], list[int]]:
+        """What `edges_between` found, for at most every step of the graph."""
+        return {}
 
     @cached_property
     def _ends_of_steps(self) -> tuple[list[int], list[int]]:

@@ -135,8 +135,13 @@ def _outside_corners(route: Route) -> int:
 
 def _corners(route: Route) -> list[tuple[AtlasPoint | None, AtlasPoint | None]]:
     """The corners of both patches that each crossing is near to; None where it is near to none."""
-    result = []
-    for points in route.crossed:
+    result: list[tuple[AtlasPoint | None, AtlasPoint | None]] = []
+    for number, crossing in enumerate(route.crossings):
+        along = route.along[number]
+        if crossing.within is None and NEAR_CORNER < along < 1.0 - NEAR_CORNER:
+            result.append((None, None))
+            continue
+        points = route.crossed[number]
         nearest = [AtlasPoint(p.patch, float(round(p.u)), float(round(p.v))) for p in points]
         before, after = (
             corner if max(abs(p.u - corner.u), abs(p.v - corner.v)) <= NEAR_CORNER else None

@@ -333,6 +333,8 @@ def _wanted(search: Search, best: RefinedPath) -> Iterator[Route | PathPart]:
 def _on_boundary(neighbors: Neighbors, refined: RefinedPath) -> bool:
     """Return whether an edge without a neighbor holds a path."""
     held, values = refined.held_nodes, refined.values[:, :, 1:-1]
+    if not held.any():
+        return False
     for piece, patch in enumerate(refined.problem.route.patches):
         for side, edge in enumerate(EDGES):
             axis = edge.fixed_axis

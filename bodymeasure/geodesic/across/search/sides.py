@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.seams import AXIS, EDGES, VALUE
 from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors, Step, on_side
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.across.routes.route import Route
@@ -45,8 +45,10 @@ def seam_runs(neighbors: Neighbors, refined: RefinedPath) -> list[SeamRun]:
     goes_on = False
     # Within a corner a piece is beside two seams, whichever it runs along.
     moved = np.ptp(refined.values, axis=2).max(axis=1)
+    apart = np.abs(refined.values[:, AXIS] - VALUE[:, None]).max(axis=2)
+    beside = apart <= ALONG_SEAM
     for piece in np.flatnonzero((refined.lengths > 0.0) & (moved > ALONG_SEAM)).tolist():
-        side = _seam(neighbors, refined, piece)
+        side = _seam(neighbors, refined, piece, np.flatnonzero(beside[piece]).tolist())
         if side is not None:
             first, sides = runs.pop()[::2] if goes_on else (piece, [])
             runs.append(SeamRun(first, piece, [*sides, side]))
@@ -63,14 +65,15 @@ def one_sided(neighbors: Neighbors, route: Route, runs: Sequence[SeamRun]) -> It
                 yield found
 
 
-def _seam(neighbors: Neighbors, refined: RefinedPath, piece: int) -> _Side | None:
-    """The seam along which a piece runs; None if it runs along none."""
+def _seam(
+    neighbors: Neighbors, refined: RefinedPath, piece: int, sides: Sequence[int]
+) -> _Side | None:
+    """The seam along which a piece runs, of the sides beside which it is; None if along none."""
     patch, values = refined.problem.route.patches[piece], refined.values[piece]
-    for number, edge in enumerate(EDGES):
-        apart = np.abs(values[edge.fixed_axis] - edge.fixed_value).max()
+    for number in sides:
         crossings = neighbors.over.get((patch, number), ())
-        if apart <= ALONG_SEAM and len(crossings) == 1:
-            enter, leave = values[1 - edge.fixed_axis, [0, -1]].tolist()
+        if len(crossings) == 1:
+            enter, leave = values[1 - EDGES[number].fixed_axis, [0, -1]].tolist()
             return _Side(crossings[0].edge, patch, number, enter, leave)
     return None
 
