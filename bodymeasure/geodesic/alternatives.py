@@ -19,7 +19,7 @@ from bodymeasure.geodesic.across.routes.via_pairs import via_pairs
 from bodymeasure.geodesic.across.routes.ways import along_way, way_through
 from bodymeasure.geodesic.across.search.ends import checked_points
 from bodymeasure.geodesic.across.search.leg import leg_along
-from bodymeasure.geodesic.across.search.search import SHORTER
+from bodymeasure.geodesic.across.search.repair import SHORTER
 from bodymeasure.threads import one_blas_thread
 
 # Two paths count as one if they are nowhere farther apart, at equal parts of their lengths, than

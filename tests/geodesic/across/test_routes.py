@@ -16,7 +16,7 @@ from bodymeasure.geodesic.across.routes.mesh import RouteMesh
 from bodymeasure.geodesic.across.routes.reading import route_of
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.routes.ways import first_ways
-from bodymeasure.geodesic.across.search.repair import other_routes
+from bodymeasure.geodesic.across.search.other_routes import other_routes
 from bodymeasure.geodesic.across.search.search import shortest_along
 from bodymeasure.geodesic.numerics.banded import banded_product, solve_free
 from bodymeasure.geodesic.numerics.box_newton import SecondOrder, minimize_in_box

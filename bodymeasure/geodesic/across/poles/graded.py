@@ -13,7 +13,8 @@ from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.across.poles.course import Course, course_along
 from bodymeasure.geodesic.across.poles.cuts import FIRST, cut, refined_cut
 from bodymeasure.geodesic.across.search.leg import Ends
-from bodymeasure.geodesic.across.search.search import GOOD_ENOUGH, TOLERANCE
+from bodymeasure.geodesic.across.search.repair import TOLERANCE
+from bodymeasure.geodesic.across.search.search import GOOD_ENOUGH
 from bodymeasure.geodesic.status import Status
 
 # Degrees of the polynomials on each part of a path that is cut, tried in turn. A path is cut anew

@@ -21,7 +21,8 @@ from bodymeasure.geodesic.across.poles.layout import past_pole
 from bodymeasure.geodesic.across.poles.pole_to_pole import between_poles
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.leg import Ends, first_routes, leg_along, shortest_leg
-from bodymeasure.geodesic.across.search.search import GOOD_ENOUGH, TOLERANCE, Search, repaired
+from bodymeasure.geodesic.across.search.repair import TOLERANCE, Search, repaired
+from bodymeasure.geodesic.across.search.search import GOOD_ENOUGH
 from bodymeasure.geodesic.across.search.tried import TriedRoutes
 from bodymeasure.geodesic.lengths.length import TRUSTED_CORRECTION
 from bodymeasure.geodesic.status import Status

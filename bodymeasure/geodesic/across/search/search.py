@@ -10,16 +10,14 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.errors import InputError
-from bodymeasure.geodesic.across.contact.solve import held_path
 from bodymeasure.geodesic.across.pieces.budget import LOOP, PATH, Budget
 from bodymeasure.geodesic.across.pieces.cutting import cut_until_known
 from bodymeasure.geodesic.across.pieces.error import LoopKind, route_length
 from bodymeasure.geodesic.across.pieces.part import PathPart
-from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
+from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.off_saddle import beside_saddle
-from bodymeasure.geodesic.across.search.repair import detours, other_loops, other_routes
-from bodymeasure.geodesic.across.search.simpler import ROUNDING, simplified
+from bodymeasure.geodesic.across.search.repair import NO_LOOP, TOLERANCE, Search, repaired
 from bodymeasure.geodesic.across.search.tried import TriedRoutes
 from bodymeasure.geodesic.status import Status
 from bodymeasure.trust import NEGLIGIBLE
@@ -34,24 +32,17 @@ LAST_OVERDRAWN = 16
 # body, where patches bend sharply, is cut. Higher degrees are only for those that this does not
 # help either.
 ORDINARY = 32
-# The relative error that is wanted for a length, and the one that is good enough if the last degree
-# has not met it, as where patches bend sharply near a corner.
-TOLERANCE, GOOD_ENOUGH = 1e-9, 1e-6
+# The relative error that is good enough if the last degree has not met the one that is wanted, as
+# where patches bend sharply near a corner.
+GOOD_ENOUGH = 1e-6
 # An error that a higher degree leaves above this part of itself stays.
 STALLS = 0.5
-# Which edges hold a path is read off at degrees up to this: where it cannot be, it hardly can at
-# higher ones.
-HIGHEST_READ = 12
 # A route whose path is longer by this part than the shortest so far is not repaired: that makes a
 # path shorter by less.
 HOPELESS = 5e-3
 # Paths that are longer at the lowest degree by up to this part of the shortest may be shorter yet,
 # but not one that is within rounding of another: mostly it is the same. So many are taken further.
 CLOSE, SAME, MOST_RIVALS = 1e-4, 1e-9, 3
-# A route is better if its path is shorter by this part of it: smaller differences are errors of the
-# trial space, which are smaller from a degree on. One with fewer crossings is better if it is not
-# longer by more than `ROUNDING`.
-SHORTER, FINE, SHORTER_FINE = 1e-9, 16, 1e-11
 # Where a path runs along an edge it is no geodesic, and polynomials do not bend as sharply as it
 # does. Its error is then estimated as this many times the largest difference of its lengths at the
 # last three degrees.
@@ -59,10 +50,6 @@ CONTACT_SAFETY = 4.0
 CONTACT_TOLERANCE = 1e-4
 # A loop below this part of the length of the first one has contracted to a point.
 COLLAPSED = 1e-3
-NO_LOOP = (
-    "the loop contracts to a point: it goes round no part of the body; choose one round the trunk "
-    "or a limb"
-)
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,21 +120,6 @@ def shortest_along(
     if best.status is Status.NOT_A_MINIMUM and not closed:
         return min((best, *_beside(search, best)), key=_preference)
     return best
-
-
-class Search(NamedTuple):
-    """The data that all steps of a search need: `size` is about the length of the path."""
-
-    atlas: Atlas
-    neighbors: Neighbors
-    size: float
-    budget: Budget
-
-    def refined(self, route: Route, degree: int, before: RefinedPath | None = None) -> RefinedPath:
-        """Return the path along a route; the work is counted."""
-        result = refine(self.atlas, route, degree, self.size, before)
-        self.budget.spend(result)
-        return result
 
 
 class _Begun(NamedTuple):
@@ -267,67 +239,6 @@ def _along(search: Search, begun: _Begun) -> SearchResult:
     else:
         status = Status.ON_BOUNDARY if contact else Status.CONVERGED
     return SearchResult(best, part, kind, status)
-
-
-def repaired(
-    search: Search, best: RefinedPath, tried: TriedRoutes
-) -> tuple[RefinedPath, float, PathPart | None]:
-    """Try other routes as long as the path gets shorter.
-
-    Parameters
-    ----------
-    search : Search
-    best : RefinedPath
-        The best path so far.
-    tried : TriedRoutes
-        Routes that are not tried again; those that are tried are added.
-
-    Returns
-    -------
-    best : RefinedPath
-        The best path now.
-    missed : float
-        The largest amount by which another path was shorter, but not by enough to be better.
-    held : PathPart or None
-        The path of legs and arcs, if edges hold it from all sides, so that it needs no neighbor.
-    """
-    degree, missed, improved = best.problem.space.size, 0.0, True
-    while improved:
-        improved, best = False, simplified(best, search.budget)
-        for route in _wanted(search, best):
-            if isinstance(route, PathPart):
-                return best, missed, route
-            if route.closed and not route.crossings:
-                raise InputError(NO_LOOP)
-            if route in tried:
-                continue
-            if search.budget.has_run_out():
-                return best, missed, None
-            other = search.refined(route, degree)
-            tried.add(route, other.route)
-            simpler = len(route.crossings) < len(best.problem.route.crossings)
-            least = SHORTER_FINE if degree >= FINE and not route.closed else SHORTER
-            margin = 1.0 + ROUNDING if simpler else 1.0 - least
-            if other.length < best.length * margin:
-                best, improved, missed = other, True, 0.0
-                break
-            missed = max(missed, best.length - other.length)
-    return best, missed, None
-
-
-def _wanted(search: Search, best: RefinedPath) -> Iterator[Route | PathPart]:
-    """Routes that may be shorter, and among them the path itself where edges hold it."""
-    atlas, neighbors = search.atlas, search.neighbors
-    if best.problem.route.closed:
-        yield from other_loops(neighbors, best)
-        return
-    yield from other_routes(neighbors, best)
-    if best.held_nodes.any() and best.problem.space.size <= HIGHEST_READ:
-        search.budget.spend_held(best)
-        held = held_path(atlas, neighbors, best, TOLERANCE)
-        if held is not None:
-            yield held
-    yield from (best.route.replaced(*change) for change in detours(neighbors, best))
 
 
 def _on_boundary(neighbors: Neighbors, refined: RefinedPath) -> bool:

@@ -1,0 +1,206 @@
+"""Other routes that may be shorter than that of a refined path or loop.
+
+Where an edge or a corner holds the path, it would be shorter on the other side. A change of a route
+is given by the first crossing that is replaced, the one before which the replaced ones end, and the
+crossings that are put in their place (`Route.replaced`).
+"""
+
+from collections.abc import Collection, Iterator, Sequence
+
+import numpy as np
+
+from bodymeasure._typing import Bools
+from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors
+from bodymeasure.geodesic.across.pieces.refine import RefinedPath
+from bodymeasure.geodesic.across.routes.route import Route
+from bodymeasure.geodesic.across.search.sides import one_sided, seam_runs
+
+# A piece below this part of the path's length may be one too many.
+SHORT = 1e-3
+# A path that crosses a seam this near to a corner, in the parameter of the seam, may have to pass
+# the corner on the other side.
+NEAR_CORNER = 1e-2
+# A piece that could be shorter by no more than this part of the path needs no neighbor. That is so
+# where a piece runs along a seam from which the surface falls equally on both sides.
+WORTHWHILE = 1e-10
+# A path that is farther outside its patch than this, between its nodes, lacks a neighbor.
+OUTSIDE = 1e-9
+
+Change = tuple[int, int, Sequence[tuple[Crossing, float]]]
+
+
+def other_routes(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
+    """Yield routes over the same seams or fewer that may be shorter, the likeliest first.
+
+    Those over further patches are `detours`.
+    """
+    route = refined.route
+    yield from _without_empty_ends(neighbors, refined)
+    yield from _without_returns(refined)
+    runs = seam_runs(neighbors, refined)
+    yield from one_sided(neighbors, route, runs)
+    # The path passes the corners between the seams along which it runs.
+    passed = {number for run in runs for number in range(run.first, run.last)}
+    yield from (route.replaced(*change) for change in _round_corners(neighbors, route, passed))
+
+
+def other_loops(neighbors: Neighbors, loop: RefinedPath) -> Iterator[Route]:
+    """Yield routes that may be shorter than a loop's, the likeliest first.
+
+    A loop that slides over the body is held by many corners at once, and by none once it has passed
+    them. So all corners are passed together at first, then one by one.
+    """
+    first = _outside_corners(loop.route)
+    route = loop.route.begun_at(first)
+    held = np.roll(loop.minimum.held[loop.problem.joints], -first)
+    corners = list(_round_corners(neighbors, route))
+    yield from _all_at_once(route, [change for change in corners if held[slice(*change[:2])].any()])
+    yield from _without_returns(loop)
+    changes = list(detours(neighbors, loop))
+    yield from _all_at_once(loop.route, changes)
+    yield from (loop.route.replaced(*change) for change in changes)
+    yield from (route.replaced(*change) for change in corners)
+
+
+def _without_empty_ends(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
+    """Routes without a first or last piece that has no length, since its end lies on the seam."""
+    route, total = refined.route, refined.lengths.sum()
+    if route.ends is None or not route.crossings:
+        return
+    start, end = route.ends
+    if refined.lengths[0] < SHORT * total:
+        for step in neighbors.steps(start):
+            if step.crossing == route.crossings[0]:
+                yield Route((step.place, end), route.crossings[1:], route.along[1:])
+    if refined.lengths[-1] < SHORT * total:
+        for step in neighbors.steps(end):
+            if step.crossing == _back(route.crossings[-1], route.patches[-2]):
+                yield Route((start, step.place), route.crossings[:-1], route.along[:-1])
+
+
+def _back(crossing: Crossing, patch: int) -> Crossing:
+    """The crossing of the same seam back to the patch that it leaves."""
+    return Crossing(crossing.edge, crossing.to_side, crossing.from_side, patch, crossing.flipped)
+
+
+def _without_returns(refined: RefinedPath) -> Iterator[Route]:
+    """Routes without a piece that only goes over a seam and comes back."""
+    route = refined.route
+    patches, count = route.patches, len(route.crossings)
+    for piece in range(0 if route.closed else 1, count):
+        enter = piece if route.closed else piece - 1
+        leave = (enter + 1) % count
+        same_edge = route.crossings[enter].edge == route.crossings[leave].edge
+        returns = same_edge and patches[piece - 1] == patches[(piece + 1) % len(patches)]
+        if count > 1 and returns and refined.lengths[piece] < SHORT * refined.lengths.sum():
+            # The two crossings of a loop may be its last and its first: it is begun at them.
+            begun = route.begun_at(enter) if route.closed else route
+            first = 0 if route.closed else enter
+            yield begun.replaced(first, first + 2)
+
+
+def _round_corners(
+    neighbors: Neighbors, route: Route, passed: Collection[int] = ()
+) -> Iterator[Change]:
+    """Ways round the other side of corners that a path nearly runs into, but for those passed."""
+    corners = _corners(route)
+    first, count = 0, len(corners)
+    while first < count:
+        leave, _ = corners[first]
+        if leave is None or first in passed:
+            first += 1
+            continue
+        last = first
+        while last + 1 < count and corners[last][1] == corners[last + 1][0] is not None:
+            last += 1
+        _, enter = corners[last]
+        current = route.crossings[first : last + 1]
+        for way in neighbors.ways(leave, enter) if enter else ():
+            if tuple(step.crossing for step in way) != current:
+                yield first, last + 1, [step[:2] for step in way]
+        first = last + 1
+
+
+def _outside_corners(route: Route) -> int:
+    """The number of a crossing before which a loop does not stay in a corner."""
+    corners = _corners(route)
+    for number, (leave, _) in enumerate(corners):
+        _, enter = corners[number - 1]
+        if enter is None or enter != leave:
+            return number
+    return 0
+
+
+def _corners(route: Route) -> list[tuple[AtlasPoint | None, AtlasPoint | None]]:
+    """The corners of both patches that each crossing is near to; None where it is near to none."""
+    result: list[tuple[AtlasPoint | None, AtlasPoint | None]] = []
+    for number, crossing in enumerate(route.crossings):
+        along = route.along[number]
+        if crossing.within is None and NEAR_CORNER < along < 1.0 - NEAR_CORNER:
+            result.append((None, None))
+            continue
+        points = route.crossed[number]
+        nearest = [AtlasPoint(p.patch, float(round(p.u)), float(round(p.v))) for p in points]
+        before, after = (
+            corner if max(abs(p.u - corner.u), abs(p.v - corner.v)) <= NEAR_CORNER else None
+            for p, corner in zip(points, nearest, strict=True)
+        )
+        result.append((before, after))
+    return result
+
+
+def detours(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Change]:
+    """Yield ways over the neighbor behind an edge.
+
+    The edge holds the path, or the path passes it between its nodes.
+    """
+    route, space, values = refined.route, refined.problem.space, refined.values
+    times = np.concatenate([space.nodes[1:-1], space.times_between])
+    order = np.argsort(times, kind="stable")
+    samples = values @ space.between_nodes.T
+    held = refined.held_nodes
+    # The gain is how much shorter each piece could be if nothing held it.
+    gain = np.abs(refined.by_piece.correction)
+    for piece in np.flatnonzero(~(gain < WORTHWHILE * refined.lengths.sum())).tolist():
+        patch = route.patches[piece]
+        # The number of the crossing that leaves the piece.
+        leaving = piece + route.closed
+        for side, edge in enumerate(EDGES):
+            crossings = neighbors.over.get((patch, side), ())
+            axis, value = edge.fixed_axis, edge.fixed_value
+            beyond = (samples[piece, axis] - value) * (2.0 * value - 1.0) > OUTSIDE
+            on_edge = held[piece, axis] & (values[piece, axis, 1:-1] == value)
+            runs = _runs(np.concatenate([on_edge, beyond])[order]) if crossings else []
+            for first, last in runs[:1] if route.closed else runs:
+                ends = times[order][[max(first - 1, 0), min(last + 1, len(times) - 1)]]
+                along = space.functions.values(ends) @ values[piece, 1 - axis]
+                leave, enter = np.clip(along, 0.0, 1.0).tolist()
+                for crossing in crossings:
+                    there = 1.0 - enter if crossing.flipped else enter
+                    yield leaving, leaving, [(crossing, leave), (_back(crossing, patch), there)]
+
+
+def _runs(mask: Bools) -> list[tuple[int, int]]:
+    """The first and the last of all true values, then of each run of them if there are several.
+
+    A polynomial that is held at its nodes oscillates about the edge, so that its runs mostly belong
+    together.
+    """
+    changes = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(np.int8)))
+    runs = [(int(first), int(last) - 1) for first, last in changes.reshape(-1, 2)]
+    return [(runs[0][0], runs[-1][1]), *runs] if len(runs) > 1 else runs
+
+
+def _all_at_once(route: Route, changes: list[Change]) -> Iterator[Route]:
+    """The route with the first change of each group that overlaps, if there are several groups."""
+    chosen: list[Change] = []
+    for change in changes:
+        first, *_ = change
+        if not chosen or (first >= chosen[-1][1] and first > chosen[-1][0]):
+            chosen.append(change)
+    if len(chosen) > 1:
+        for change in reversed(chosen):
+            route = route.replaced(*change)
+        yield route
