@@ -180,13 +180,21 @@ def test_workers_with_other_versions_are_refused() -> None:
         def run(self, function: Any, *arguments: Any) -> dict[str, dict[str, str]]:
             return {"tcp://host:1": {**function(*arguments), "numpy": "0.1"}} if self.there else {}
 
-        there = True
+        def run_on_scheduler(self, function: Any, *arguments: Any) -> Any:
+            if not self.loads:
+                raise RuntimeError("No module named 'bodymeasure'")
+            return function(*arguments)
+
+        there = loads = True
 
     client: Any = Other()
     with pytest.raises(
         InputError, match=r"the worker tcp://host:1 has numpy 0.1, and this process"
     ):
         reasons(Cluster(client), "")
-    client.there = False
+    client.loads = False
+    with pytest.raises(InputError, match="the scheduler or a worker cannot load bodymeasure"):
+        reasons(Cluster(client), "")
+    client.loads, client.there = True, False
     with pytest.raises(InputError, match="the scheduler has no worker"):
         reasons(Cluster(client), "")

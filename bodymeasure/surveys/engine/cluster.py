@@ -33,6 +33,10 @@ class Client(Protocol):
         """Call a function on every worker."""
         ...
 
+    def run_on_scheduler(self, function: Any, *args: Any, **kwargs: Any) -> Any:
+        """Call a function on the scheduler."""
+        ...
+
     def nthreads(self) -> Mapping[str, int]:
         """Return the number of threads of each worker."""
         ...
@@ -110,7 +114,15 @@ class Cluster:
 
     def _require_same_versions(self) -> None:
         mine = package_versions(PACKAGES)
-        found: dict[str, dict[str, str]] = self._client.run(package_versions, PACKAGES)
+        try:
+            self._client.run_on_scheduler(package_versions, PACKAGES)
+            found: dict[str, dict[str, str]] = self._client.run(package_versions, PACKAGES)
+        except Exception as error:
+            # Whatever Dask makes of a module that is not there.
+            raise InputError(
+                f"the scheduler or a worker cannot load bodymeasure ({error}); start all of them "
+                "in environments with the bodymeasure of this process"
+            ) from None
         if not found:
             raise InputError(
                 "the scheduler has no worker; start some with `dask worker SCHEDULER --nthreads 1 "
