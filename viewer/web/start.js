@@ -49,6 +49,12 @@ export function startViewer(root, transport, options = {}) {
 
   messages(app, parts);
   bar(app, parts.bar, actions);
+  // Before the legend is drawn, which shows the scale of the lines as they are colored then.
+  const themed = () => {
+    root.dataset.theme = app.settings.theme;
+    viewport?.setTheme(app.settings.theme);
+  };
+  app.on("settings", themed);
   if (viewport) overlays(app, parts.host, actions);
   const rows = list(app, actions);
   actions.search = () => {
@@ -65,11 +71,6 @@ export function startViewer(root, transport, options = {}) {
   const stopKeys = keys(pages, app, parts.host, actions);
   if (transport.can.open) dropZone(root, actions.open);
 
-  const themed = () => {
-    root.dataset.theme = app.settings.theme;
-    viewport?.setTheme(app.settings.theme);
-  };
-  app.on("settings", themed);
   const dark = matchMedia("(prefers-color-scheme: dark)");
   dark.addEventListener("change", themed);
   root.dataset.theme = app.settings.theme;

@@ -176,6 +176,11 @@ def test_layers(screen: Screen, layer: str) -> None:
     assert np.abs(picture(screen) - before).mean() > 0.05
     if layer == "diagonals":
         assert "Length" in screen.get("legend").inner_text()
+        by_length = picture(screen)
+        screen.get("lines").select_option("proven")
+        assert "not proven" in screen.get("legend").inner_text()
+        assert np.abs(picture(screen) - by_length).mean() > 0.02
+        screen.get("lines").select_option("length")
     box.click()
     screen.until("(state, count) => state.geometries === count", geometries)
 
