@@ -2,7 +2,8 @@
 
 ``python tests/benchmarks/bodies/survey_scaling.py 250 500 --only waist_girth,knee_height`` surveys
 so many bodies of the space of bodies in one process, and the largest number in two. Each survey is
-a process of its own, whose processor time is that of all that it starts.
+a process of its own, whose processor time is that of all that it starts. ``--diagonals 10000``
+measures the diagonals of so many bodies in one call.
 """
 
 import argparse
@@ -51,13 +52,34 @@ def surveyed(path: Path, folder: Path, only: str, processes: int) -> None:
     )
 
 
+def all_diagonals(count: int) -> None:
+    """Measure the diagonals of so many bodies in one call, and print what it cost."""
+    import bodymeasure as bm
+    from bodymeasure.fit.model import atlas_of_vertices, control_points_of, shaped
+
+    rows = SPREAD * np.random.default_rng(17).normal(size=(count, COMPONENTS))
+    index = atlas_of_vertices(shaped(rows[0])).index
+    nets = np.empty((count, *index.shape, 3))
+    for net, row in zip(nets, rows, strict=True):
+        net[...] = control_points_of(shaped(row))[index]
+    begin = time.process_time()
+    found = bm.diagonals_of_bodies(nets)
+    spent = time.process_time() - begin
+    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
+    print(f"{found}: {spent:.1f} s of processors, memory {memory:.0f} MiB")
+
+
 def main() -> None:
     """Survey populations of several sizes."""
     parser = argparse.ArgumentParser()
-    parser.add_argument("counts", type=int, nargs="+")
+    parser.add_argument("counts", type=int, nargs="*")
+    parser.add_argument("--diagonals", type=int, default=0, help="of so many bodies, alone")
     parser.add_argument("--only", default="")
     parser.add_argument("--here", nargs=3)
     given = parser.parse_args()
+    if given.diagonals:
+        all_diagonals(given.diagonals)
+        return
     if given.here:
         path, folder, processes = given.here
         surveyed(Path(path), Path(folder), given.only, int(processes))
