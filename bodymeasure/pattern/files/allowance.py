@@ -74,7 +74,9 @@ def widened(ring: Array, allowance: Array, fold: Array | None = None) -> Any:
     every = [sewn, *(part for part, one, other in parts if one or other)]
     # On a grid, since rounding would leave cracks between strips, which end at the sew line.
     area = shapely.union_all(every, grid_size=GRID)
-    return largest(area if fold is None else shapely.intersection(area, _side_of(fold, area)))
+    return largest(
+        area if fold is None else shapely.intersection(area, _side_of(fold, area), grid_size=GRID)
+    )
 
 
 def _along(ring: Array) -> Array:

@@ -162,3 +162,14 @@ def test_straight_sides_of_many_points_have_smooth_cut_lines(noise: float) -> No
     assert shapely.distance(area.exterior, shapely.points(ring)).min() == pytest.approx(10.0)
     assert area.symmetric_difference(widened(corners, np.full(4, 10.0))).area < 1e-2
     assert len(area.exterior.coords) < 20
+
+
+def test_a_fold_that_rounding_leaves_not_quite_straight_keeps_its_piece() -> None:
+    rng = np.random.default_rng(0)
+    down = np.linspace(561.2481593942016, 0.0, 20)
+    for _ in range(30):
+        fold = np.stack([1e-20 * rng.normal(size=6), down[[-1, 15, 11, 8, 4, 0]]], axis=1)
+        outer = np.stack([-200.0 - 30.0 * np.sin(down / 200.0) - rng.random(20), down], axis=1)
+        ring = np.concatenate([fold, outer])
+        area = widened(ring, np.zeros(len(ring)), fold[[0, -1]])
+        assert shapely.area(area) == pytest.approx(shapely.area(shapely.polygons(ring)), abs=1e-3)
