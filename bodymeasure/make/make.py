@@ -273,8 +273,8 @@ def _after(
         if miss[row] > limit[row]:
             value = values[row]
             words.append(
-                f"{value.key} is missed by {value.written(float(miss[row]), 2)}: the measurements "
-                "contradict each other by so much"
+                f"{value.key} is missed by {value.written(float(miss[row]), 2)}: no body near has "
+                "all of these measurements; they may contradict each other by so much"
             )
     for row, reason in enumerate(solution.readout.reasons):
         if reason:

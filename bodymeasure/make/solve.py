@@ -15,6 +15,9 @@ from bodymeasure.make.body.prior import Prior
 SETTLED, SETTLED_DEGREES = 2e-5, 1e-2
 # A round that changes no value by more than this part of that gains nothing more.
 IDLE = 0.1
+# Rounds after which a value that is still missed is taken for one with a kink, as the largest girth
+# of a stretch is where its place jumps: its derivative is the mean of those on both sides.
+SMOOTH = 3
 # In standard deviations: the most that one round may move a coefficient, beyond which the linear
 # rule does not hold.
 LONGEST = 4.0
@@ -102,6 +105,8 @@ def solved(
         known = np.isfinite(readout.values)
         b = b + step
         before, readout = readout, _with_gaps(measuring.of(b), readout, step)
+        if number > SMOOTH:
+            readout = _smoothed(readout, before, wanted)
         if report is not None:
             report(number)
         miss = np.abs(readout.values - wanted.values)
@@ -125,6 +130,13 @@ def _step(readout: Readout, wanted: Wanted, away: Array, components: int) -> Arr
     step = np.zeros_like(away)
     step[:components] = solution - away[:components]
     return step
+
+
+def _smoothed(found: Readout, before: Readout, wanted: Wanted) -> Readout:
+    """Return measurements whose derivatives, where they are missed, are means of two rounds."""
+    missed = np.abs(found.values - wanted.values) > wanted.settled
+    slopes = np.where(missed[:, None], 0.5 * (found.slopes + before.slopes), found.slopes)
+    return Readout(found.values, slopes, found.reasons)
 
 
 def _with_gaps(found: Readout, before: Readout, step: Array) -> Readout:
