@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -10,7 +9,7 @@ import numpy as np
 from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.graph.equation import linearize, offset_geometry
 from bodymeasure.geodesic.graph.maps import FIELDS, offset_map
-from bodymeasure.geodesic.graph.problems import OffsetProblems
+from bodymeasure.geodesic.graph.problems import OffsetProblems, slices
 from bodymeasure.geodesic.graph.rung import (
     GUESS_STEPS,
     LONGEST_STEP,
@@ -22,17 +21,11 @@ from bodymeasure.geodesic.graph.rung import (
 )
 from bodymeasure.geodesic.lengths.jacobi import length_and_error
 from bodymeasure.geodesic.lengths.measure import is_steep
-from bodymeasure.geodesic.numerics.array_libraries import constant, is_on_cpu, to_numpy
+from bodymeasure.geodesic.numerics.array_libraries import constant, to_numpy
 from bodymeasure.geodesic.numerics.elimination import solve_batch
 from bodymeasure.geodesic.solving.on_spaces import is_far_outside
 from bodymeasure.geodesic.solving.protocol import PathBatch
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
-
-# The number of problems in one array operation: enough to hide the cost of calls, and few enough
-# for the cache.
-CHUNK = 1024
-# The number of problems that are solved at once elsewhere than on the CPU.
-MANY = 16384
 
 
 def guess(problems: OffsetProblems) -> Any:
@@ -76,20 +69,10 @@ def climb(problems: OffsetProblems, rest: Ints, rung: Rung, offset: Any) -> Iter
 
 def _chunks(problems: OffsetProblems, rest: Ints) -> list[tuple[slice, OffsetProblems]]:
     """The problems that are left, in parts, each with its place in `rest`."""
-    size = CHUNK if is_on_cpu(problems.nets) else MANY
-    if len(rest) == problems.count <= size:
-        return [(slice(None), problems)]
+    if len(rest) == problems.count:
+        return problems.chunks
+    size = problems.chunk_size
     return [(rows, problems.take(rest[rows])) for rows in slices(len(rest), size)]
-
-
-def slices(count: int, size: int) -> Iterator[slice]:
-    """Yield the range of a number of problems in nearly equal parts of at most a size."""
-    if 0 < count <= size:
-        yield slice(0, count)
-        return
-    edges = np.linspace(0, count, -(-count // size) + 1).astype(int)
-    for first, last in pairwise(edges):
-        yield slice(int(first), int(last))
 
 
 def _newton(

@@ -1,13 +1,22 @@
 """Problems turned so that each runs from corner (0, 0) to corner (1, 1) of its own patch."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
+
+import numpy as np
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import restrict
-from bodymeasure.geodesic.numerics.array_libraries import constant, namespace, to_numpy
+from bodymeasure.geodesic.numerics.array_libraries import constant, is_on_cpu, namespace, to_numpy
 
+# The number of problems in one array operation: enough to hide the cost of calls, and few enough
+# for the cache.
+CHUNK = 1024
+# The number of problems that are solved at once elsewhere than on the CPU.
+MANY = 16384
 # The rounding errors of the control points of a part of a patch of size 1.
 RESTRICTION = 2e-15
 
@@ -56,6 +65,18 @@ class OffsetProblems:
         return xp.reshape(xp.reshape(flat, (flat.shape[0], -1)), flat.shape)
 
     @property
+    def chunk_size(self) -> int:
+        """The number of problems in one array operation."""
+        return CHUNK if is_on_cpu(self.nets) else MANY
+
+    @cached_property
+    def chunks(self) -> list[tuple[slice, "OffsetProblems"]]:
+        """All of the problems in parts, each with its place."""
+        if self.count <= self.chunk_size:
+            return [(slice(None), self)]
+        return [(rows, self.part(rows)) for rows in slices(self.count, self.chunk_size)]
+
+    @property
     def degrees(self) -> tuple[int, int]:
         """The degrees m and n of the patches."""
         return self.nets.shape[1] - 1, self.nets.shape[2] - 1
@@ -80,6 +101,11 @@ class OffsetProblems:
         nets = self.xp.take(self.nets, constant(rows, self.nets, self.xp), axis=0)
         return OffsetProblems(nets, self.start[rows], self.end[rows], self.are_corners)
 
+    def part(self, rows: slice) -> "OffsetProblems":
+        """Return some of the problems, which are in a row, without copying them."""
+        nets = self.nets[rows, ...]
+        return OffsetProblems(nets, self.start[rows], self.end[rows], self.are_corners)
+
     def parameters(self, times: Array, offset: Any) -> list[Any]:
         """Return u and v in the whole patches for offsets of shape (times, problems)."""
         t = constant(times[:, None], offset, self.xp)
@@ -88,6 +114,16 @@ class OffsetProblems:
             first, last = (constant(x[:, axis], offset, self.xp) for x in (self.start, self.end))
             result.append(first + (last - first) * (t + sign * offset))
         return result
+
+
+def slices(count: int, size: int) -> Iterator[slice]:
+    """Yield the range of a number of problems in nearly equal parts of at most a size."""
+    if 0 < count <= size:
+        yield slice(0, count)
+        return
+    edges = np.linspace(0, count, -(-count // size) + 1).astype(int)
+    for first, last in pairwise(edges):
+        yield slice(int(first), int(last))
 
 
 def _centered(nets: Any) -> Any:

@@ -12,7 +12,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.graph import arrays, compiled
-from bodymeasure.geodesic.graph.problems import OffsetProblems, are_corners
+from bodymeasure.geodesic.graph.problems import OffsetProblems, are_corners, slices
 from bodymeasure.geodesic.graph.rung import GUESS_STEPS, Climbed, Rung, guess_space
 from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.solving.protocol import MethodResult, PathBatch
@@ -62,7 +62,7 @@ def solve_offsets(
     is_whole = len(across) == len(start)
     # A system without a solution ends in numbers that are not finite, and its problem is left over.
     with np.errstate(all="ignore"):
-        for rows in arrays.slices(len(across), _block(surface, ends) if is_whole else BLOCK):
+        for rows in slices(len(across), _block(surface, ends) if is_whole else BLOCK):
             block = across[rows]
             # What is in a row need not be copied.
             here = rows if is_whole else block
