@@ -21,6 +21,7 @@ from bodymeasure.geodesic.across.routes.graph import patch_graph
 from bodymeasure.geodesic.across.routes.ways import COURSE, along_way, first_ways
 from bodymeasure.geodesic.lengths.functionals import energy, energy_of_a_flat_surface
 from bodymeasure.geodesic.numerics.banded import BoxModels
+from bodymeasure.geodesic.shortest.grid_graph import shortest_trees
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.geodesic.surfaces.control_points import extremes
@@ -338,6 +339,25 @@ def test_kernels_that_do_not_serve_a_space_leave_it_to_numpy(rng: np.random.Gene
         np.testing.assert_array_equal(compiled.status, plain.status)
         np.testing.assert_array_equal(compiled.functions, plain.functions)
         np.testing.assert_allclose(compiled.length, plain.length, rtol=1e-14)
+
+
+@given(seeds, st.integers(1, 4))
+def test_shortest_ways_over_grids_of_patches(seed: int, count: int) -> None:
+    rng = np.random.default_rng(seed)
+    nets = random_nets(rng, count, "wild")
+    # Ways do not lead over places that are not finite.
+    nets[0] *= rng.choice([1.0, 1e200])
+    surface, ends = BezierSurfaces(nets), rng.random((2, count, 2))
+    with np.errstate(all="ignore"):
+        compiled = shortest_trees(surface, ends)
+        with by_numpy():
+            plain = shortest_trees(surface, ends)
+    np.testing.assert_allclose(compiled.distance, plain.distance, rtol=1e-14)
+    np.testing.assert_allclose(compiled.roughness, plain.roughness, rtol=0.0, atol=1e-14)
+    reached = np.isfinite(plain.distance)
+    # Of two ways that are as long either may be told.
+    same = (compiled.before == plain.before)[reached]
+    assert same.all() or same.mean() > 0.99
 
 
 @given(seeds, st.integers(0, 5), st.integers(1, 11))
