@@ -6,6 +6,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.pattern.flat.mesh import PieceMesh
+from bodymeasure.pattern.planar import shapely
 
 # The part of a line's points that may lie on the border: an edge keeps its own length, and a line
 # along it would ask for the same once more.
@@ -45,10 +46,11 @@ class LevelLine:
         return float(np.linalg.norm(self.ways(flat), axis=1).sum())
 
 
-def level_line(mesh: PieceMesh, above: Array) -> LevelLine | None:
+def level_line(mesh: PieceMesh, above: Array, near: float = 0.0) -> LevelLine | None:
     """Return the line on which a function of the vertices, shape (n,), is zero.
 
-    None if it does not cross the mesh, or runs along its border.
+    None if it does not cross the mesh, or runs along its border, nowhere farther from it than
+    `near`: between two lengths that are kept, side by side, cloth would pucker.
     """
     # No vertex lies on the line itself, but for which triangles that is it makes no difference.
     positive = above > 0.0
@@ -70,7 +72,18 @@ def level_line(mesh: PieceMesh, above: Array) -> LevelLine | None:
     at = np.arange(len(rows))[:, None]
     ends = (1.0 - part)[..., None] * places[at, side] + part[..., None] * places[at, (side + 1) % 3]
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
-    return LevelLine(vertices, weights, rows, lengths, float(lengths.sum()))
+    line = LevelLine(vertices, weights, rows, lengths, float(lengths.sum()))
+    return line if near <= 0.0 or _farthest(mesh, line) > near else None
+
+
+def _farthest(mesh: PieceMesh, line: LevelLine) -> float:
+    """Return how far a line is from the border at most, in the layout."""
+    sides = np.concatenate(
+        [np.stack([c.vertices[:-1], c.vertices[1:]], axis=1) for c in mesh.chains]
+    )
+    border = shapely.multilinestrings(list(shapely.linestrings(mesh.start[sides])))
+    starts = np.einsum("mk,mkc->mc", -line.weights[:, :2], mesh.start[line.vertices[:, :2]])
+    return float(shapely.distance(border, shapely.points(starts)).max())
 
 
 def _corners(sides: Array) -> Array:

@@ -41,6 +41,9 @@ from bodymeasure.wording import counted
 
 # A piece whose cloth has to give more than this, in the root mean square, is worth a seam more.
 MUCH_STRAIN = 0.10
+# In meters: a level that is nowhere farther from an edge has the girth of that edge, as the waist
+# of a bodice whose seam dips a little.
+NEAR_EDGE = 0.025
 
 
 class _Placed(NamedTuple):
@@ -218,10 +221,10 @@ def _eased_lines(cloth: Cloth, cut: tuple[Region, Array], mesh: PieceMesh) -> It
     """Yield the lines at the levels that have ease, whose girths the garment is to have."""
     if cloth.ease is None:
         return
-    axis = cloth.ease.axis
+    axis, near = cloth.ease.axis, NEAR_EDGE / cloth.atlas.unit.meters
     skin = evaluate(cloth.atlas.control_points[mesh.places.patch], mesh.places.parameters)
     for level, girth in zip(cloth.ease.heights, cloth.ease.girths, strict=True):
-        line = level_line(mesh, skin @ axis - level) if girth else None
+        line = level_line(mesh, skin @ axis - level, near) if girth else None
         if line is not None:
             plane = Plane(level * axis, axis)
             yield replace(line, length=length_on_cloth(cloth, cut, mesh, line, plane))

@@ -46,6 +46,18 @@ def test_a_line_along_an_edge_is_none() -> None:
     assert level_line(mesh, above) is None
 
 
+def test_a_line_near_an_edge_is_none() -> None:
+    # Two lengths that are kept side by side would pucker the cloth between them.
+    flat = piece().flat.positions
+    (points,) = piece().edge("ab").parts
+    start, along = points[0], points[-1] - points[0]
+    aside = np.array([-along[1], along[0]]) / np.linalg.norm(along)
+    away = np.abs((flat - start) @ aside)
+    assert level_line(piece().flat.mesh, away - 0.012, 0.025) is None
+    assert level_line(piece().flat.mesh, away - 0.012, 0.005) is not None
+    assert level_line(piece().flat.mesh, away - 0.05, 0.025) is not None
+
+
 def test_the_derivatives_of_lines_agree_with_differences(rng: np.random.Generator) -> None:
     line = line_at(float(piece().flat.positions[:, 1].mean()))
     assert line is not None
