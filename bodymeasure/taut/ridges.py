@@ -81,8 +81,8 @@ def crossings(skin: Skin, nodes: Array) -> tuple[Ints, Array, Pins]:
     pins : Pins
         Of these m points.
     """
-    ends = skin.feet(nodes)
-    differ = np.flatnonzero(ends.patch[1:] != ends.patch[:-1])
+    ends, _ = skin.closest(nodes)
+    differ = np.flatnonzero(ends[1:] != ends[:-1])
     start, way = nodes[differ], np.diff(nodes, axis=0)[differ]
     t = np.arange(SAMPLES + 1) / SAMPLES
     inside = (start[:, None] + t[:, None] * way[:, None]).reshape(-1, 3)
@@ -97,11 +97,11 @@ def crossings(skin: Skin, nodes: Array) -> tuple[Ints, Array, Pins]:
     for _ in range(ROUNDS):
         low, high = _narrowed(skin, (start[row], way[row]), before, (low, high))
     position = start[row] + high[:, None] * way[row]
-    here = skin.feet(start[row] + low[:, None] * way[row])
-    after = skin.feet(position).patch
+    here, _ = skin.closest(start[row] + low[:, None] * way[row])
+    after, _ = skin.closest(position)
     joined = skin.to_patch[before] == after[:, None]
     side = joined.argmax(axis=1)
-    good = joined.any(axis=1) & (here.patch == before) & (before != after)
+    good = joined.any(axis=1) & (here == before) & (before != after)
     row, before, side, position = row[good], before[good], side[good], position[good]
     before, side, along = _closest(skin, position, before, side)
     sharp = _is_sharp(skin, before, side, along)
@@ -119,7 +119,8 @@ def _narrowed(
     parts = 2**AT_A_TIME
     t = low[:, None] + width[:, None] * np.arange(1, parts) / parts
     places = (start[:, None] + t[..., None] * way[:, None]).reshape(-1, 3)
-    same = skin.feet(places).patch.reshape(t.shape) == patch[:, None]
+    found, _ = skin.closest(places)
+    same = found.reshape(t.shape) == patch[:, None]
     row = np.arange(len(low))
     first, last = np.zeros(len(low), np.int64), np.full(len(low), parts)
     for _ in range(AT_A_TIME):

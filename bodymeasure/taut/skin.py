@@ -117,13 +117,17 @@ class Skin:
 
     def feet(self, positions: Array) -> Feet:
         """Return the closest points of the skin to positions (k, 3)."""
+        return self._read(positions, *self.closest(positions))
+
+    def closest(self, positions: Array) -> tuple[Ints, Array]:
+        """Return the patches (k,) of these points, and the parameters there (k, 2), alone."""
         _, nearest = self.tree.query(positions)
         patch, sample = np.divmod(np.asarray(nearest, dtype=np.int64), SAMPLES**2)
         x, squared = self.descend(patch, positions, self.grid[sample])
         self._cross(positions, patch, x, squared)
         self._behind_ridges(positions, patch, x, squared)
         self._round_poles(positions, patch, x, squared)
-        return self._read(positions, patch, x)
+        return patch, x
 
     def descend(self, patch: Ints, positions: Array, start: Array) -> tuple[Array, Array]:
         """Return the closest points of single patches, and the squared distances."""
