@@ -7,6 +7,7 @@ import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.queries.locations import Location, listed
+from bodymeasure.bezier import evaluate
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.across.pieces.error import LoopKind
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
@@ -108,7 +109,9 @@ def contracted_loop(
     names = [f"point {number} of the loop" for number in range(len(loop))]
     points, _ = checked_points(atlas, loop, names)
     neighbors = topology(atlas).neighbors
-    positions = np.array([atlas.position(point) for point in points])
+    patches = [point.patch for point in points]
+    places = np.array([point[1:] for point in points])
+    positions = evaluate(atlas.control_points[patches], places[:, None])[:, 0]
     size = float(np.linalg.norm(positions - np.roll(positions, 1, axis=0), axis=1).sum())
     found = shortest_along(atlas, neighbors, [route_through(neighbors, points)], size)
     assert found.kind is not None

@@ -169,10 +169,13 @@ def detours(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Change]:
         leaving = piece + route.closed
         for side, edge in enumerate(EDGES):
             crossings = neighbors.over.get((patch, side), ())
+            if not crossings:
+                continue
             axis, value = edge.fixed_axis, edge.fixed_value
             beyond = (samples[piece, axis] - value) * (2.0 * value - 1.0) > OUTSIDE
             on_edge = held[piece, axis] & (values[piece, axis, 1:-1] == value)
-            runs = _runs(np.concatenate([on_edge, beyond])[order]) if crossings else []
+            apart = not (on_edge.any() or beyond.any())
+            runs = [] if apart else _runs(np.concatenate([on_edge, beyond])[order])
             for first, last in runs[:1] if route.closed else runs:
                 ends = times[order][[max(first - 1, 0), min(last + 1, len(times) - 1)]]
                 along = space.functions.values(ends) @ values[piece, 1 - axis]
