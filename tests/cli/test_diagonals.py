@@ -71,13 +71,14 @@ def test_the_table_has_a_row_for_each(run: Run, part: Path) -> None:
     ran = run("diagonals", part)
     assert (ran.code, ran.err) == (0, "")
     header, *rows = ran.out.partition("\n\n")[0].splitlines()
-    assert header.split() == ["diagonal", "cm", "error", "status"]
+    assert header.split() == ["diagonal", "cm", "error", "shortest", "status"]
     records = printed_json(run, part)["measurements"]
     assert len(rows) == len(records)
     for row, record in zip(rows, records, strict=True):
         assert row.startswith(record["name"])
         rest = row.removeprefix(record["name"]).split()
         status = record["status"].split("_")
+        status = ["proven", *status] if record["proven_shortest"] else status
         if record["length"] is None:
             assert rest == status
         else:
@@ -102,7 +103,8 @@ def test_the_table_explains_why_there_is_no_length(
     assert (ran.code, ran.err) == (0, "")
     table, *sentences = ran.out.split("\n\n")
     assert table.splitlines()[2].split() == ["enneper", "diagonal", "2", "leaves", "patch"]
-    assert sentences == [f"leaves patch: {Status.LEAVES_PATCH.value}\n"]
+    assert sentences[0].startswith("shortest: 1 of 1 measured diagonals are proven")
+    assert sentences[1:] == [f"leaves patch: {Status.LEAVES_PATCH.value}\n"]
     records = printed_json(run, "enneper")["measurements"]
     assert (records[1]["length"], records[1]["status"]) == (None, "leaves_patch")
 
@@ -134,8 +136,13 @@ def test_lengths_show_what_an_approximation_costs(run: Run, tmp_path: Path) -> N
     run("convert", mesh, "--file-unit", "cm", "--deviation", "inf", "-o", file)
     ran = run("diagonals", file)
     head, first = ran.out.splitlines()[:2]
-    assert head.split()[-6:] == ["error", "approximation", "on", "the", "mesh", "status"]
-    assert first.split()[-3:] == ["2e-02", "+0.5", "converged"]
+    words = ["error", "approximation", "on", "the", "mesh", "shortest", "status"]
+    assert head.split()[-7:] == words
+    assert [word for word in first.split() if word != "proven"][-3:] == [
+        "2e-02",
+        "+0.5",
+        "converged",
+    ]
     assert "\nThe mesh itself lies within 0.43 cm of the patches" in ran.out
     document = json.loads(run("diagonals", file, "--format", "json").out)
     assert document["approximation"][0].startswith("The patches approximate")
