@@ -66,7 +66,8 @@ class PieceMesh:
     start : ndarray, shape (n, 2)
         The vertices in the layout in which the mesh was made.
     lift : ndarray, shape (n,)
-        How far the cloth is off the body, or off the surface with ease, where it bridges hollows.
+        How far the cloth is from its place on the body, or on the surface with ease, where it
+        bridges hollows.
     """
 
     places: SkinPlaces

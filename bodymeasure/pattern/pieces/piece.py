@@ -125,7 +125,7 @@ class Piece:
 
     @property
     def lift(self) -> float:
-        """The most by which the cloth is off the body where it bridges hollows."""
+        """How far at most the cloth is from its place on the body where it bridges hollows."""
         return float(self.flat.mesh.lift.max())
 
     @property
