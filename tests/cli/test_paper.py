@@ -96,7 +96,7 @@ def test_every_table_and_the_page(
     assert str(tmp_path) not in summary
     page = Loads()
     page.feed((folder / "paper.html").read_text("utf-8"))
-    assert sum(address.startswith("data:image/svg") for address in page.addresses) == 6
+    assert sum(address.startswith("data:image/svg") for address in page.addresses) == 11
     for address in page.addresses:
         assert address.startswith(("data:", "#"))
         if address.startswith("#"):

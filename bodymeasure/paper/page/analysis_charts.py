@@ -1,5 +1,6 @@
 """The charts of "Future work of 2007", which are drawn from its tables alone."""
 
+import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -29,7 +30,7 @@ def orders_chart(table: Table, name: str) -> bytes:
             axes.set_xscale("log")
             _plain(axes, [8, 11, 15, 20, 27, 36])
             axes.set_xlabel("functions, centers inside")
-            decades(axes.yaxis)
+            _decades(axes, "y")
         both[0].set_ylabel("error in L2")
         legend(figure, both[0])
         return figure_svg(figure, name)
@@ -46,7 +47,7 @@ def forms_chart(table: Table, name: str) -> bytes:
                 _draw(axes, rows, ("number", form), number, {"weak": "weak form"}.get(form, form))
             axes.set_title(functions, fontsize=9)
             axes.set_xlabel("functions")
-            decades(axes.yaxis)
+            _decades(axes, "y")
         both[0].set_ylabel("error of the path's length, median")
         legend(figure, both[0])
         return figure_svg(figure, name)
@@ -62,8 +63,8 @@ def slopes_chart(table: Table, name: str) -> bytes:
             for key, what in (("raw", "length of the path"), ("corrected", "corrected length")):
                 _draw(axes, rows, ("h1", key), number, f"{what}, {form}")
                 number += 1
-        decades(axes.xaxis)
-        decades(axes.yaxis)
+        _decades(axes, "x")
+        _decades(axes, "y")
         axes.set_xlabel("error of the path's slopes, median")
         axes.set_ylabel("error of the length, median")
         legend(figure, axes)
@@ -90,7 +91,7 @@ def conjugate_chart(table: Table, name: str) -> bytes:
         _draw(axes, table.records, ("part", "corrected"), 1, "corrected length")
         axes.set_xlabel("length / pi; at 1 the ends are conjugate")
         axes.set_ylabel("relative error")
-        decades(axes.yaxis)
+        _decades(axes, "y")
         legend(figure, axes)
         return figure_svg(figure, name)
 
@@ -106,6 +107,13 @@ def _draw(
     across, up = across_and_up
     points = [(r[across], max(r[up], floor)) for r in rows if None not in (r[across], r[up])]
     line(axes, points, number, label)
+
+
+def _decades(axes: Any, along: str) -> None:
+    """Make an axis logarithmic, unless nothing is drawn, as where no path was found."""
+    least = axes.dataLim.minposx if along == "x" else axes.dataLim.minposy
+    if math.isfinite(least):
+        decades(axes.xaxis if along == "x" else axes.yaxis)
 
 
 def _plain(axes: Any, ticks: Sequence[int]) -> None:
