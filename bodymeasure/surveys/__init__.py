@@ -16,7 +16,7 @@ from bodymeasure.surveys.sizes import (
     size_table,
     write_sizes,
 )
-from bodymeasure.surveys.survey import survey
+from bodymeasure.surveys.take import survey
 
 __all__ = [
     "Column",

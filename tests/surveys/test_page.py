@@ -9,10 +9,14 @@ from helpers.command_line import hide_here, run_here
 from helpers.populations import coefficients, knees, write_shapes
 
 import bodymeasure as bm
+from bodymeasure.chart import both_sides
 from bodymeasure.cli.surveys.progress import Left, duration
 from bodymeasure.errors import InputError
+from bodymeasure.report.numbers import MINUS, NONE
 from bodymeasure.surveys import SurveyTable
 from bodymeasure.surveys.page.drawing import drawing, ticks
+from bodymeasure.surveys.page.page import correlation
+from bodymeasure.surveys.statistics import MAIN
 
 pytest.importorskip("pyarrow")
 pytest.importorskip("jinja2")
@@ -174,3 +178,11 @@ def test_a_missing_extra_is_named(
     assert ran.code == 2
     assert f"pip install 'bodymeasure[{extra}]'" in " ".join(ran.err.split())
     assert not (tmp_path / "out").exists()
+
+
+def test_the_page_of_the_main_measurements_is_about_what_there_is() -> None:
+    keys = {one.key for one in both_sides(bm.load_definitions().measurement)}
+    assert set(MAIN) <= keys
+    assert [correlation(value) for value in (-0.001, -0.42, np.nan)] == [
+        *("0.00", f"{MINUS}0.42", NONE)
+    ]

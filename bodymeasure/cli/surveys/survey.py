@@ -99,7 +99,7 @@ def survey(
     from bodymeasure.surveys.engine.cluster import connected
     from bodymeasure.surveys.records import Charting
     from bodymeasure.surveys.run import run_survey
-    from bodymeasure.surveys.survey import bodies_given, engine_of
+    from bodymeasure.surveys.take import bodies_given, engine_of
 
     loaded = load_definitions(definitions)
     selected_keys(loaded, only)

@@ -6,7 +6,7 @@ from itertools import groupby
 import numpy as np
 
 from bodymeasure.report.body import tape_text
-from bodymeasure.report.numbers import MINUS, NONE, SPACE
+from bodymeasure.report.numbers import MINUS, NONE, SPACE, fixed
 from bodymeasure.report.templating import render_page
 from bodymeasure.report.units import DEGREES, TAPE_DECIMALS, UNIT_NAMES
 from bodymeasure.surveys.page.content import Content
@@ -119,7 +119,7 @@ def sentences(content: Content) -> list[str]:
 
 def correlation(value: float) -> str:
     """Return a coefficient of correlation; a dash where there is none."""
-    return f"{value:.2f}".replace("-", MINUS) if np.isfinite(value) else NONE
+    return fixed(value, 2).replace("-", MINUS) if np.isfinite(value) else NONE
 
 
 def interval(found: Percentile, unit: str) -> str:

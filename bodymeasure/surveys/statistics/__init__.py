@@ -26,7 +26,7 @@ MAIN = (
     "shoulder_width",
     "back_neck_to_waist",
     "arm_length_right",
-    "inner_leg_length_right",
+    "inner_leg_length",
 )
 
 

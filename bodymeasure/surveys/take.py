@@ -96,7 +96,7 @@ def survey(
     >>> with TemporaryDirectory() as folder:
     ...     survey = bm.survey(names, only=["waist_girth", "hip_girth"], folder=folder)
     ...     print(survey["waist_girth"].round(1))
-    [ 71.1 120.  75.7]
+    [71.1 79.7 76.1]
     """
     require_pyarrow()
     require_progress(progress)
