@@ -165,6 +165,11 @@ def grade_body(
             text, by = each[number]
             old = changed[key]
             value = old.value + by * old.value / old.base
+            if value <= 0.0 and old.unit != DEGREES:
+                raise InputError(
+                    f"vary: {key} is {old.written(old.base)}, of which {text} leaves nothing; "
+                    "change it by less"
+                )
             changed[key] = replace(old, value=value)
             words.append(f"{key}{text}")
         name = ",".join(words)
@@ -202,6 +207,8 @@ def changes_of(
     names, found = Names(definitions), dict[str, list[tuple[str, float]]]()
     for text, changes in vary.items():
         key = names.find(text, "vary")
+        if key in found:
+            raise InputError(f"vary: {key!r} is given a second time, as {text!r}; keep one")
         if isinstance(changes, str):
             raise InputError(f"vary: {text} is {changes!r}; expected a list, such as ['+4cm']")
         found[key] = [_change(change, f"vary: {text}", key, names) for change in changes]
@@ -213,6 +220,11 @@ def changes_of(
         raise InputError(
             f"vary: the numbers of changes differ ({listed}); give each measurement as many"
         )
+    together = list(zip(*found.values(), strict=True))
+    for number, each_one in enumerate(together):
+        if each_one in together[:number]:
+            words = ", ".join(f"{key}{each[0]}" for key, each in zip(found, each_one, strict=True))
+            raise InputError(f"vary: {words} comes a second time; keep one")
     return found
 
 

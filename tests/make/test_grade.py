@@ -54,6 +54,9 @@ def test_sizes_of_a_table_become_bodies_and_patterns_fit_them(tmp_path: Path) ->
         ({"bust_girth": "+4cm"}, "expected a list"),
         ({"bust_girth": ["+4cm"], "hip_girth": ["+4cm", "+8cm"]}, "numbers of changes differ"),
         ({"bist_girth": ["+4cm"]}, "did you mean"),
+        ({"bust_girth": ["+4cm"], "bust": ["+8cm"]}, "'bust_girth' is given a second time"),
+        ({"bust_girth": ["+4cm", "+4 cm"]}, "bust_girth+4cm comes a second time"),
+        ({"bust_girth": ["-1m"]}, "bust_girth is 88.0 cm, of which -1m leaves nothing"),
         ({"bust_girth": ["+90cm"]}, "the first body is possible, so change it by less"),
     ],
 )
