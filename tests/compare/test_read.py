@@ -23,6 +23,8 @@ def written(tmp_path: Path, text: str | bytes, name: str = "hand.csv") -> Path:
         "measurement;unit;value\nBust girth;cm;91,5",
         "name\tvalue\tunit\nBust girth\t91,5\tcm\n",
         'measurement,value,unit\n"Bust girth",9.15e1,cm\n',
+        "measurement,value\nBust girth,91.5 cm\n",
+        "sep=;\nmeasurement;value;unit\nBust girth;91,5;CM\n",
     ],
 )
 def test_tables_come_in_several_forms(tmp_path: Path, text: str) -> None:
@@ -54,12 +56,15 @@ def test_subjects_errors_and_gaps_are_read(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "line 1: has no column 'measurement' and no column 'value' and no column 'unit'"),
+        ("", "line 1: has no column 'measurement' and no column 'value'; expected"),
         ("measurement,length,unit\na,1,cm\n", "has no column 'value'; expected a header with"),
         ("measurement,value,unit\n", "holds no measurement"),
         ("measurement,value,unit\na,1,ft\n", "line 2: unknown unit 'ft'; expected one of m, cm"),
         ("measurement,value,unit\na,1,\n", "line 2: no unit, and none is guessed"),
         ("measurement,value,unit\na,1\n", "line 2: no unit"),
+        ("measurement,value\na,1\n", "line 2: no unit, and none is guessed"),
+        ("sep=;\nmeasurement;value\na;1\n", "line 3: no unit, and none is guessed"),
+        ("measurement,value,unit\na,1 cm,mm\n", "line 2: the value is in cm and the column"),
         ("measurement,value,unit\na,much,cm\n", "line 2: 'much' is not a number"),
         ("measurement,value,unit\na,nan,cm\n", "'nan' is not a number"),
         ("measurement,value,unit\na,1e999,cm\n", "'1e999' is not a number"),
@@ -79,6 +84,7 @@ def test_subjects_errors_and_gaps_are_read(tmp_path: Path) -> None:
         ("measurement,value,unit,error\na,1,cm,-1\n", "line 2: '-1' is no error"),
         (b"measurement,value,unit\n\xff,1,cm\n", "is not text in UTF-8"),
         ('measurement,value,unit\n"a\x00,1,cm\n', "line 2"),
+        ('measurement,value\n"a,1 cm\nb,2 cm\n', "is not CSV .unexpected end of data"),
     ],
 )
 def test_bad_tables_are_refused(tmp_path: Path, text: str | bytes, message: str) -> None:

@@ -22,6 +22,8 @@ SMIS = """<?xml version="1.0" encoding="UTF-8"?>
     <body-measurements>{values}</body-measurements>
 </{root}>
 """
+# What comes before a measurement for it to be there twice.
+TWICE = '<m name="waist_circ" value="71"/><m'
 
 
 def _smis(values: dict[str, str], *, root: str = "smis", unit: str = "cm") -> str:
@@ -92,6 +94,37 @@ def test_own_json_and_that_of_freesewing(tmp_path: Path) -> None:
     assert "heel_girth_right" in found.notes[0]
 
 
+@pytest.mark.parametrize(
+    "content",
+    [
+        "measurement,value\nwaist,72 cm\nhip,38 1/2 in\n",
+        "Name;Value;Unit\nwaist;72;CM\nhip;38,5;in\nbust;;\n",
+        "sep=;\r\nmeasurement;value\r\nwaist;72\r\nhip;38 1/2 inches\r\n",
+        "\nsize;waist (cm);hip (in);;\nann;72;38,5;;\n",
+    ],
+)
+def test_tables_as_people_and_their_programs_write_them(tmp_path: Path, content: str) -> None:
+    (found,) = _read(tmp_path, "ann.csv", content, unit="cm")
+    assert [(one.key, one.value, one.unit) for one in found.values] == [
+        ("waist_girth", 72.0, "cm"),
+        ("hip_girth", 38.5, "inch"),
+    ]
+
+
+def test_json_as_people_and_their_programs_write_it(tmp_path: Path) -> None:
+    content = '\ufeff{"unit": "cm", "measurements": {"waist": 72, "hip": null}}'
+    (found,) = _read(tmp_path, "ann.json", content)
+    assert [(one.key, one.value) for one in found.values] == [("waist_girth", 72.0)]
+
+
+def test_entities_are_found_in_any_encoding(tmp_path: Path) -> None:
+    path = tmp_path / "ann.smis"
+    text = '<?xml version="1.0" encoding="UTF-16"?><!DOCTYPE x [<!ENTITY a "88">]><smis>&a;</smis>'
+    path.write_bytes(text.encode("utf-16"))
+    with pytest.raises(InputError, match="defines entities"):
+        bm.read_measurements(path)
+
+
 def test_a_file_may_hold_more_than_is_wanted(tmp_path: Path) -> None:
     values = {"waist_circ": "72", "leg_knee_circ": "37", "neck_circ": "40", "hip_circ": "98"}
     path = tmp_path / "ann.smis"
@@ -126,10 +159,18 @@ def test_tables_of_sizes_and_lists_of_people(tmp_path: Path) -> None:
         ("a.smis", "<svg/>", "begins with <svg>; expected <smis>"),
         ("a.smis", "<smms/>", "is a multisize file"),
         ("a.smis", "<!DOCTYPE x><smis/>", "defines entities"),
+        ("a.smis", _smis({"waist_circ": "72"}).replace("<m", TWICE), "a second time, '72'"),
         ("a.smis", _smis({"waist_circ": "72"}, unit="foot"), "the unit is 'foot'"),
         ("a.smis", _smis({"waist_circ": "-72"}), "expected a length above zero"),
         ("a.smis", _smis({"hand_length": "18"}), "has no value that a body can be made from"),
         ("a.json", "[", "is not JSON"),
+        ("a.json", 100_000 * "[", "is nested too deeply"),
+        (
+            "a.json",
+            '{"unit": "cm", "measurements": {"hip": 9, "hip": 8}}',
+            "json: 'hip' is given",
+        ),
+        ("a.json", '{"unit": "cm", "age": 70, "measurements": {"hip": 9}}', "has the member 'age'"),
         ("a.json", "[]", "is not an object"),
         ("a.json", "{}", "has no measurements"),
         ("a.json", '{"measurements": {"waits": 3}}', "did you mean 'waist'?"),
@@ -142,6 +183,8 @@ def test_tables_of_sizes_and_lists_of_people(tmp_path: Path) -> None:
         ),
         ("a.json", '{"unit": "cm", "sex": 1, "measurements": {"waist": 7}}', "sex is 1"),
         ("a.csv", "size,bust_girth\n36,84\n", "has no unit, and none is guessed"),
+        ("a.csv", "measurement,value\nwaist,72\n", "no unit, and none is guessed"),
+        ("a.csv", "measurement,value,unit\nwaist,72 cm,mm\n", "the value is in cm and the column"),
         ("a.csv", "size,bust_girth (cm)\n36,84,5\n", "separate the columns by semicolons"),
         ("a.csv", "size,bust_girth (cm)\n36,84\n36,85\n", "size '36' comes a second time"),
         ("a.csv", "size,bust_girth (cm),bust (cm)\n36,84,84\n", "has two columns"),

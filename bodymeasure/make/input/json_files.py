@@ -1,9 +1,8 @@
 """Measurements in JSON: of FreeSewing, of a chart, or as people write them."""
 
+import json
 from collections.abc import Mapping
 from pathlib import Path
-
-import msgspec
 
 from bodymeasure.atlas import Unit
 from bodymeasure.errors import InputError
@@ -18,6 +17,8 @@ EXPECTED = (
     'expected {"unit": "cm", "measurements": {"waist_girth": 72}}, a measurement set of '
     "FreeSewing, or the measurements.json of a chart"
 )
+# Of a file that says its unit.
+MEMBERS = ("name", "unit", "sex", "measurements")
 
 
 def measurements_of_json(content: bytes, path: Path, names: Names) -> Measurements:
@@ -31,10 +32,7 @@ def measurements_of_json(content: bytes, path: Path, names: Names) -> Measuremen
     InputError
         If the file is not as expected.
     """
-    try:
-        held = msgspec.json.decode(content)
-    except msgspec.DecodeError as error:
-        raise InputError(f"{path}: is not JSON ({error}); {EXPECTED}") from None
+    held = _decoded(content, path)
     if not isinstance(held, dict):
         raise InputError(f"{path}: is not an object; {EXPECTED}")
     values = held.get("measurements", held.get("measies"))
@@ -47,9 +45,38 @@ def measurements_of_json(content: bytes, path: Path, names: Names) -> Measuremen
     return _freesewing(values, path, names, title)
 
 
+def _decoded(content: bytes, path: Path) -> object:
+    def object_of(pairs: list[tuple[str, object]]) -> dict[str, object]:
+        # JSON takes the last of two values of one name, which may be the wrong one.
+        found = dict(pairs)
+        if len(found) < len(pairs):
+            names = [name for name, _ in pairs]
+            twice = next(name for name in names if names.count(name) > 1)
+            raise InputError(f"{path}: {twice!r} is given a second time; keep one")
+        return found
+
+    try:
+        # Notepad and Excel begin files with a byte order mark.
+        return json.loads(content.decode("utf-8-sig"), object_pairs_hook=object_of)
+    except InputError:  # which is a ValueError
+        raise
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: is not text in UTF-8; save the file in that encoding") from None
+    except RecursionError:
+        raise InputError(f"{path}: is nested too deeply; {EXPECTED}") from None
+    except ValueError as error:
+        raise InputError(f"{path}: is not JSON ({error}); {EXPECTED}") from None
+
+
 def _own(
     held: Mapping[str, object], values: Mapping[str, object], path: Path, names: Names, title: str
 ) -> Measurements:
+    unknown = [name for name in held if name not in MEMBERS]
+    if unknown:
+        raise InputError(
+            f"{path}: has the member {unknown[0]!r}; expected no others than {', '.join(MEMBERS)} "
+            "(an age is given with --age, or age=)"
+        )
     unit = held["unit"]
     if not isinstance(unit, str) or unit not in [each.value for each in Unit]:
         raise InputError(f"{path}: the unit is {unit!r}; expected m, cm, mm or inch")
@@ -58,6 +85,8 @@ def _own(
         raise InputError(f"{path}: sex is {sex!r}; expected 'female' or 'male'")
     found: dict[str, Value] = {}
     for text, value in values.items():
+        if value is None:
+            continue
         key = names.find(text, str(path))
         if key in found:
             raise InputError(f"{path}: {key!r} is given a second time, as {text!r}; keep one")
@@ -90,8 +119,8 @@ def _freesewing(values: Mapping[str, object], path: Path, names: Names, title: s
     for code, value in values.items():
         if code not in FREESEWING_KEYS:
             raise InputError(
-                f"{path}: {code!r} is no measurement of FreeSewing; {hint(code, FREESEWING_KEYS)}. "
-                'With a member "unit", the measurements are by keys of the chart'
+                f'{path}: without a member "unit", the measurements are those of FreeSewing, which '
+                f"has no {code!r}; {hint(code, FREESEWING_KEYS)}"
             )
         key = names.freesewing.get(code)
         if key is None:

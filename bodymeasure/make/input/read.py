@@ -43,7 +43,7 @@ def read_measurements(
     definitions : Definitions, optional
         The set that the measurements belong to; the default set if not given.
     unit : {"m", "cm", "mm", "inch"}, optional
-        Unit of a table of sizes that says none.
+        Unit of the lengths of a CSV file that say none.
     only : sequence of str
         The measurements to take, all if none are given: keys, keys without ``_left`` or
         ``_right``, which stand for both, and names of the set's presets, such as ``core``.
@@ -89,7 +89,7 @@ def read_measurements(
         found = measurements_of_table(content, path, names, unit)
         written_by_hand = True
     else:
-        found = _of_readings(path, names)
+        found = _of_readings(path, names, unit)
         written_by_hand = suffix == ".csv"
     if not written_by_hand:
         # The files of programs hold what bodies cannot be asked for; a person's list should not.
@@ -116,8 +116,8 @@ def _is_chart(content: bytes) -> bool:
         return False
 
 
-def _of_readings(path: Path, names: Names) -> tuple[Measurements, ...]:
-    readings = read_readings(path)
+def _of_readings(path: Path, names: Names, unit: str | None) -> tuple[Measurements, ...]:
+    readings = read_readings(path, unit)
     by_subject: dict[str, dict[str, Value]] = {name: {} for name in readings.subjects}
     for reading in readings.values:
         if reading.value is None:

@@ -33,11 +33,13 @@ def measurements_of_seamly(content: bytes, path: Path, names: Names) -> Measurem
     """
     root = _root(content, path)
     unit = _unit(root, path)
-    written = {
-        name: element.get("value", "").strip()
-        for element in root.iterfind("body-measurements/m")
-        if (name := element.get("name", ""))
-    }
+    written: dict[str, str] = {}
+    for element in root.iterfind("body-measurements/m"):
+        name, text = element.get("name", ""), element.get("value", "").strip()
+        if name and written.setdefault(name, text) != text:
+            raise InputError(
+                f"{path}: {name} is {written[name]!r} and, a second time, {text!r}; keep one"
+            )
     values: dict[str, Value] = {}
     unknown, unread = [], []
     for name in written:
@@ -65,17 +67,31 @@ def measurements_of_seamly(content: bytes, path: Path, names: Names) -> Measurem
     return Measurements(path.stem, tuple(values.values()), sex, tuple(notes))
 
 
+class _EntitiesError(Exception):
+    """A file has a document type, in which entities are defined."""
+
+
+class _Plain(ElementTree.TreeBuilder):
+    """Builds the tree of a file without a document type, in whatever encoding it is."""
+
+    def doctype(self, *_given: object) -> None:
+        """Refuse a document type, before the entities that it defines are used."""
+        raise _EntitiesError
+
+
 def _root(content: bytes, path: Path) -> ElementTree.Element:
-    if b"<!DOCTYPE" in content or b"<!ENTITY" in content:
-        raise InputError(f"{path}: defines entities, which no file of SeamlyMe does; remove them")
     try:
-        root = ElementTree.fromstring(content)
+        root = ElementTree.fromstring(content, ElementTree.XMLParser(target=_Plain()))
+    except _EntitiesError:
+        raise InputError(
+            f"{path}: defines entities, which no file of SeamlyMe does; remove them"
+        ) from None
     except (ElementTree.ParseError, ValueError) as error:
         raise InputError(f"{path}: is not XML ({error}); expected a file of SeamlyMe") from None
     if root.tag in MULTISIZE:
         raise InputError(
             f"{path}: is a multisize file, a table of sizes; expected an individual one: in "
-            "SeamlyMe, export one size, or write the table as CSV and give it with --sizes"
+            "SeamlyMe, export one size, or write the table as CSV, one row for each size"
         )
     if root.tag not in ROOTS:
         raise InputError(

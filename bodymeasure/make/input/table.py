@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from bodymeasure.atlas import Unit
-from bodymeasure.compare.read import DELIMITERS
+from bodymeasure.compare.read import header_of, table_text
 from bodymeasure.errors import InputError
 from bodymeasure.make.input.json_files import value_of
 from bodymeasure.make.input.measurements import Measurements, Value
@@ -24,8 +24,13 @@ _UNIT = re.compile(
 
 def is_size_table(content: bytes) -> bool:
     """Return whether a CSV file is a table of sizes: it begins with them, and has no values."""
-    header = _cells(content.decode("utf-8-sig", errors="replace").partition("\n")[0])
-    return bool(header) and header[0] in SIZE and "value" not in header
+    try:
+        text, delimiter = table_text(content, Path())
+        header = header_of(csv.reader(io.StringIO(text, newline=""), delimiter=delimiter))
+    except (InputError, csv.Error):
+        return False
+    cells = [cell.strip().casefold() for cell in header]
+    return bool(cells) and cells[0] in SIZE and "value" not in cells
 
 
 def measurements_of_table(
@@ -48,15 +53,14 @@ def measurements_of_table(
     InputError
         If the table is not as expected.
     """
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise InputError(f"{path}: is not text in UTF-8; save the table in that encoding") from None
-    delimiter = next((each for each in DELIMITERS if each in text.partition("\n")[0]), ",")
-    table = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter)
+    text, delimiter = table_text(content, path)
+    table = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
     found: dict[str, Measurements] = {}
     try:
-        header = next(table, [])
+        header = header_of(table)
+        while header and not header[-1].strip():
+            # Programs write the empty columns beside a table.
+            header.pop()
         columns = [_column(cell, names, path, unit) for cell in header[1:]]
         keys = [key for key, _ in columns]
         for key in keys:
@@ -66,7 +70,7 @@ def measurements_of_table(
             if not any(cell.strip() for cell in row):
                 continue
             place = f"{path}, line {table.line_num}"
-            if len(row) > len(header):
+            if any(cell.strip() for cell in row[len(header) :]):
                 raise InputError(
                     f"{place}: has more cells than the header has columns; if a comma is a decimal "
                     "point, separate the columns by semicolons"
@@ -81,11 +85,6 @@ def measurements_of_table(
     if not found:
         raise InputError(f"{path}: holds no size; expected one a line below the header")
     return tuple(found.values())
-
-
-def _cells(line: str) -> list[str]:
-    delimiter = next((each for each in DELIMITERS if each in line), ",")
-    return [cell.strip().strip('"').casefold() for cell in line.split(delimiter)]
 
 
 def _column(cell: str, names: Names, path: Path, unit: str | None) -> tuple[str, str]:
