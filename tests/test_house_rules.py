@@ -15,7 +15,7 @@ RESERVED = {
     "vtkmodules": {"scene", "viewer", "plugin"},
     # pyvista takes its color maps from it.
     "matplotlib": {"bench", "scene", "report", "viewer", "paper"},
-    "potpourri3d": {"bench"},
+    "potpourri3d": {"bench", "oracle"},
     "pygeodesic": {"bench"},
     "threadpoolctl": {"bench", "threads"},
     "jinja2": {"report", "paper"},
