@@ -52,7 +52,7 @@ def closer_bounds(
     lower, upper = patches.bounds(batches, curvature)
     for method in FINER:
         # Where the theorem says nothing, no path is close enough.
-        wide = upper - lower > WIDE * upper
+        wide = np.isinf(upper) | (upper - lower > WIDE * upper)
         rows = np.flatnonzero(wide & may_be_closer & np.isfinite(curvature.curvature))
         if not len(rows):
             break

@@ -45,7 +45,8 @@ def enclose(solution: GeodesicSolution, *, degree: int | None = None) -> Bounds:
     -------
     Bounds
         In the unit of the control points, rounded outward. Where the theorem says nothing, the
-        distance in space is the lower bound. NaN unless the status is ``CONVERGED``.
+        distance in space is the lower bound; where no path is shown to run on the patch, the
+        upper bound is infinite. NaN unless the status is ``CONVERGED``.
 
     Raises
     ------
@@ -64,7 +65,7 @@ def enclose(solution: GeodesicSolution, *, degree: int | None = None) -> Bounds:
     (True, True)
     """
     require_kind(solution, GeodesicSolution, "the solution", "what solve_geodesic returns")
-    if degree is not None and not (isinstance(degree, int) and 3 <= degree <= 40):
+    if degree is not None and not (isinstance(degree, int | np.integer) and 3 <= degree <= 40):
         raise InputError(f"degree is {degree!r}; expected a whole number from 3 to 40")
     patches = solution.patches
     if patches is None:
@@ -91,16 +92,20 @@ def enclose(solution: GeodesicSolution, *, degree: int | None = None) -> Bounds:
     for number in range(count):
         if status[number] is not Status.CONVERGED:
             continue
+        if (starts[number] == ends[number]).all():
+            bounds[:, number] = 0.0
+            continue
         net, width = nets[patches.surface_of[number]], np.inf
         for tried in DEGREES if degree is None else (degree,):
             places = _places(net, starts[number], ends[number], tried)
             lower, upper = enclose_shortest(net, places)
-            if upper - lower < width:
+            if upper - lower < width or np.isnan(bounds[1, number]):
                 bounds[:, number] = lower, upper
             before, width = width, upper - lower
             if width <= CLOSE * upper or width > NO_BETTER * before:
                 break
     # The scale is a power of 2, so that nothing is rounded.
+    bounds[0] = np.maximum(bounds[0], 0.0)
     bounds *= patches.scale
     shaped: Any = bounds.reshape(2, *solution.shape) if solution.shape else bounds[:, 0].tolist()
     return Bounds(*shaped)

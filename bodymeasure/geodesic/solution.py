@@ -149,8 +149,9 @@ class GeodesicSolution:
         between them (see the page "proofs" of the documentation; `enclose` samples nothing). Where
         the computed path gives wide bounds, finer paths are found for them, when this is first
         asked for. Where the theorem says nothing, as of paths along an edge, the distance in space
-        is the lower bound. NaN where there is no length, and on surfaces that are no polynomial
-        patches.
+        is the lower bound; where every computed path is found to leave the patch, if only by
+        rounding, the upper bound is infinite. NaN where there is no length, and on surfaces that
+        are no polynomial patches.
         """
         count = int(np.prod(self.shape))
         lower, upper = np.full((2, count), np.nan)
@@ -164,6 +165,9 @@ class GeodesicSolution:
                     self._curvature,
                     np.array([each is Status.CONVERGED for each in status], bool),
                 )
+            # Between points in one place there is no path that was solved for.
+            still = np.isnan(upper)
+            lower, upper = np.where(still, 0.0, lower), np.where(still, self._upper, upper)
         none = np.isnan(self._upper)
         return Bounds(*(self._shaped(np.where(none, np.nan, each)) for each in (lower, upper)))
 

@@ -33,8 +33,12 @@ BETWEEN = 1.05
 ROUNDING = 2.5e-16
 # By how much two such sums of the same length differ.
 NOISE = 5e-16
+# Two points of a patch of size 1 are as far apart as computed, up to this.
+PLACES = 2e-15
 # How far outside (u, v) in [0, 1] rounding puts a path along an edge.
 ON_EDGE = 1e-14
+# Where ends are closer in u and in v, rounded values may make a path turn back between samples.
+SHORTEST_WAY = 1e-12
 # Where the curvature of the surface is 0 or less, any positive bound serves the formula.
 FLATTEST = 1e-6
 # Terms of the series of sin(x) / x that are needed up to x = pi / 2.
@@ -62,7 +66,8 @@ class SampledPaths(NamedTuple):
     length : ndarray
         By a finer quadrature than that of the trial space; infinite for paths that leave the patch.
     curvature : ndarray
-        The largest geodesic curvature at the samples, with what may lie between them.
+        The largest geodesic curvature at the samples, with what may lie between them; NaN where
+        that is not known.
     """
 
     length: Array
@@ -91,10 +96,12 @@ def sample_paths(surface: Surface, space: TrialSpace, values: Array) -> SampledP
     geometry = path_geometry(surface, values @ place.T, *(moved @ rows.T for rows in slopes))
     length = quadrature.weights @ geometry.speed[1:-1]
     curvature = BETWEEN * np.abs(geometry.geodesic_curvature).max(axis=0)
+    unknown = np.abs(moved[:, :, -1]).max(axis=1) < SHORTEST_WAY
     # Off the patch, a path bounds nothing.
     places = values @ place.T
     outside = (places.min(axis=(1, 2)) < -ON_EDGE) | (places.max(axis=(1, 2)) > 1.0 + ON_EDGE)
-    return SampledPaths(np.where(outside, np.inf, length), np.where(outside, np.nan, curvature))
+    curvature = np.where(outside | unknown, np.nan, curvature)
+    return SampledPaths(np.where(outside, np.inf, length), curvature)
 
 
 def shortfall(length: Array, curvature: Array, surface_curvature: Array) -> Array:
@@ -152,11 +159,12 @@ def bounds_of(
     surface_curvature : ndarray, shape (paths,)
         NaN where the patch is not known to be a CAT(k) space for that bound.
     distance : ndarray, shape (paths,)
-        The distances of the ends in space.
+        The distances of the ends in space, on patches of about size 1.
     """
     # Two sums of a length differ by rounding, and beyond that by what the coarser rule lacks.
     doubt = 2.0 * np.maximum(np.abs(raw - sampled.length) - NOISE * raw, 0.0)
     upper = (raw + doubt) * (1.0 + ROUNDING)
     short = shortfall(upper, sampled.curvature, surface_curvature)
-    lower = np.fmax((raw - doubt) * (1.0 - ROUNDING) - short, distance * (1.0 - ROUNDING))
+    apart = np.maximum(distance * (1.0 - ROUNDING) - PLACES, 0.0)
+    lower = np.fmax((raw - doubt) * (1.0 - ROUNDING) - short, apart)
     return Bounds(np.minimum(lower, upper), upper)

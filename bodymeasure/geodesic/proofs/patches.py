@@ -86,8 +86,9 @@ class PatchesOfPaths:
         for batch in batches:
             here, (first, last) = batch.problems, (batch.values[:, :, end] for end in (0, -1))
             surface = self.surfaces.take(self.surface_of[here])
-            ends = surface.positions(np.stack([first, last], axis=1))
-            distance = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1)
+            # Unlike `positions`, this keeps all digits of patches that are far from the origin.
+            ends = surface.jet(np.stack([first, last], axis=1), 0)[0]
+            distance = np.linalg.norm(ends[..., 1] - ends[..., 0], axis=0)
             if batch.contacts:
                 # Along an edge, paths are curved where the edge is.
                 unknown = np.full(len(here), np.nan)

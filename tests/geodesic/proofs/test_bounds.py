@@ -113,3 +113,33 @@ def test_bounds_have_the_unit_and_the_shape_of_the_lengths(rng: np.random.Genera
     single = one[1, 2]
     assert np.ndim(single.bounds.lower) == 0
     np.testing.assert_allclose(single.bounds, [each[1, 2] for each in one.bounds], rtol=1e-14)
+
+
+def test_patches_far_from_the_origin_have_bounds_that_hold() -> None:
+    # These coordinates have few digits, so that moving the patch rounds nothing.
+    u, v = np.meshgrid([0.0, 1.0, 2.0, 4.0], [0.0, 1.0, 3.0, 4.0], indexing="ij")
+    net = np.stack([u, v, np.zeros_like(u)], axis=-1)
+    start, end = (0.1, 0.8), (1.0, 0.2)
+    near = bm.solve_geodesic(net, start, end)
+    far = bm.solve_geodesic(net + 1e9, start, end)
+    assert near.bounds.lower <= near.length <= near.bounds.upper
+    assert far.bounds.lower <= near.bounds.upper
+    np.testing.assert_allclose(far.bounds.lower, near.length, rtol=1e-13)
+
+
+def test_ends_that_are_nearly_or_quite_in_one_place_have_bounds_that_hold(
+    rng: np.random.Generator,
+) -> None:
+    net = mild_patches(rng, 1, 0.3)[0]
+    start = np.array([0.3, 0.3])
+    steps = np.array([[2.0**-54, 0.0], [2.0**-50, 0.0], [0.0, 2.0**-40], [0.0, 0.0]])
+    solution = bm.solve_geodesic(net, start, start + steps)
+    (lower, upper), length = solution.bounds, solution.length
+    assert (length[:3] > 0.0).all()
+    assert ((lower <= length) & (length <= upper)).all()
+    np.testing.assert_array_equal([lower[3], upper[3]], 0.0)
+    assert [*bm.solve_geodesic(net, start, start).bounds] == [0.0, 0.0]
+    # Along an edge that is collapsed to a point, the length is zero up to its error.
+    net[0] = net[0, :1]
+    edge = bm.solve_geodesic(net, (0.0, 0.3), (0.0, 0.8))
+    assert [*edge.bounds] == [0.0, edge.error_estimate]

@@ -57,6 +57,20 @@ def test_lengths_keep_their_unit_and_failures_have_no_bounds(rng: np.random.Gene
     np.testing.assert_allclose(np.array(single) * 1000.0, [lower[0], upper[0]], rtol=1e-9)
 
 
+def test_points_in_one_place_and_paths_at_an_edge_have_what_is_known(
+    rng: np.random.Generator,
+) -> None:
+    net = mild_patches(rng, 1, 0.3)[0]
+    assert [*bm.enclose(bm.solve_geodesic(net, (0.3, 0.3), (0.3, 0.3)))] == [0.0, 0.0]
+    # At an edge that is collapsed to a point, no path is shown to be regular.
+    net[0] = net[0, :1]
+    solution = bm.solve_geodesic(net, (0.0, 0.3), [(0.0, 0.8), (1.0, 1.0)])
+    lower, upper = bm.enclose(solution)
+    assert np.isposinf(upper).all()
+    assert lower[0] == 0.0
+    assert lower[1] == pytest.approx(np.linalg.norm(net[3, 3] - net[0, 0]), rel=1e-12)
+
+
 def test_any_degree_has_the_same_enclosure(rng: np.random.Generator) -> None:
     net = mild_patches(rng, 1, 0.2)[0]
     once = bm.enclose(solved(net), degree=10)
