@@ -117,6 +117,12 @@ def test_few_different_bodies_are_each_a_size(tmp_path: Path) -> None:
     assert repr(table) == "<SizeTable of 2 sizes by a: 100.0% covered>"
 
 
+def test_near_sizes_have_names_that_differ(tmp_path: Path) -> None:
+    values = np.array([[170.01], [170.04], [180.0]])
+    table = size_table(table_of(tmp_path / "near.parquet", values), StepSizes({"a": 0.03}))
+    assert [size.name for size in table.sizes] == ["170.01", "170.04", "180.00"]
+
+
 @pytest.mark.parametrize(
     ("make", "words"),
     [

@@ -15,6 +15,7 @@ from bodymeasure.cli.surveys.progress import long_progress
 from bodymeasure.cli.surveys.size import pairs
 from bodymeasure.cli.tables import new_table
 from bodymeasure.files import output_folder
+from bodymeasure.wording import counted
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -106,7 +107,8 @@ def sizes(
             bodies = made_bodies(table, progress) if made else None
             files = write_sizes(table, output, made=bodies)
     print_table(_sizes(table))
-    RESULTS.print(Text(f"\nThey fit {table.coverage:.1%} of {table.bodies:,} bodies."))
+    bodies_counted = counted(table.bodies, "body", "bodies")
+    RESULTS.print(Text(f"\nThey fit {table.coverage:.1%} of {bodies_counted}."))
     print_files([file for file in files if file.suffix != ".atlas"])
     stems = [file.stem for file in files if file.suffix == ".atlas"]
     unmade = len(table.sizes) - sum(stem.endswith("-made") for stem in stems)

@@ -9,9 +9,13 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.arguments import require_kind, require_members
 from bodymeasure.errors import InputError
 from bodymeasure.report.units import DEGREES, TAPE_DECIMALS
+from bodymeasure.surveys.bodies.surveyed import unique_names
 from bodymeasure.surveys.records import Column, SurveyTable
 from bodymeasure.surveys.sizes.schemes import SizeScheme
 from bodymeasure.threads import one_blas_thread
+
+# By so many digits more than a tape has, the names of sizes may tell them apart.
+MORE_DIGITS = 6
 
 
 @dataclass(frozen=True)
@@ -163,12 +167,12 @@ def size_table(survey: SurveyTable, scheme: SizeScheme) -> SizeTable:
     order = np.argsort(-counts, kind="stable")
     together = np.empty(len(centers))
     together[order] = np.cumsum(counts[order]) / len(values)
-    sizes = []
+    names, sizes = _names(centers, keys), []
     for number, center in enumerate(centers):
         near = int(np.argmin(np.where(nearest == number, distance, np.inf)))
         sizes.append(
             Size(
-                name="/".join(map(_digits, center, keys)),
+                name=names[number],
                 center=dict(zip(scheme.steps, map(float, center), strict=True)),
                 bodies=int(counts[number]),
                 part=float(counts[number] / len(values)),
@@ -217,6 +221,21 @@ def _controls(
     return [tuple(each) for each in found]
 
 
-def _digits(value: float, column: Column) -> str:
+def _names(centers: Array, keys: tuple[Column, ...]) -> list[str]:
+    """Return the names of sizes, with as many digits as tell all of them apart.
+
+    Files are named after them, too.
+    """
+    for more in range(MORE_DIGITS + 1):
+        names = [
+            "/".join(_digits(*each, more) for each in zip(one, keys, strict=True))
+            for one in centers
+        ]
+        if len(set(names)) == len(names):
+            return names
+    return list(unique_names(names))
+
+
+def _digits(value: float, column: Column, more: int) -> str:
     """Return a key measurement as the name of a size has it."""
-    return f"{value:.{TAPE_DECIMALS[column.unit]}f}".removesuffix(".0")
+    return f"{value:.{TAPE_DECIMALS[column.unit] + more}f}".removesuffix(".0")
