@@ -164,6 +164,14 @@ def test_a_cluster_gives_up_a_body_that_ends_its_workers_and_no_other() -> None:
     assert found == {f"body {place}": DIED if place == 4 else "" for place in range(6)}
 
 
+@pytest.mark.parametrize("address", ["nonsense", "tcp://host", "http://host:80"])
+def test_what_is_no_address_is_refused(address: str) -> None:
+    pytest.importorskip("distributed")
+    refused = pytest.raises(InputError, match=f"'{address}' is no address of a scheduler")
+    with refused, connected(address):
+        pass
+
+
 @pytest.mark.slow
 def test_no_scheduler_at_an_address_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("distributed")

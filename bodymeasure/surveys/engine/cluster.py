@@ -145,14 +145,24 @@ def connected(address: str) -> Iterator[Client]:
     Raises
     ------
     InputError
-        If none answers.
+        If it is no address, or none answers.
     MissingExtraError
         If there is no Dask.
     """
     require_distributed()
     import distributed
+    from distributed import comm
 
     dask: Any = distributed
+    comms: Any = comm
+    try:
+        # A client that such an address ends complains again, at length, when Python ends.
+        comms.get_address_host_port(address)
+    except ValueError as error:
+        raise InputError(
+            f"{address!r} is no address of a scheduler ({error}); expected what `dask scheduler` "
+            "prints, such as tcp://host:8786"
+        ) from None
     try:
         client = dask.Client(address, timeout=TIMEOUT, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
