@@ -5,6 +5,7 @@ from os import PathLike
 from pathlib import Path
 
 from bodymeasure.arguments import file_path, require_kind
+from bodymeasure.files import make_folder
 from bodymeasure.report.files import write_files
 from bodymeasure.report.serial import csv_bytes
 from bodymeasure.surveys.page.content import Content, content_of
@@ -62,7 +63,7 @@ def write_survey(
             table.column(key)
     place = table.path.parent if folder is None else file_path(folder, "the folder")
     content = content_of(table, sizes)
-    place.mkdir(parents=True, exist_ok=True)
+    make_folder(place)
     shown = [outlier.body for outlier in content.outliers[:OUTLIERS]]
     shown += [near.body for size in content.sizes for near in size.near]
     links = body_links(table, dict.fromkeys(shown), place)

@@ -297,8 +297,11 @@ def read_survey(path: str | PathLike[str]) -> SurveyTable:
         raise InputError(f"{path}: no such file; expected what `bodymeasure survey` writes")
     try:
         schema = pq.read_schema(path)
-        head = msgspec.json.decode((schema.metadata or {})[KEY], type=Head)
-    except (pa.ArrowException, OSError, KeyError, msgspec.DecodeError) as error:
+        metadata = schema.metadata or {}
+        if KEY not in metadata:
+            raise ValueError("a table of something else")
+        head = msgspec.json.decode(metadata[KEY], type=Head)
+    except (pa.ArrowException, OSError, ValueError) as error:
         raise InputError(
             f"{path}: is not the table of a survey ({error}); expected the survey.parquet that "
             "`bodymeasure survey` writes"

@@ -8,7 +8,7 @@ from bodymeasure._typing import Array
 
 # The median absolute deviation of a normal distribution, as a part of its standard deviation.
 MAD = 0.6744897501960817
-# A value is to be looked at from so many standard deviations on: of 10,000 normal values, one.
+# A value is to be looked at from so many standard deviations on: of 16,000 normal values, one.
 FAR = 4.0
 # Fewer values do not tell what is far.
 FEWEST = 8
