@@ -25,7 +25,7 @@ from bodymeasure.geodesic.shortest.grid_graph import shortest_trees
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.geodesic.surfaces.control_points import extremes
-from bodymeasure.native import diagonal, is_compiled
+from bodymeasure.native import MeshArrays, WayFound, diagonal, is_compiled, way_straightened
 from bodymeasure.native.library import SWITCH, without_kernels
 from bodymeasure.section import Plane
 from bodymeasure.section.pieces import CutSurface, Pieces
@@ -263,6 +263,23 @@ def test_ways_that_are_pulled_straight(sample: str, rng: np.random.Generator) ->
             assert one.length == pytest.approx(other.length, rel=1e-14)
             for found in (one, other):
                 assert len(found.along) == len(found.sides) == len(found.strip) - 1
+
+
+@pytest.mark.parametrize("weights", [[np.nan, 0.5, 0.5], [np.inf, 0.0, 0.0]])
+def test_ways_whose_places_are_not_finite_are_left_to_python(weights: list[float]) -> None:
+    # Three triangles in a row: a funnel among places that compare with nothing may close on none.
+    tip = 0.5 + 0.5j * np.sqrt(3.0)
+    mesh = MeshArrays(
+        faces=np.array([[0, 1, 2], [1, 3, 2], [2, 3, 4]]),
+        over=np.array([[-1, 1, -1], [-1, 2, 0], [1, -1, -1]]),
+        apex=np.full((3, 3), tip),
+        angle=np.full(5, np.pi),
+        vertices=np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], *[[0.5, 1.0, 0.0]] * 3]),
+    )
+    inside = [0.3, 0.3, 0.4]
+    assert isinstance(way_straightened(mesh, (0, 2), (inside, inside), [2]), WayFound)
+    for ends in ((weights, inside), (inside, weights), (weights, weights)):
+        assert way_straightened(mesh, (0, 2), ends, [2]) == 1
 
 
 def test_a_loop_round_a_body() -> None:

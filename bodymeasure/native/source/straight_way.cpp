@@ -170,7 +170,8 @@ void pull(Unfolded &way) {
     for (size_t k = 0; k <= way.bends.size(); ++k) way.length += std::abs(way.stop(k + 1) - way.stop(k));
 }
 
-// False if two faces in a row share no side.
+// False if two faces in a row share no side, or the places of a corner or an end are not finite: those
+// compare with nothing, so that a funnel among them may close on what is no corner.
 bool unfold(const Triangles &mesh, const Strip &strip, Unfolded &way) {
     const auto weighted = [](const double *weights, const Place *places) {
         return weights[0] * places[0] + weights[1] * places[1] + weights[2] * places[2];
@@ -213,6 +214,10 @@ bool unfold(const Triangles &mesh, const Strip &strip, Unfolded &way) {
         }
     }
     way.ends[1] = weighted(strip.weights[1], places);
+    Place nothing = 0.0 * (way.ends[0] + way.ends[1]);
+    for (const std::vector<Place> &side : way.places)
+        for (const Place place : side) nothing += 0.0 * place;
+    if (nothing != 0.0) return false;
     pull(way);
     return true;
 }
@@ -326,7 +331,7 @@ int64_t straighten(const Triangles &mesh, Way &way) {
 }  // namespace bodymeasure
 
 // Returns the number of faces of the strip; -1 if the faces about a vertex do not hang together, and
-// -2 if there is no room for the strip, or two of its faces share no side.
+// -2 if there is no room for the strip, two of its faces share no side, or its places are not finite.
 EXPORTED int64_t bodymeasure_straight_way(const bodymeasure::Triangles *mesh, bodymeasure::Way *way) {
     return bodymeasure::straighten(*mesh, *way);
 }

@@ -87,3 +87,14 @@ def test_ends_are_given_by_name_or_by_position() -> None:
         bm.geodesic_between(atlas, "start", "ende")
     with pytest.raises(bm.InputError, match=r"via point 0 at .* from the surface, more than"):
         bm.geodesic_between(atlas, "start", "end", [above + 1.0])
+
+
+@pytest.mark.parametrize("factor", [1e100, 1e-100])
+def test_sizes_at_which_areas_overflow_are_refused(factor: float) -> None:
+    atlas = grid_atlas(1, 2)
+    with pytest.raises(bm.InputError, match=r"extends over .* choose another unit"):
+        bm.geodesic_between(
+            replace(atlas, points=factor * atlas.points),
+            AtlasPoint(0, 0.5, 0.5),
+            AtlasPoint(1, 0.5, 0.5),
+        )

@@ -9,6 +9,7 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.prepared import prepared
 from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.size import require_size
 from bodymeasure.atlas.tessellation import tessellate
 from bodymeasure.atlas.topology.edges import edges_of
 from bodymeasure.geodesic.across.routes.faces import FaceMesh, OnFace
@@ -91,5 +92,12 @@ def _sides_of_patches(parameters: Array, free: Bools) -> Ints:
 
 @prepared
 def whole_mesh(atlas: Atlas, segments: int) -> RouteMesh:
-    """Return the mesh of an atlas's tessellation, which is kept for the next path."""
+    """Return the mesh of an atlas's tessellation, which is kept for the next path.
+
+    Raises
+    ------
+    InputError
+        If squares of areas would overflow, so that no path could be found.
+    """
+    require_size(atlas.points[atlas.index].reshape(-1, 3), atlas.unit)
     return RouteMesh.of(atlas, segments)
