@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import bodymeasure as bm
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.normals import normals_and_bends
 from bodymeasure.atlas.queries.feet import descend_in_powers
 from bodymeasure.bezier import homogeneous
@@ -329,6 +329,24 @@ def test_diagonals(kind: str, ends: str, lanes: int, rng: np.random.Generator) -
     times = np.linspace(0.0, 1.0, 9)
     one, other = (each.path(times)[compiled.converged] for each in (compiled, plain))
     np.testing.assert_allclose(one, other, rtol=0.0, atol=1e-9)
+
+
+@pytest.mark.parametrize("lanes", [2, 4, 8])
+def test_a_diagonal_does_not_depend_on_its_batch(
+    lanes: int, monkeypatch: pytest.MonkeyPatch, rng: np.random.Generator
+) -> None:
+    monkeypatch.setattr(diagonal, "MOST_LANES", lanes)
+    nets, order = random_nets(rng, 40, "mild"), rng.permutation(40)
+
+    def digits(rows: Ints) -> Array:
+        found = bm.solve_geodesic(nets[rows], (0, 0), (1, 1), search="straight")
+        names = ("length", "raw_length", "error_estimate", "residual", "functions")
+        return np.stack([getattr(found, name) for name in names])
+
+    whole = digits(np.arange(40))
+    np.testing.assert_array_equal(digits(order), whole[:, order])
+    for rows in (np.arange(3), np.arange(5, 18), np.array([39])):
+        np.testing.assert_array_equal(digits(rows), whole[:, rows])
 
 
 @pytest.mark.parametrize("sample", ["female_average", "male_average"])
