@@ -145,8 +145,8 @@ class GeodesicSolution:
         """Bounds of the length of the shortest path on the patch, lower and upper.
 
         They hold by theorem, whatever the computed path is like, but for one thing: its geodesic
-        curvature is sampled, at more points than it was found from, and 5 % are added for what lies
-        between them (see the page "proofs" of the documentation; `enclose` samples nothing). Where
+        curvature is sampled, at more points than it was found from, and 20 % are added for what
+        lies between (see the page "proofs" of the documentation; `enclose` samples nothing). Where
         the computed path gives wide bounds, finer paths are found for them, when this is first
         asked for. Where the theorem says nothing, as of paths along an edge, the distance in space
         is the lower bound; where every computed path is found to leave the patch, if only by

@@ -27,8 +27,11 @@ from bodymeasure.geodesic.surfaces.protocol import Surface
 # Beyond the points of the trial space's own quadrature, on each piece: where the path is sampled.
 MORE_POINTS = 8
 # The curvature between two samples is taken to be at most this factor above the largest of them.
-# On random patches, four times as many points find at most 1 % more.
-BETWEEN = 1.05
+# Of 1300 resolved paths on wild patches, none exceeds it by more than 1.16.
+BETWEEN = 1.2
+# Where two sums of a length differ by more than this, relatively, the points are too far apart for
+# the path, and its curvature may peak between them, as it did on these patches up to 200 times.
+RESOLVED = 1e-7
 # The rounding errors of a sum that gives a length, relative to it.
 ROUNDING = 2.5e-16
 # By how much two such sums of the same length differ.
@@ -164,7 +167,8 @@ def bounds_of(
     # Two sums of a length differ by rounding, and beyond that by what the coarser rule lacks.
     doubt = 2.0 * np.maximum(np.abs(raw - sampled.length) - NOISE * raw, 0.0)
     upper = (raw + doubt) * (1.0 + ROUNDING)
-    short = shortfall(upper, sampled.curvature, surface_curvature)
+    curvature = np.where(doubt <= 2.0 * RESOLVED * raw, sampled.curvature, np.nan)
+    short = shortfall(upper, curvature, surface_curvature)
     apart = np.maximum(distance * (1.0 - ROUNDING) - PLACES, 0.0)
     lower = np.fmax((raw - doubt) * (1.0 - ROUNDING) - short, apart)
     return Bounds(np.minimum(lower, upper), upper)

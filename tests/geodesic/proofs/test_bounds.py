@@ -7,7 +7,8 @@ from helpers.surfaces.surfaces import SURFACES, Surface
 
 import bodymeasure as bm
 from bodymeasure.bench.problems.patches import mild_patches, wild_patches
-from bodymeasure.geodesic.proofs.bounds import shortfall
+from bodymeasure.geodesic.lengths.path_geometry import path_geometry
+from bodymeasure.geodesic.proofs.bounds import RESOLVED, bounds_of, sample_paths, shortfall
 from bodymeasure.geodesic.spaces.kernels import WU_C2
 
 BODIES = ("male_average", "female_average", "female_full_bust", "female_heavy", "female_old")
@@ -143,3 +144,29 @@ def test_ends_that_are_nearly_or_quite_in_one_place_have_bounds_that_hold(
     net[0] = net[0, :1]
     edge = bm.solve_geodesic(net, (0.0, 0.3), (0.0, 0.8))
     assert [*edge.bounds] == [0.0, edge.error_estimate]
+
+
+def test_the_largest_curvature_is_known_where_samples_resolve_a_path(
+    rng: np.random.Generator,
+) -> None:
+    nets = wild_patches(rng, 60, 0.8)
+    times, seen = np.linspace(0.0, 1.0, 2001), 0
+    for functions in (3, 5, 8):
+        method = bm.RBFCollocation(functions=functions, tolerance=1.0)
+        poor = bm.solve_geodesic(nets, (0, 0), (1, 1), method=method, on_failure="status")
+        assert poor.patches is not None
+        for batch in poor.batches:
+            surface = poor.patches.surfaces.take(poor.patches.surface_of[batch.problems])
+            found = sample_paths(surface, batch.space, batch.values)
+            geometry = path_geometry(
+                surface, *(batch.values @ rows.T for rows in batch.space.matrices(times))
+            )
+            most = np.abs(geometry.geodesic_curvature).max(axis=0)
+            known = np.abs(batch.length.raw - found.length) <= RESOLVED * found.length
+            assert (most <= found.curvature)[known & np.isfinite(found.curvature)].all()
+            # No bound but the distance follows from paths that are not resolved.
+            none, flat = np.zeros(len(known)), np.zeros(len(known))
+            lower = bounds_of(batch.length.raw, found, flat, none).lower
+            assert (lower[~known] == 0.0).all()
+            seen += int(known.sum())
+    assert seen > 20
