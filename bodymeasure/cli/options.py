@@ -1,5 +1,6 @@
 """Arguments and options that several commands share, and what users gave with them."""
 
+import math
 import os
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -18,6 +19,19 @@ _FILE_OPTIONS = f"{__name__}.file_options"
 # The same for the model whose topology a scan has, of which readers of atlases know nothing.
 _TOPOLOGY = f"{__name__}.topology"
 _Command = TypeVar("_Command", bound=Callable[..., Any])
+
+
+class NumberRange(click.FloatRange):
+    """Numbers between bounds: click lets nan pass, which is neither below nor above any."""
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> float:
+        """Return the number, or say what is wrong with it."""
+        number = float(super().convert(value, param, ctx))
+        if math.isnan(number):
+            self.fail(f"{value!r} is no number.", param, ctx)
+        return number
 
 
 def _keep(ctx: click.Context, parameter: click.Parameter, value: str | bool | None) -> None:

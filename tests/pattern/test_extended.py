@@ -39,6 +39,12 @@ def test_paper_below_a_hem() -> None:
     assert np.ptp(longer.outline[:, 1]) - np.ptp(bare.outline[:, 1]) == pytest.approx(0.3)
 
 
+def test_paper_that_crosses_itself_is_to_flare_more() -> None:
+    folded = piece(Extend(edge="ab", length=0.5, flare=-0.5))
+    assert not folded.is_sound
+    assert "the outline crosses itself; shorten its extension" in folded.warnings[0]
+
+
 def test_paper_above_an_edge() -> None:
     bare, longer = piece(None), piece(Extend(edge="cd", length=0.05))
     assert np.ptp(longer.outline[:, 1]) - np.ptp(bare.outline[:, 1]) == pytest.approx(0.05)

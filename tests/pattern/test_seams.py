@@ -67,8 +67,8 @@ def test_what_exceeds_the_ease_is_named() -> None:
     made = pattern(eased, panel("acd", "near", "cd"))
     assert not made.is_sound
     assert made.warnings
-    assert all("and not by the -4.0 mm of its ease" in words for words in made.warnings)
-    assert "longer than 'ca' of 'abc'" in made.warnings[0]
+    assert all(", and not 4.0 mm shorter, as their ease asks;" in words for words in made.warnings)
+    assert "shorter than 'ca' of 'abc'" in made.warnings[0]
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_table
 from bodymeasure.cli.inputs import load_atlas
 from bodymeasure.cli.options import (
+    NumberRange,
     atlas_argument,
     definitions_option,
     format_option,
@@ -45,7 +46,7 @@ MIRRORS = {
 )
 @click.option(
     "--within",
-    type=click.FloatRange(min=0.0),
+    type=NumberRange(min=0.0),
     metavar="LENGTH",
     help="Largest distance that counts as symmetric, in --unit.  [default: 5 mm]",
 )

@@ -18,6 +18,7 @@ from bodymeasure.cli.measuring.subjects import Subject, subjects_of
 from bodymeasure.cli.needs import require
 from bodymeasure.cli.options import (
     DEFAULT_SAMPLE,
+    NumberRange,
     despite_errors_option,
     folder_option,
     names_in_list,
@@ -72,7 +73,7 @@ def _print_set(ctx: click.Context, _parameter: click.Parameter, name: str | None
 )
 @click.option(
     "--allowance",
-    type=click.FloatRange(min=0.0, max=10.0),
+    type=NumberRange(min=0.0, max=10.0),
     default=1.0,
     show_default=True,
     metavar="CM",
@@ -230,7 +231,7 @@ def _print_seams(made: "Pattern") -> None:
     worst = max(abs(scale * seam.excess) for seam in made.seams)
     words = (
         f"{counted(len(made.seams), 'seam')} between pieces; both sides differ by at most "
-        f"{worst:.1g} mm"
+        f"{worst:{'.1g' if worst < 1.0 else '.1f'}} mm"
     )
     if any(seam.ease for seam in made.seams):
         words += ", apart from what is eased into a seam"

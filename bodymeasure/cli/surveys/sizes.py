@@ -9,7 +9,7 @@ from rich.text import Text
 from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_files, print_note, print_table
 from bodymeasure.cli.needs import require
-from bodymeasure.cli.options import folder_option
+from bodymeasure.cli.options import NumberRange, folder_option
 from bodymeasure.cli.surveys.made import made_bodies
 from bodymeasure.cli.surveys.progress import long_progress
 from bodymeasure.cli.surveys.size import pairs
@@ -51,7 +51,7 @@ MEDOIDS = ("sizes by medoids", "kmedoids", "kmedoids", "survey")
 )
 @click.option(
     "--least",
-    type=click.FloatRange(0.0, 1.0),
+    type=NumberRange(0.0, 1.0),
     metavar="PART",
     help="The least part of the bodies for which there is a size at a multiple of the steps.  "
     "[default: 0.01]",

@@ -268,7 +268,8 @@ def _remarks(piece: Piece, atlas: Atlas) -> list[str]:
     if piece.flips:
         result.append(f"{counted(piece.flips, 'triangle')} of the piece lie on their faces")
     if not piece.is_simple:
-        result.append("the outline crosses itself; cut the panel into two, or add a dart")
+        remedy = "shorten its extension, let that flare more, " if piece.panel.extend else ""
+        result.append(f"the outline crosses itself; {remedy}cut the panel into two, or add a dart")
     if piece.rms_strain > MUCH_STRAIN:
         result.append(
             f"the cloth has to give by {100.0 * piece.rms_strain:.1f} % in the root mean square; "

@@ -85,10 +85,10 @@ class Pattern:
         difference, ease = (
             1000.0 * self.atlas.unit.meters * length for length in (seam.difference, seam.ease)
         )
-        wanted = f", and not by the {ease:.1f} mm of its ease" if ease else ""
+        wanted = f", and not {_longer(ease)}, as their ease asks" if ease else ""
         return (
-            f"seam {seam.name!r}: {seam.edges[1]!r} of {seam.pieces[1]!r} is {difference:+.3g} mm "
-            f"longer than {seam.edges[0]!r} of {seam.pieces[0]!r}{wanted}; let both lead through "
+            f"seam {seam.name!r}: {seam.edges[1]!r} of {seam.pieces[1]!r} is {_longer(difference)} "
+            f"than {seam.edges[0]!r} of {seam.pieces[0]!r}{wanted}; let both lead through "
             "the same landmarks, or give the longer one that ease"
         )
 
@@ -101,3 +101,9 @@ class Pattern:
 
 # In millimeters: seams that differ by less are equal, but for rounding.
 UNEQUAL = 1e-6
+
+
+def _longer(difference: float) -> str:
+    size = abs(difference)
+    than = "shorter" if difference < 0.0 else "longer"
+    return f"{size:{'.1g' if size < 1.0 else '.1f'}} mm {than}"

@@ -130,7 +130,7 @@ def _tiles(pattern: Pattern) -> list[tuple[str, str, str]]:
     worst = max(pattern.pieces, key=lambda piece: piece.rms_strain)
     millimeters = 1000.0 * pattern.atlas.unit.meters
     largest = max((abs(millimeters * seam.excess) for seam in seams), default=0.0)
-    equal = "equal to rounding" if largest < ROUNDING else f"one is off by {largest:.2f} mm"
+    equal = "equal to rounding" if largest < ROUNDING else f"off by up to {largest:.2f} mm"
     sound = sum(piece.is_sound for piece in pattern.pieces)
     all_sound = sound == len(pattern.pieces)
     return [

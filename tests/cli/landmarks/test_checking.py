@@ -56,3 +56,9 @@ def test_the_check_tells_what_is_off(run: Run, tmp_path: Path) -> None:
     mirrored = body.position(landmarks["bust point left"]) * [-1.0, 1.0, 1.0]
     apart = 100.0 * np.linalg.norm(mirrored - body.position(landmarks["bust point right"]))
     assert float(rows[0]["distance"]) == pytest.approx(apart, rel=1e-12)
+
+
+def test_a_distance_that_is_no_number_is_refused(run: Run) -> None:
+    ran = run("landmarks", "check", "female_average", "--within", "nan")
+    assert ran.code == 2
+    assert "'nan' is no number" in " ".join(ran.err.split())

@@ -157,6 +157,7 @@ def test_formats_and_papers_are_chosen(run: Run, tmp_path: Path) -> None:
     for wrong, words in (
         (("--formats", "dfx"), "no format is named 'dfx'; did you mean"),
         (("--paper", "a5"), "'a5' is not one of"),
+        (("--allowance", "nan"), "'nan' is no number"),
     ):
         ran = run("pattern", "female_average", *wrong, "-o", tmp_path / "none")
         assert ran.code == 2
