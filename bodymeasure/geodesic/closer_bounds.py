@@ -13,7 +13,7 @@ from bodymeasure.geodesic.methods.polynomial_collocation import PolynomialColloc
 from bodymeasure.geodesic.methods.rbf_collocation import RBFCollocation
 from bodymeasure.geodesic.proofs.bounds import Bounds
 from bodymeasure.geodesic.proofs.curvature import CurvatureBounds
-from bodymeasure.geodesic.proofs.patches import PatchesOfPaths
+from bodymeasure.geodesic.proofs.patches import TOGETHER, PatchesOfPaths
 from bodymeasure.geodesic.solving.protocol import Method, PathBatch
 
 # Bounds whose relative width is above this are wide.
@@ -53,15 +53,15 @@ def closer_bounds(
     for method in FINER:
         # Where the theorem says nothing, no path is close enough.
         wide = np.isinf(upper) | (upper - lower > WIDE * upper)
-        rows = np.flatnonzero(wide & may_be_closer & np.isfinite(curvature.curvature))
-        if not len(rows):
-            break
-        part = patches.take(rows)
-        surface = part.surfaces.take(part.surface_of)
-        found = method.solve(surface, *(each[rows] for each in ends))
-        closer = part.bounds(found.batches, curvature.take(rows))
-        lower[rows], upper[rows] = (
-            np.fmax(lower[rows], closer.lower * (1.0 - APART)),
-            np.fmin(upper[rows], closer.upper * (1.0 + APART)),
-        )
+        every = np.flatnonzero(wide & may_be_closer & np.isfinite(curvature.curvature))
+        for first in range(0, len(every), TOGETHER):
+            rows = every[first : first + TOGETHER]
+            part = patches.take(rows)
+            surface = part.surfaces.take(part.surface_of)
+            found = method.solve(surface, *(each[rows] for each in ends))
+            closer = part.bounds(found.batches, curvature.take(rows))
+            lower[rows], upper[rows] = (
+                np.fmax(lower[rows], closer.lower * (1.0 - APART)),
+                np.fmin(upper[rows], closer.upper * (1.0 + APART)),
+            )
     return Bounds(np.minimum(lower, upper), upper)

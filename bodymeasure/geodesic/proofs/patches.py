@@ -1,6 +1,6 @@
 """The patches that the paths of a solution lie on, kept for proofs that are made when asked for."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -23,6 +23,9 @@ from bodymeasure.geodesic.proofs.shortest import (
 )
 from bodymeasure.geodesic.solving.protocol import PathBatch
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
+
+# Samples take some 25 kB a path: so many are taken at once.
+TOGETHER = 4096
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +86,7 @@ class PatchesOfPaths:
         """
         result = np.full((2, len(self.scale)), np.nan)
         k = np.where(has_little_curvature(curvature), curvature.curvature, np.nan)
-        for batch in batches:
+        for batch in _in_parts(batches):
             here, (first, last) = batch.problems, (batch.values[:, :, end] for end in (0, -1))
             surface = self.surfaces.take(self.surface_of[here])
             # Unlike `positions`, this keeps all digits of patches that are far from the origin.
@@ -97,3 +100,10 @@ class PatchesOfPaths:
                 sampled = sample_paths(surface, batch.space, batch.values)
             result[:, here] = bounds_of(batch.length.raw, sampled, k[here], distance)
         return Bounds(*(result * self.scale))
+
+
+def _in_parts(batches: Sequence[PathBatch]) -> Iterator[PathBatch]:
+    for batch in batches:
+        count = len(batch.problems)
+        for first in range(0, count, TOGETHER):
+            yield batch.take(np.arange(first, min(first + TOGETHER, count)))

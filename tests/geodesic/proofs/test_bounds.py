@@ -7,7 +7,9 @@ from helpers.surfaces.surfaces import SURFACES, Surface
 
 import bodymeasure as bm
 from bodymeasure.bench.problems.patches import mild_patches, wild_patches
+from bodymeasure.geodesic import closer_bounds
 from bodymeasure.geodesic.lengths.path_geometry import path_geometry
+from bodymeasure.geodesic.proofs import patches
 from bodymeasure.geodesic.proofs.bounds import RESOLVED, bounds_of, sample_paths, shortfall
 from bodymeasure.geodesic.spaces.kernels import WU_C2
 
@@ -170,3 +172,14 @@ def test_the_largest_curvature_is_known_where_samples_resolve_a_path(
             assert (lower[~known] == 0.0).all()
             seen += int(known.sum())
     assert seen > 20
+
+
+def test_many_paths_have_the_bounds_of_few(
+    rng: np.random.Generator, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    nets = np.concatenate([mild_patches(rng, 12, 0.5), wild_patches(rng, 12, 0.8)])
+    once = bm.solve_geodesic(nets, (0, 0), (1, 1), on_failure="status").bounds
+    for module in (patches, closer_bounds):
+        monkeypatch.setattr(module, "TOGETHER", 5)
+    parts = bm.solve_geodesic(nets, (0, 0), (1, 1), on_failure="status").bounds
+    np.testing.assert_allclose(parts, once, rtol=1e-13)
