@@ -13,6 +13,7 @@ from helpers.populations import knees, write_shapes
 import bodymeasure as bm
 from bodymeasure.cli.surveys.made import made_bodies
 from bodymeasure.errors import InputError, MissingExtraError
+from bodymeasure.report.numbers import NONE
 from bodymeasure.surveys import MedoidSizes, SizeTable, StepSizes, SurveyTable, size_table
 from bodymeasure.surveys.records import MEMBERS, Column, Row, read_survey, write_table
 from bodymeasure.surveys.records.table import Head
@@ -160,6 +161,8 @@ def test_the_page_has_the_sizes_and_their_mannequins(tmp_path: Path) -> None:
     page = files[0].read_text(encoding="utf-8")
     assert "&lt;i&gt;" in page
     assert "<i>" not in page
+    # Of one body there is no standard deviation.
+    assert f"± {NONE}" not in page
     with files[1].open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     for size, row in zip(table.sizes, rows, strict=True):
