@@ -151,7 +151,7 @@ def bodies_given(
             raise InputError("bodies are atlases and files; expected either the ones or the others")
         return HeldAtlases(atlases)
     paths = [file_path(each, "a body") for each in given]
-    many = [path for path in paths if is_population(path)]
+    many = [path for path in paths if is_population(path, alone=len(paths) == 1)]
     if many:
         if len(paths) > 1:
             raise InputError(f"{many[0]}: holds many bodies; survey it by itself")

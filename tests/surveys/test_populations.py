@@ -59,6 +59,17 @@ def test_an_atlas_is_no_population(tmp_path: Path) -> None:
     assert not is_population(tmp_path / "missing.npz")
 
 
+def test_a_file_alone_that_is_no_population_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "many.npz"
+    for words in ("holds coeffs; expected `coefficients`", "is no .npz file, or damaged"):
+        np.savez(path, coeffs=coefficients(2))
+        if "damaged" in words:
+            path.write_text("bodies")
+        with pytest.raises(InputError, match=words):
+            bm.survey(path, knees(), folder=tmp_path / "out")
+        assert not (tmp_path / "out").exists()
+
+
 def test_a_body_with_a_number_that_is_none_fails_alone(tmp_path: Path) -> None:
     rows = coefficients(3)
     rows[1, 4] = np.nan

@@ -96,19 +96,22 @@ class Population:
         return PointsBody(name, source, row, self._given[number])
 
 
-def is_population(path: Path) -> bool:
-    """Whether a file holds many bodies, rather than one atlas."""
+def is_population(path: Path, *, alone: bool = False) -> bool:
+    """Whether a file holds many bodies, rather than one atlas.
+
+    One that is given alone and is neither was meant to, and is refused when it is opened.
+    """
     if path.suffix.lower() != ".npz" or not path.is_file():
         return False
     try:
         with NpzFile(path) as file:
             if "points" not in file.names:
-                return bool(file.names & {"coefficients", "vertices"})
+                return alone or bool(file.names & {"coefficients", "vertices"})
             shape = file.rows("points").shape
             return len(shape) == 3 and shape[0] > 1
     except InputError:
-        # As an atlas, it fails by itself.
-        return False
+        # Among others, it fails by itself.
+        return alone
 
 
 def open_population(path: Path, folder: Path) -> Population:
