@@ -17,9 +17,12 @@ from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.bezier.split import halves
 from bodymeasure.geodesic.proofs.bernstein import elevated, multiplied, scaled, unscaled
 
-# Fewer than 900 roundings enter any coefficient, halvings included: 1e-13 of the product of the
-# sizes of its factors. Ten times that is left on the safe side.
+# On bicubic patches, fewer than 900 roundings enter any coefficient, halvings included: 1e-13 of
+# the product of the sizes of its factors. Ten times that is left on the safe side. On patches of
+# higher degrees there are more, in proportion to the terms of the products.
 MARGIN = 1e-12
+BICUBIC = 16
+SQUARE_OF_BICUBIC = 121
 # The same for sums of positive terms, whose roundings are relative to the sum itself.
 RELATIVE = 1e-13
 # Each halving quarters what the bounds are too large by; after five of them, a thousandth is left.
@@ -114,9 +117,10 @@ def forms(control_points: Array) -> Forms:
     numerator = _difference(multiplied(bend_u, bend_v), multiplied(twist, twist))
     square = unscaled(_dot(normal, normal))
     size = (s_u * s_v) ** 2
-    slack = MARGIN * size
+    margin = MARGIN * max(1.0, (p + 1) * (q + 1) / BICUBIC)
+    slack = margin * size
     return Forms(
-        unscaled(numerator) + MARGIN * (s_uu * s_vv + s_uv**2) * size,
+        unscaled(numerator) + margin * (s_uu * s_vv + s_uv**2) * size,
         square - slack,
         square + slack,
     )
@@ -172,7 +176,9 @@ def _bound(parts: Forms) -> Array:
     """An upper bound of the curvature on each part, at least 0; infinite where it has none."""
     regular = (parts.square > 0.0).all(axis=(0, 1))
     products = scaled(np.where(regular, parts.square, 1.0))
-    fourth = unscaled(multiplied(products, products)) * (1.0 - RELATIVE)
+    terms = products.shape[0] * products.shape[1]
+    relative = RELATIVE * max(1.0, terms / SQUARE_OF_BICUBIC)
+    fourth = unscaled(multiplied(products, products)) * (1.0 - relative)
     degrees = fourth.shape[0] - 1, fourth.shape[1] - 1
     numerator = unscaled(elevated(scaled(parts.numerator), *degrees))
     return np.where(regular, np.maximum(numerator / fourth, 0.0).max(axis=(0, 1)), np.inf)

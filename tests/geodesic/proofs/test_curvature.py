@@ -12,6 +12,7 @@ from bodymeasure._typing import Array
 from bodymeasure.bench.problems.patches import mild_patches, wild_patches
 from bodymeasure.bezier import elevate, split
 from bodymeasure.geodesic.lengths.path_geometry import path_geometry
+from bodymeasure.geodesic.proofs.bernstein import elevated, scaled, unscaled
 from bodymeasure.geodesic.proofs.curvature import curvature_bounds, forms
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 
@@ -178,3 +179,16 @@ def test_the_margins_cover_the_rounding_errors(kind: str, rng: np.random.Generat
         middle = (found.square + found.above)[..., 0] / 2.0
         margin = (found.above - found.square)[..., 0] / 2.0
         assert (np.abs(middle - square.astype(float)) < margin / 10.0).all()
+
+
+@pytest.mark.parametrize("degree", [6, 12])
+def test_margins_grow_with_the_degree_and_cover_its_rounding(
+    degree: int, rng: np.random.Generator
+) -> None:
+    nets = mild_patches(rng, 5, 0.4)
+    low, high = forms(nets), forms(elevate(nets, degree, degree))
+    size = 4 * degree - 2
+    known = unscaled(elevated(scaled((low.square + low.above) / 2.0), size, size))
+    middle, margin = (high.square + high.above) / 2.0, (high.above - high.square) / 2.0
+    assert (np.abs(middle - known) < margin / 10.0).all()
+    assert (margin[0, 0] > 0.7 * (low.above - low.square)[0, 0]).all()
