@@ -206,11 +206,11 @@ def changes_of(
         raise InputError(f"vary is {shown(vary)}; expected a mapping of keys to lists of changes")
     names, found = Names(definitions), dict[str, list[tuple[str, float]]]()
     for text, changes in vary.items():
+        require_kind(text, str, "vary: a measurement", "its key, a str")
         key = names.find(text, "vary")
         if key in found:
             raise InputError(f"vary: {key!r} is given a second time, as {text!r}; keep one")
-        if isinstance(changes, str):
-            raise InputError(f"vary: {text} is {changes!r}; expected a list, such as ['+4cm']")
+        changes = several(changes, str, f"vary: {text}", "a change, such as '+4cm'")
         found[key] = [_change(change, f"vary: {text}", key, names) for change in changes]
     lengths = {len(each) for each in found.values()}
     if not found or 0 in lengths:

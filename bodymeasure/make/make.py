@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.arguments import require_kind, require_progress
+from bodymeasure.arguments import require_kind, require_progress, shown
 from bodymeasure.atlas import Unit
 from bodymeasure.chart import Definitions, load_definitions
 from bodymeasure.errors import InputError
@@ -181,10 +181,10 @@ def _plain(value: object) -> object:
 
 def check_settings(tolerance: float, components: int) -> None:
     """Refuse settings that `make_body` cannot take."""
-    if not 0.001 <= tolerance <= 50.0:
-        raise InputError(f"tolerance is {tolerance}; expected 0.001 to 50 mm")
-    if not 10 <= components <= COUNT:
-        raise InputError(f"components is {components}; expected 10 to {COUNT}")
+    if not isinstance(tolerance, (int, float, np.number)) or not 0.001 <= tolerance <= 50.0:
+        raise InputError(f"tolerance is {shown(tolerance)}; expected 0.001 to 50 mm")
+    if not isinstance(components, (int, np.integer)) or not 10 <= components <= COUNT:
+        raise InputError(f"components is {shown(components)}; expected 10 to {COUNT}")
 
 
 def made(

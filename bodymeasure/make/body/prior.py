@@ -9,6 +9,7 @@ import msgspec
 import numpy as np
 
 from bodymeasure._typing import Array
+from bodymeasure.arguments import shown
 from bodymeasure.errors import InputError
 from bodymeasure.files import read_bytes
 from bodymeasure.make.body.atlases import COUNT
@@ -56,10 +57,12 @@ def prior_of(sex: str | None = None, age: float | None = None) -> Prior:
     """
     if sex is not None and sex not in SEXES:
         raise InputError(f"sex is {sex!r}; expected 'female' or 'male', or nothing")
-    if age is not None and not YOUNGEST <= age <= OLDEST:
+    if age is not None and not (
+        isinstance(age, (int, float, np.number)) and YOUNGEST <= age <= OLDEST
+    ):
         raise InputError(
-            f"age is {age:g}; expected {YOUNGEST:g} to {OLDEST:g} years: the space of bodies holds "
-            "adults only"
+            f"age is {shown(age)}; expected {YOUNGEST:g} to {OLDEST:g} years: the space of "
+            "bodies holds adults only"
         )
     female, male, old = _mannequins()
     mean = np.zeros(COUNT)

@@ -1,6 +1,7 @@
 """Measurements in JSON: of FreeSewing, of a chart, or as people write them."""
 
 import json
+import math
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -8,7 +9,7 @@ from bodymeasure.atlas import Unit
 from bodymeasure.errors import InputError
 from bodymeasure.make.input.measurements import Measurements, Value
 from bodymeasure.make.input.names import Names
-from bodymeasure.make.input.numbers import checked, parsed
+from bodymeasure.make.input.numbers import LARGEST, checked, parsed
 from bodymeasure.report.body.codes import FREESEWING_KEYS
 from bodymeasure.report.units import DEGREES
 from bodymeasure.wording import hint
@@ -105,7 +106,9 @@ def value_of(key: str, value: object, unit: str | None, place: str, names: Names
     elif own is None:
         raise InputError(f"{place}: {value:g} has no unit, and none is guessed; give the unit")
     else:
-        number = checked(float(value), own, f"{value:g}", place)
+        # Whole numbers may be too large for a float.
+        size = float(value) if abs(value) <= LARGEST else math.inf
+        number = checked(size, own, f"{size:g}", place)
     if (own == DEGREES) != angle:
         expected = "an angle in deg" if angle else "a length in m, cm, mm or inch"
         raise InputError(f"{place}: is in {own}; expected {expected}")

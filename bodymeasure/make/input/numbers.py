@@ -14,6 +14,8 @@ _FORM = re.compile(
     re.ASCII | re.IGNORECASE,
 )
 _UNITS = {"in": "inch", "inches": "inch", '"': "inch", "\u2033": "inch", "\u00b0": DEGREES}
+# In any unit: far beyond what bodies have, and its square is finite in the judgment of a set.
+LARGEST = 1e6
 UNITS = (*(unit.value for unit in Unit), DEGREES)
 
 
@@ -56,8 +58,12 @@ def parsed(text: str, unit: str | None, place: str) -> tuple[float, str]:
 
 def checked(number: float, unit: str, text: str, place: str) -> float:
     """Return a number, once it is known to be one that a measurement can have."""
+    if not abs(number) <= LARGEST:
+        number = math.inf
     if not math.isfinite(number):
-        raise InputError(f"{place}: {text!r} is not a finite number; expected one such as 92.5")
+        raise InputError(
+            f"{place}: {text!r} is no number that a body has; expected one such as 92.5"
+        )
     if number <= 0.0 and unit != DEGREES:
         raise InputError(f"{place}: {text!r} is no length; expected one above zero")
     return number
