@@ -20,8 +20,6 @@ struct ClosestSettings {
 
 namespace {
 
-double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 void newton_step(const double *s, const double *offset, const double *x,
                  const ClosestSettings &settings, double *step) {
     const double *s_v = s + 3, *s_vv = s + 6, *s_u = s + 9, *s_uv = s + 12, *s_uu = s + 18;

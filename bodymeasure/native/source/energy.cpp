@@ -21,8 +21,6 @@ constexpr int AT[4][4] = {{0, 1, 3, 4}, {1, 2, 5, 6}, {3, 5, 7, 8}, {4, 6, 8, 9}
 // Points whose parts of the Hessian are added at once, since each addition reads and writes it.
 constexpr int64_t AT_ONCE = 4;
 
-double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 // The density's second derivatives, the gradient, and the density itself, at one point.
 double density(const double *jet, double du, double dv, bool flat, double *first, double *second) {
     const double *s_u = jet, *s_v = jet + 3, *s_uu = jet + 6, *s_uv = jet + 9, *s_vv = jet + 12;
@@ -115,7 +113,7 @@ double energy_of_path(const Paths &paths, int64_t number, const double *values, 
                 du += slope[i] * (values[i] - values[0]);
                 dv += slope[i] * (values[nodes + i] - values[nodes]);
             }
-            double by_u[MOST_DEGREE + 1], by_v[MOST_DEGREE + 1];
+            double by_u[MOST_SIDE], by_v[MOST_SIDE];
             bernstein(paths.degree_u, u, by_u);
             bernstein(paths.degree_v, v, by_v);
             double jet[JET - FIRST] = {};

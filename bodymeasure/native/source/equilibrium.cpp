@@ -26,8 +26,6 @@ struct StringModel {
 
 namespace {
 
-double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 // A node: its frame, whose columns are rows here, which of its coordinates are prescribed, and as
 // what; its block and that with the next node, in frames; its force there.
 struct Node {

@@ -17,7 +17,7 @@ void jets_of_patch(int64_t degree_u, int64_t degree_v, int64_t width, int64_t co
                    const double *net, int64_t points, const double *parameters, int64_t stride,
                    double *jets) {
     for (int64_t k = 0; k < points; ++k) {
-        double by_u[MOST_DEGREE + 1], by_v[MOST_DEGREE + 1], sums[MOST_COLUMNS];
+        double by_u[MOST_SIDE], by_v[MOST_SIDE], sums[MOST_COLUMNS];
         bernstein(degree_u, parameters[2 * k], by_u);
         bernstein(degree_v, parameters[2 * k + 1], by_v);
         for (int64_t c = 0; c < columns; ++c) sums[c] = 0.0;

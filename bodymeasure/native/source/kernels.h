@@ -29,7 +29,11 @@
 namespace bodymeasure {
 
 // The highest degree of a patch in one parameter for which the kernels have room.
-constexpr int64_t MOST_DEGREE = 32;
+constexpr int64_t MOST_DEGREE = 32, MOST_SIDE = MOST_DEGREE + 1;
+
+inline double dot(const double *a, const double *b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 // The values of the Bernstein polynomials of a degree at t.
 inline void bernstein(int64_t degree, double t, double *values) {

@@ -10,12 +10,6 @@
 
 namespace bodymeasure {
 
-namespace {
-
-double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-}  // namespace
-
 // False beside a pole and where the tangents span no plane: there the normal is another one.
 bool normal_and_bend(int64_t side, const double *coefficients, const double *x, double least_sine,
                      double least_ratio, double *position, double *normal, double *bend) {

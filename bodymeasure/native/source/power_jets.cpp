@@ -7,8 +7,6 @@ namespace bodymeasure {
 
 namespace {
 
-constexpr int64_t MOST_SIDE = MOST_DEGREE + 1;
-
 // The powers of t, their slopes, and the slopes of those.
 void powers(int64_t side, double t, double (*result)[MOST_SIDE]) {
     result[0][0] = 1.0;

@@ -24,8 +24,6 @@ struct SectionPieces {
 
 namespace {
 
-constexpr int64_t MOST_SIDE = MOST_DEGREE + 1;
-
 // The values of the Bernstein polynomials at t, and their slopes.
 void basis(int64_t degree, double t, double *values, double *slopes) {
     double lower[MOST_SIDE + 1] = {0.0};
@@ -65,8 +63,6 @@ void tangents(int64_t side, int64_t coordinates, const double *net, const double
     for (int k = 1; k < 3; ++k)
         for (int c = 0; c < 3; ++c) jet[k][c] = (jet[k][c] - jet[k][3] * jet[0][c]) / jet[0][3];
 }
-
-double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 }  // namespace
 
