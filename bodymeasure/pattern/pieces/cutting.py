@@ -110,9 +110,12 @@ def _piece_of(curves: EdgeCurves, panel: Panel, step: float) -> Piece:
             break
         for placed, _, gap in shut:
             overlap = 1000.0 * atlas.unit.meters * gap
+            why = "the skin there is hollow and wants more cloth, not less"
+            if len(darts) > len(shut):
+                why += ", or another dart takes it up"
             warnings.append(
                 f"dart {placed.dart.name!r} is left out: its legs would overlap by {overlap:.0f} "
-                "mm, since the skin there is hollow and wants more cloth, not less"
+                f"mm, since {why}"
             )
             darts.remove(placed)
     positions = _upright(flat, panel, region, atlas.axes.up_vector)
@@ -269,6 +272,8 @@ def _remarks(piece: Piece, atlas: Atlas) -> list[str]:
         result.append(f"{counted(piece.flips, 'triangle')} of the piece lie on their faces")
     if not piece.is_simple:
         remedy = "shorten its extension, let that flare more, " if piece.panel.extend else ""
+        if any(edge.ease for edge in piece.edges):
+            remedy += "ease less into its seams, "
         result.append(f"the outline crosses itself; {remedy}cut the panel into two, or add a dart")
     if piece.rms_strain > MUCH_STRAIN:
         result.append(
