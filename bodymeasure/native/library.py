@@ -17,6 +17,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bodymeasure.errors import InputError
+
 NAME = "bodymeasure.native._kernels"
 SWITCH = "BODYMEASURE_NATIVE"
 # The arguments of each kernel: addresses of arrays, and whole numbers.
@@ -71,13 +73,19 @@ def _found() -> ctypes.CDLL | None:
     if chosen == "0":
         return None
     if chosen:
-        return _loaded(chosen)
+        try:
+            return _loaded(chosen)
+        except (OSError, AttributeError) as error:
+            raise InputError(
+                f"the environment variable {SWITCH} is {chosen!r}, which is no library of kernels "
+                f"({error}); expected 0, a library's path, or nothing: unset it"
+            ) from None
     found = find_spec(NAME)
     if found is None or found.origin is None:
         return None
     try:
         return _loaded(found.origin)
-    except OSError:  # It was built for another machine.
+    except (OSError, AttributeError):  # It was built for another machine, or of other sources.
         return None
 
 

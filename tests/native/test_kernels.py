@@ -5,6 +5,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -420,3 +421,20 @@ def test_the_environment_switches_the_kernels_off(value: str, expected: str) -> 
         check=True,
     )
     assert ran.stdout.strip() == expected
+
+
+def test_an_environment_that_names_no_library_is_refused(tmp_path: Path) -> None:
+    other = tmp_path / "other.so"
+    other.write_bytes(b"no library")
+    for value in ("1", str(other)):
+        ran = subprocess.run(
+            [sys.executable, "-m", "bodymeasure", "diagonals", "paraboloid"],
+            env={**os.environ, SWITCH: value},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert ran.returncode == 2
+        assert f"{SWITCH} is {value!r}" in ran.stderr
+        assert "unset it" in " ".join(ran.stderr.split())
+        assert "Traceback" not in ran.stderr
