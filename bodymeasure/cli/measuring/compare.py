@@ -84,7 +84,8 @@ def compare(
     Each of the two is an atlas or a sample, which is measured; a chart's measurements.json or
     measurements.csv; a survey's survey.parquet; or a CSV file typed by hand, with the columns
     measurement (key or name), value, unit (m, cm, mm, inch, deg) and, if there are several,
-    subject. --file-unit, --up and --front are for an atlas whose format says none.
+    subject; values such as 94 cm need no column unit. --file-unit, --up and --front are for an
+    atlas whose format says none.
 
     A folder that `chart -o` has written stands for its measurements.json, and one of `survey` for
     its survey.parquet.
