@@ -92,6 +92,12 @@ def test_links_lead_to_files_of_bodies(tmp_path: Path) -> None:
 def test_a_size_of_an_unknown_measurement_is_refused(surveyed: SurveyTable, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="has no measurement 'knees'; did you mean 'knee'"):
         bm.write_survey(surveyed, tmp_path, sizes=[{"knees": 45.0}])
+    for value in ("45", float("nan")):
+        with pytest.raises(InputError, match=r"the knee of a size is .*; expected a n"):
+            bm.write_survey(surveyed, tmp_path, sizes=[{"knee": value}])  # type: ignore[dict-item]
+    with pytest.raises(InputError, match="sizes, item 0, is 'knee'; expected a size"):
+        bm.write_survey(surveyed, tmp_path, sizes={"knee": 45.0})  # type: ignore[arg-type]
+    assert not list(tmp_path.iterdir())
 
 
 def test_bars_count_every_value(rng: np.random.Generator) -> None:

@@ -4,7 +4,10 @@ from collections.abc import Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 
-from bodymeasure.arguments import file_path, require_kind
+import numpy as np
+
+from bodymeasure.arguments import file_path, require_kind, several, shown
+from bodymeasure.errors import InputError
 from bodymeasure.files import make_folder
 from bodymeasure.report.files import write_files
 from bodymeasure.report.serial import csv_bytes
@@ -43,8 +46,8 @@ def write_survey(
     Raises
     ------
     InputError
-        If a size names a measurement that the survey does not have, or the folder cannot be
-        written to.
+        If a size names a measurement that the survey does not have, or has no number for it, or
+        the folder cannot be written to.
     MissingExtraError
         If jinja2 is not installed.
 
@@ -58,15 +61,17 @@ def write_survey(
     ['survey.html', 'summary.csv']
     """
     require_kind(table, SurveyTable, "the survey", "what survey or read_survey returns")
-    for size in sizes:
-        for key in size:
+    for size in several(sizes, Mapping, "sizes", "a size such as {'stature': 168}"):  # type: ignore[type-abstract]
+        for key, value in size.items():
             table.column(key)
+            if not isinstance(value, (int, float, np.number)) or not np.isfinite(value):
+                raise InputError(f"the {key} of a size is {shown(value)}; expected a number")
     place = table.path.parent if folder is None else file_path(folder, "the folder")
     content = content_of(table, sizes)
     make_folder(place)
-    shown = [outlier.body for outlier in content.outliers[:OUTLIERS]]
-    shown += [near.body for size in content.sizes for near in size.near]
-    links = body_links(table, dict.fromkeys(shown), place)
+    linked = [outlier.body for outlier in content.outliers[:OUTLIERS]]
+    linked += [near.body for size in content.sizes for near in size.near]
+    links = body_links(table, dict.fromkeys(linked), place)
     return write_files(
         place,
         {
