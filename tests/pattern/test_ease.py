@@ -190,3 +190,15 @@ def test_eases_that_make_no_sense_are_named(ease: object, words: str) -> None:
     near = {**body.landmarks, "b": bm.AtlasPoint(0, 0.8, 0.21)}
     with pytest.raises(bm.InputError, match=words):
         bm.make_pattern(replace(body, landmarks=near), four_geodesics(), ease=ease)  # type: ignore[arg-type]
+
+
+def test_ease_fades_out_above_the_bust_by_whichever_of_its_names() -> None:
+    body = bm.load_sample("female_average")
+    definitions, offsets = load_pattern("bodice"), []
+    for name in ("bust", "bust point left", "bust point right"):
+        given = {name: 0.04, "waist": 0.02}
+        landmarks = panel_landmarks(body, definitions, landmarks_of(given))
+        ease = ease_of(body, given, landmarks)
+        assert ease is not None
+        offsets.append(ease.offsets(body.position(landmarks["side neck point left"])))
+    np.testing.assert_allclose(offsets, 0.0, atol=1e-15)

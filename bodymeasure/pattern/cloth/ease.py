@@ -19,6 +19,8 @@ LEVELS = {
     "waist": "front waist point",
     "hip": "side hip point left",
 }
+# The level of the bust by all of its names: the ease there fades out up to the neck.
+BUST = frozenset({"bust", "bust point left", "bust point right"})
 # In meters: levels nearer to one another than this cannot have different eases.
 NEAREST = 0.01
 # In meters: the least and the most ease of a girth. Cloth that stretches may be narrower than the
@@ -65,7 +67,7 @@ class Ease:
 def landmarks_of(ease: Mapping[str, float]) -> list[str]:
     """Return the landmarks at whose levels there is ease."""
     names = [LEVELS.get(name, name) for name in ease]
-    return [*names, LEVELS["neck"]] if "bust" in ease else names
+    return [*names, LEVELS["neck"]] if BUST & set(ease) else names
 
 
 def checked_ease(ease: Mapping[str, float], source: str = "ease") -> dict[str, float]:
@@ -125,7 +127,7 @@ def ease_of(
         return float(atlas.position(landmarks[landmark]) @ axis)
 
     levels = {name: (height(name), girth / meters) for name, girth in ease.items()}
-    if "bust" in levels and max(levels.values())[0] == levels["bust"][0]:
+    if max(levels, key=lambda name: levels[name][0]) in BUST:
         levels["neck"] = (height("neck"), 0.0)
     ordered = sorted(levels.items(), key=lambda item: item[1][0])
     for (one, low), (other, high) in pairwise(ordered):
