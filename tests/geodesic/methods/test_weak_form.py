@@ -80,3 +80,9 @@ def test_wrong_settings_are_refused() -> None:
         bm.RBFRitz(centers=(0.0, np.nan))
     with pytest.raises(bm.InputError, match="tolerance"):
         bm.RBFRitz(tolerance=0.0)
+
+
+def test_one_function_is_refused() -> None:
+    for settings in ({"functions": 1}, {"functions": (4, 1)}, {"centers": [0.5]}):
+        with pytest.raises(bm.InputError, match="given 1 function; expected at least 2"):
+            bm.RBFRitz(**settings)
