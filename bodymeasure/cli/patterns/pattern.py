@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 import numpy as np
+from click.core import ParameterSource
 from rich.text import Text
 
 from bodymeasure.atlas import Atlas
@@ -38,6 +39,8 @@ if TYPE_CHECKING:
 
 EXIT_LOOK = 1
 CUTTING = ("cutting pieces out of the skin", "shapely", "shapely", "pattern")
+# Parameters that say nothing to patches which are unfolded by themselves.
+OF_PANELS = ("definitions", "sizes", "allowance", "ease", "formats", "paper", "bridge")
 # The sets that come along, for the help.
 NAMES = "bodice, princess, skirt, sleeve or trousers"
 
@@ -140,6 +143,7 @@ def pattern(
     if patches:
         if len(names) > 1:
             raise click.UsageError("--patches unfolds one body; unfold them one by one.")
+        _refuse_options_of_panels()
         return _patches(load_sound_atlas(names[0], despite_errors=despite_errors), output)
     require(CUTTING, *needs_of(formats))
     # Slow imports, which `--help` does not need.
@@ -190,6 +194,17 @@ def _naming(definitions: str) -> Iterator[None]:
         if definitions in SETS or "panel '" not in str(error):
             raise
         raise InputError(f"{definitions}: {error}") from error
+
+
+def _refuse_options_of_panels() -> None:
+    """Refuse what says how panels are cut, where patches are unfolded that have none."""
+    ctx = click.get_current_context()
+    for parameter in ctx.command.params:
+        given = ctx.get_parameter_source(str(parameter.name)) is ParameterSource.COMMANDLINE
+        if given and parameter.name in OF_PANELS:
+            raise click.UsageError(
+                f"--patches unfolds patches without panels; leave out {parameter.opts[0]}."
+            )
 
 
 def _by_size(bodies: list[Subject], sizes: tuple[str, ...]) -> dict[str, Atlas]:

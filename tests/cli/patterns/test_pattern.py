@@ -126,6 +126,15 @@ def test_sizes_that_name_no_folders_are_refused(run: Run, tmp_path: Path) -> Non
     assert run("pattern", *bodies, "--patches", "-o", tmp_path / "out").code == 2
 
 
+def test_patches_have_no_panels_to_which_options_apply(run: Run, tmp_path: Path) -> None:
+    for option in (("--ease", "bust=4cm"), ("--no-bridge",), ("--formats", "svg")):
+        ran = run("pattern", "female_average", "--patches", *option, "-o", tmp_path / "out")
+        assert ran.code == 2
+        asked = option[0].replace("no-", "")
+        assert f"without panels; leave out {asked}." in " ".join(ran.err.split())
+        assert not (tmp_path / "out").exists()
+
+
 @pytest.mark.slow
 def test_ease_is_given_with_units(run: Run, tmp_path: Path) -> None:
     (tmp_path / "small.toml").write_text(SMALL)
