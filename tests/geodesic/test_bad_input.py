@@ -103,6 +103,8 @@ def test_a_method_is_one_with_its_settings(method: Any) -> None:
         ({"tolerance": 0.0}, "tolerance is 0.0; expected a positive number"),
         ({"tolerance": -1e-9}, "tolerance"),
         ({"tolerance": np.nan}, "tolerance is nan"),
+        ({"functions": (8, 41)}, "41 functions are asked for; expected at most 40"),
+        ({"centers": tuple(range(99))}, "99 functions are asked for"),
         ({"functions": 0}, "functions is 0; expected a whole number of at least 1"),
         ({"functions": -4}, "functions is -4"),
         ({"functions": ()}, r"functions is \(\)"),

@@ -21,6 +21,9 @@ from bodymeasure.geodesic.surfaces.protocol import Surface
 # collocation points give a regular system. 8 functions serve 9 of 10 diagonals of a body, 12 nearly
 # all of the rest (tests/benchmarks/patches/rbf_convergence.py).
 FUNCTIONS = (8, 12, 16, 20)
+# More functions than this are refused at once. Their system is solved with 60 digits, which takes
+# seconds from here on, and with the default support radius they already differ too little.
+MOST_FUNCTIONS = 40
 # With more functions than the kernel's degree, this many centers stay outside [0, 1].
 OUTER_CENTERS = 8
 # How far outside they lie: half as far as the paper's, whose second center is at 1.5, to double.
@@ -43,7 +46,8 @@ class RBFCollocation:
     kernel : Kernel
         Wu's functions `WU_C2` (the paper's), `WU_C4`, `WU_C6`, `WU_C10`, or any other.
     functions : int or sequence of int
-        The number N of functions; several are tried in turn. It is ignored if centers are given.
+        The number N of functions, at most 40; several are tried in turn. It is ignored if centers
+        are given.
     centers : sequence of float, optional
         The c_i. By default half of them lie on each side outside (0, 1), as the paper's 1 and 1.5
         do; there the functions are single polynomials on [0, 1], and convergence is spectral, as
@@ -102,8 +106,15 @@ class RBFCollocation:
     def counts(self) -> tuple[int, ...]:
         """The numbers of functions that are tried in turn."""
         if self.centers is not None:
-            return (len(self.centers),)
-        return whole_numbers("functions", self.functions, 1)
+            counts: tuple[int, ...] = (len(self.centers),)
+        else:
+            counts = whole_numbers("functions", self.functions, 1)
+        if max(counts) > MOST_FUNCTIONS:
+            raise InputError(
+                f"{max(counts)} functions are asked for; expected at most {MOST_FUNCTIONS}, since "
+                "more hardly differ from one another, and take long to tell apart"
+            )
+        return counts
 
     @property
     def spaces(self) -> Iterator[TrialSpace]:
