@@ -44,7 +44,7 @@ ORDERS = {
     " approximated, landmarks · input · taken · definitions, sensitivity · needed, reading,"
     " selection, chart · evaluate",
     "cli": "commands, needs, tables · console · options · inputs · fitting · atlases, docs,"
-    " landmarks, measuring, study, surveys · making, patterns · main",
+    " landmarks, measuring, study, surveys · making, patterns, viewing · main",
     "compare": "intraclass, limits, names, records · plots, readings · gaps, iso20685, plausible,"
     " shown, surveyed · read · comparison, page",
     "fit": "model, scan · completed, solving · topology · export",

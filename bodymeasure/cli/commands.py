@@ -36,7 +36,7 @@ COMMANDS = {
     "check": Listed("atlases.check", "List the faults of an atlas."),
     "info": Listed("atlases.info", "Describe an atlas."),
     "convert": Listed("atlases.convert", "Convert an atlas from one format to another."),
-    "view": Listed("measuring.view", "Look at a body and measure it by clicking, in the browser."),
+    "view": Listed("viewing.view", "Look at a body and measure it by clicking, in the browser."),
     "samples": Listed("atlases.samples", "List the atlases that come with bodymeasure."),
     "bench": Listed("study.bench", "Compare methods: error against time."),
     "paper": Listed("study.paper", "Reproduce the paper of 2007: its tables, beside the truth."),

@@ -215,7 +215,7 @@ def test_a_screenshot_that_cannot_be_written_is_not_begun(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, reason: str
 ) -> None:
     (tmp_path / "folder.png").mkdir()
-    monkeypatch.setattr("bodymeasure.cli.measuring.view_window.measure_atlas", no_work)
+    monkeypatch.setattr("bodymeasure.cli.viewing.window.measure_atlas", no_work)
     ran = run("view", "enneper", "--screenshot", tmp_path / name)
     assert (ran.code, ran.out) == (2, "")
     assert ran.err.startswith(f"Error: {tmp_path / name}: ")
@@ -229,7 +229,7 @@ def test_a_window_that_cannot_be_opened_is_not_begun(
         "bodymeasure.scene.drawing.opengl_check.opengl_trouble",
         lambda *, window: f"window={window}",
     )
-    monkeypatch.setattr("bodymeasure.cli.measuring.view_window.measure_atlas", no_work)
+    monkeypatch.setattr("bodymeasure.cli.viewing.window.measure_atlas", no_work)
     ran = run("view", "enneper", "--desktop")
     assert (ran.code, ran.out) == (2, "")
     assert ran.err == (

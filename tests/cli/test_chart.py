@@ -190,7 +190,7 @@ def test_what_a_landmark_that_lies_elsewhere_changes(run: Run) -> None:
 def test_pictures_and_progress(
     run: Run, definitions: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    bars = recorded_bars(monkeypatch, "measuring.chart")
+    bars = recorded_bars(monkeypatch, "measuring.measured", "measuring.one_chart")
     near: list[bool] = []
 
     def draw(_chart: Any, *, few: bool, advance: Any) -> Any:

@@ -60,8 +60,8 @@ def hide_here(monkeypatch: pytest.MonkeyPatch, package: str) -> None:
     exec(hide(package), {})
 
 
-def recorded_bars(monkeypatch: pytest.MonkeyPatch, command: str) -> list[Bar]:
-    """The progress bars of a command: their labels, totals, and the counts that were reported."""
+def recorded_bars(monkeypatch: pytest.MonkeyPatch, *modules: str) -> list[Bar]:
+    """The progress bars of modules of the command line: labels, totals, and counts reported."""
     bars: list[Bar] = []
 
     @contextmanager
@@ -69,7 +69,8 @@ def recorded_bars(monkeypatch: pytest.MonkeyPatch, command: str) -> list[Bar]:
         bars.append((label, total, []))
         yield bars[-1][2].append
 
-    monkeypatch.setattr(f"bodymeasure.cli.{command}.progress_bar", bar)
+    for module in modules:
+        monkeypatch.setattr(f"bodymeasure.cli.{module}.progress_bar", bar)
     return bars
 
 

@@ -1,1 +1,1 @@
-"""Commands that measure: diagonals, report, chart, compare, view."""
+"""Commands that measure: diagonals, report, chart, compare."""

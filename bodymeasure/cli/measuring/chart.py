@@ -1,33 +1,22 @@
 """`bodymeasure chart`."""
 
 import time
-from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
 from bodymeasure.cli.commands import EXIT_CODES
-from bodymeasure.cli.console import (
-    count_calls,
-    print_files,
-    print_note,
-    print_table,
-    progress_bar,
-)
-from bodymeasure.cli.fitting.files import fitted_in_words, write_fit
+from bodymeasure.cli.console import print_note
+from bodymeasure.cli.fitting.files import fitted_in_words
 from bodymeasure.cli.fitting.scans import is_scan, require_fit, scan_subject
 from bodymeasure.cli.inputs import load_sound_atlas, require_sound
-from bodymeasure.cli.measuring.chart_tables import (
-    population_facts,
-    print_chart,
-    print_population,
-    summary_table,
-)
 from bodymeasure.cli.measuring.many_scans import Charting, chart_scans
-from bodymeasure.cli.measuring.paths import check_paths_file, tape_curves, write_curves
-from bodymeasure.cli.measuring.scene import pictures_wanted, scene_of
+from bodymeasure.cli.measuring.measured import measured_chart
+from bodymeasure.cli.measuring.one_chart import Wanted, print_one, write_one
+from bodymeasure.cli.measuring.paths import check_paths_file
+from bodymeasure.cli.measuring.scene import pictures_wanted
+from bodymeasure.cli.measuring.several_charts import chart_several
 from bodymeasure.cli.measuring.subjects import Subject, charts_of, subjects_of
 from bodymeasure.cli.needs import CHART_PAGE, CHART_PICTURES, require
 from bodymeasure.cli.options import (
@@ -46,18 +35,6 @@ from bodymeasure.cli.options import (
     topology_option,
     unit_option,
 )
-from bodymeasure.errors import InputError
-from bodymeasure.files import output_folder
-
-if TYPE_CHECKING:
-    from bodymeasure.atlas import Atlas
-    from bodymeasure.chart import Chart, Definitions
-    from bodymeasure.report.body import ChartDocument, TapePictures
-
-EXIT_NOT_MEASURED = 1
-# Outcomes of measurements that lack a landmark. No body has all landmarks of the default set.
-ABSENT = ("missing landmark", "missing operand")
-SIDES = 4
 
 
 def _print_set(ctx: click.Context, _parameter: click.Parameter, wanted: bool) -> None:
@@ -146,7 +123,7 @@ def chart(
     )
     # Slow imports, which `--help` does not need.
     from bodymeasure.chart import load_definitions, selected_keys
-    from bodymeasure.report.body import chart_document, check_codes, write_chart
+    from bodymeasure.report.body import check_codes
 
     loaded_definitions = load_definitions(definitions)
     check_codes(loaded_definitions)
@@ -179,128 +156,24 @@ def chart(
         print_note(fitted_in_words(fit), style="dim")
         require_sound(fit.atlas, scans[0], despite_errors=despite_errors)
         bodies = [Subject(Path(scans[0]).stem, fit.atlas)]
+    unit = length_unit(unit, bodies[0].atlas)
     if len(bodies) > 1:
-        unit = length_unit(unit, bodies[0].atlas)
         if paths_file is not None:
             raise click.UsageError("--paths is for one body; chart them one by one.")
         charting = partial(
             charts_of, bodies, loaded_definitions, unit=unit, only=only, sensitivity=sensitivity
         )
-        return _population(bodies, charting, output, form)
-    body = bodies[0].atlas
-    unit = length_unit(unit, body)
+        return chart_several(bodies, charting, output, form)
+    body = bodies[0]
     measuring = partial(
         measured_chart,
-        body,
+        body.atlas,
         loaded_definitions,
         only=only,
         sensitivity=sensitivity,
         despite_errors=despite_errors,
     )
+    wanted = Wanted(unit, asked_for, paths_file, with_pictures, all_pictures, begin)
     if output is None:
-        measured = measuring()
-        document = chart_document(measured, unit, subject=bodies[0].name)
-        if paths_file is not None:
-            write_curves(paths_file, body, tape_curves(measured))
-        print_chart(document, form or "table")
-        return _exit_code(document, asked_for=asked_for)
-    with output_folder(output):
-        measured = measuring()
-        scene = scene_of(measured) if with_pictures else None
-        near = scene is None or all_pictures
-        pictures = _pictures(measured, near=near) if with_pictures else None
-        stem = bodies[0].name
-        # Whatever fails does so before the folder has its files.
-        if paths_file is not None:
-            write_curves(paths_file, body, tape_curves(measured))
-        fits: tuple[Path, ...] = ()
-        if fit is not None:
-            place = output / f"{stem}.atlas"
-            fits = write_fit(fit, place, page=True, pictures=with_pictures)
-        files = write_chart(
-            measured, output, unit=unit, stem=stem, pictures=pictures or False, scene=scene
-        )
-        files = (*files, *fits, *(() if paths_file is None else (paths_file,)))
-    document = chart_document(measured, unit, subject=stem)
-    print_table(summary_table(document, time.perf_counter() - begin))
-    print_files(files)
-    if pictures is not None and pictures.note:
-        print_note(pictures.note)
-    code = _exit_code(document, asked_for=asked_for)
-    if code:
-        print_note("Some measurements could not be taken; see “Not measured” in chart.html.")
-    return code
-
-
-def _population(
-    bodies: Sequence[Subject],
-    charting: Callable[[], list["ChartDocument"]],
-    output: Path | None,
-    form: str | None,
-) -> int:
-    """Chart several bodies; return 1 if a subject lacks a value that others have."""
-    from bodymeasure.report.population import population_document, write_population_chart
-
-    names = [name for name, _ in bodies]
-    if output is None:
-        document = population_document(names, charting())
-        print_population(document, form or "table")
-    else:
-        with output_folder(output):
-            document = population_document(names, charting())
-            files = write_population_chart(document, output)
-        print_table(population_facts(document))
-        print_files(files)
-    return EXIT_NOT_MEASURED if any(each.missing for each in document.summaries) else 0
-
-
-def measured_chart(
-    atlas: "Atlas",
-    definitions: "Definitions",
-    *,
-    only: Sequence[str] = (),
-    sensitivity: bool = False,
-    despite_errors: bool = False,
-) -> "Chart":
-    """Measure a body, with a progress bar.
-
-    Raises
-    ------
-    InputError
-        If the set of definitions is empty.
-    """
-    from bodymeasure.chart import both_sides, measure_chart, restricted
-
-    total = len(both_sides(restricted(definitions, only)[0].measurement))
-    if not total:
-        raise InputError(f"the set {definitions.name!r} defines no measurement; add one to it")
-    with progress_bar("measuring", total) as progress:
-        return measure_chart(
-            atlas,
-            definitions,
-            only=only,
-            sensitivity=sensitivity,
-            progress=lambda done, _total: progress(done),
-            despite_errors=despite_errors,
-        )
-
-
-def _pictures(chart: "Chart", *, near: bool) -> "TapePictures":
-    from bodymeasure.scene import tape_pictures
-
-    drawn = [item for item in chart.measured if item.tapes]
-    # The bar may end early, since not all sides of all groups are drawn.
-    most = SIDES * len({item.definition.group for item in drawn}) + near * len(drawn)
-    with progress_bar("drawing", most) as progress:
-        return tape_pictures(chart, few=not near, advance=count_calls(progress))
-
-
-def _exit_code(document: "ChartDocument", *, asked_for: bool) -> int:
-    """Return 1 if a measurement failed although its landmarks are there, or if none was taken.
-
-    A user's own set of definitions asks for all of its measurements, and so do keys.
-    """
-    outcomes = [record.outcome for record in document.measurements]
-    harmless = ("measured", *(() if asked_for else ABSENT))
-    wanting = "measured" not in outcomes or any(each not in harmless for each in outcomes)
-    return EXIT_NOT_MEASURED if wanting else 0
+        return print_one(body, measuring, form or "table", wanted)
+    return write_one(body, measuring, output, wanted, fit=fit)

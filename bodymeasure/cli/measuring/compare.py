@@ -14,7 +14,7 @@ from bodymeasure.cli.commands import EXIT_CODES
 from bodymeasure.cli.console import RESULTS, print_note, print_table
 from bodymeasure.cli.fitting.done import FILE as DONE
 from bodymeasure.cli.inputs import lacks_unit, load_sound_atlas, path_of_atlas
-from bodymeasure.cli.measuring.chart import measured_chart
+from bodymeasure.cli.measuring.measured import measured_chart
 from bodymeasure.cli.measuring.subjects import Subject, charts_of, subjects_of
 from bodymeasure.cli.needs import CHART_PAGE, require
 from bodymeasure.cli.options import definitions_option, despite_errors_option, file_options

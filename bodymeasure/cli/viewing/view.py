@@ -5,7 +5,6 @@ from pathlib import Path
 import click
 
 from bodymeasure.cli.commands import EXIT_CODES
-from bodymeasure.cli.measuring.view_page import EVERY, Page, show_page
 from bodymeasure.cli.options import (
     DEFAULT_SAMPLE,
     definitions_option,
@@ -14,6 +13,7 @@ from bodymeasure.cli.options import (
     no_cross_check_option,
     processes_option,
 )
+from bodymeasure.cli.viewing.page import EVERY, Page, show_page
 
 SET_SUFFIX = ".toml"
 
@@ -117,14 +117,14 @@ def view(
                 "--measure."
             )
         # Slow imports, which the page does not need.
-        from bodymeasure.cli.measuring.view_export import write_page
+        from bodymeasure.cli.viewing.export import write_page
 
         wanted = None if chart is None else (definitions, chart)
         write_page(atlas or DEFAULT_SAMPLE, export, wanted, despite_errors=despite_errors)
         return
     if desktop or screenshot is not None:
         # Slow imports, which the page does not need.
-        from bodymeasure.cli.measuring.view_window import show_window
+        from bodymeasure.cli.viewing.window import show_window
 
         show_window(
             atlas or DEFAULT_SAMPLE,

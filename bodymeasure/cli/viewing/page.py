@@ -122,14 +122,14 @@ def _content(
         return _bodies(name or DEFAULT_SAMPLE), {"start": {"chart": chart}}, own
     # Slow imports, which a page without a report does not need.
     from bodymeasure.chart import load_definitions
-    from bodymeasure.cli.measuring import view_report
+    from bodymeasure.cli.viewing import reported
 
-    report = view_report.finished(page.report)
-    given = name or view_report.atlas_of(report)
-    wanted = view_report.set_of(report, own or load_definitions())
+    report = reported.finished(page.report)
+    given = name or reported.atlas_of(report)
+    wanted = reported.set_of(report, own or load_definitions())
     members = {**_bodies(given)[0]}
-    view_report.require_same(report, members["atlas"], given)
-    members["differences"] = view_report.differences_of(report, len(members["atlas"]))
+    reported.require_same(report, members["atlas"], given)
+    members["differences"] = reported.differences_of(report, len(members["atlas"]))
     if wanted is None:
         return [members], {"start": {"chart": chart, "layers": ["diagonals"]}}, own
     definitions, preset = wanted

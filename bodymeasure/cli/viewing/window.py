@@ -9,9 +9,9 @@ import click
 
 from bodymeasure.cli.console import print_note, progress_bar
 from bodymeasure.cli.inputs import load_sound_atlas
-from bodymeasure.cli.measuring.chart import measured_chart
-from bodymeasure.cli.measuring.view_page import EVERY, not_installed
+from bodymeasure.cli.measuring.measured import measured_chart
 from bodymeasure.cli.needs import COMPARISON, VIEWER, VIEWER_COLORS, require
+from bodymeasure.cli.viewing.page import EVERY, not_installed
 from bodymeasure.errors import InputError
 from bodymeasure.files import require_writable
 from bodymeasure.measure import Survey, measure_atlas

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import click
 
-from bodymeasure.cli.measuring.chart import measured_chart
-from bodymeasure.cli.measuring.view_page import EVERY, loaded_body, not_installed
+from bodymeasure.cli.measuring.measured import measured_chart
+from bodymeasure.cli.viewing.page import EVERY, loaded_body, not_installed
 from bodymeasure.errors import InputError
 from bodymeasure.files import require_writable, write_bytes
 
