@@ -119,15 +119,17 @@ def _pairs(first: Readings, second: Readings) -> tuple[list[tuple[str, str, str]
     mine, other = first.subjects, second.subjects
     if len(mine) == len(other) == 1:
         return [(mine[0] or other[0], mine[0], other[0])], []
-    common = [subject for subject in mine if subject in other]
+    # Surveys have many subjects, so that names are looked up.
+    known = set(mine) & set(other)
+    common = [subject for subject in mine if subject in known]
     if not common:
         raise InputError(
             f"{first.name} and {second.name} have no subject in common; expected the same names in "
             "the column subject of both"
         )
     notes = []
-    for has, lacks in ((first, second), (second, first)):
-        absent = [one or "(unnamed)" for one in has.subjects if one not in lacks.subjects]
+    for subjects, lacks in ((mine, second), (other, first)):
+        absent = [one or "(unnamed)" for one in subjects if one not in known]
         if absent:
             notes.append(f"not in {lacks.name}: {named(absent, 'subject')}")
     return [(subject, subject, subject) for subject in common], notes
