@@ -244,5 +244,7 @@ def test_an_outline_that_crosses_itself_is_said_and_no_sound_piece() -> None:
     made = make_pattern(interpolated(cylinder), PatternDefinitions(name="p", panel=(panel,)))
     assert not made.pieces[0].is_simple
     assert not made.is_sound
-    words = "panel: the outline crosses itself; ease less into its seams, cut the panel into two, or"
+    words = (
+        "panel: the outline crosses itself; ease less into its seams, cut the panel into two, or"
+    )
     assert any(warning.startswith(words) for warning in made.warnings)

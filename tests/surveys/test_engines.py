@@ -1,10 +1,11 @@
 """Worker processes and Dask give the same file as this process, even where workers die."""
 
 import os
+import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -162,6 +163,38 @@ def test_a_cluster_gives_up_a_body_that_ends_its_workers_and_no_other() -> None:
         client.run(sys.path.append, str(Path(__file__).parents[1]))
         found = reasons(Cluster(client), "", "", "", "", "dies", "")
     assert found == {f"body {place}": DIED if place == 4 else "" for place in range(6)}
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("ignore")
+def test_rows_that_die_with_their_worker_are_measured_again() -> None:
+    with local_cluster(1) as client:
+        client.run(sys.path.append, str(Path(__file__).parents[1]))
+
+        def statuses() -> list[str]:
+            return [future.status for future in client.futures.values()]
+
+        def killing() -> Iterator[Batch]:
+            first, second, third = batches(*[""] * 9)
+            yield first
+            yield second
+            # The rows of the first are here by now, and those of the second with the worker.
+            wait_until(lambda: set(statuses()) == {"finished"})
+            (worker,) = client.run(os.getpid).values()
+            os.kill(worker, signal.SIGKILL)
+            wait_until(lambda: "finished" not in statuses() or "lost" in statuses())
+            yield third
+
+        answers = list(Cluster(client)(killing(), work()))
+    assert sorted(answer.batch.number for answer in answers) == [0, 1, 2]
+    assert all(not row.failure for answer in answers for row in answer.rows)
+
+
+def wait_until(condition: Callable[[], bool]) -> None:
+    end = time.monotonic() + 30.0
+    while not condition():
+        assert time.monotonic() < end
+        time.sleep(0.01)
 
 
 @pytest.mark.parametrize("address", ["nonsense", "tcp://host", "http://host:80"])

@@ -95,8 +95,12 @@ class Cluster:
         try:
             done = dask.as_completed(send(ahead()), loop=getattr(self._client, "loop", None))
             for future in done:
+                if future.status == "lost":
+                    # The worker that held the rows has died, and they are measured again.
+                    done.add(future)
+                    continue
                 batch = sent.pop(future)
-                if future.status in ("cancelled", "lost"):
+                if future.status == "cancelled":
                     raise WorkerError(LOST)
                 error = future.exception() if future.status == "error" else None
                 if not isinstance(error, dask.KilledWorker):
