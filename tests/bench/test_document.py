@@ -38,6 +38,7 @@ def numbers(value: object) -> list[float]:
     return [value] if isinstance(value, float) else []
 
 
+@pytest.mark.slow
 def test_json_holds_all_and_is_finite() -> None:
     document = small_benchmark()
     content = indented_json(document)
@@ -47,6 +48,7 @@ def test_json_holds_all_and_is_finite() -> None:
     assert msgspec.json.decode(content, type=BenchDocument) == document
 
 
+@pytest.mark.slow
 def test_every_method_is_on_every_set() -> None:
     document = small_benchmark()
     assert [record.name for record in document.sets] == ["mild", "wild", "body"]
@@ -65,6 +67,7 @@ def test_every_method_is_on_every_set() -> None:
             assert result.times_ours == 1.0
 
 
+@pytest.mark.slow
 def test_bodymeasure_is_right_on_every_set() -> None:
     ours = [result for result in small_benchmark().results if result.method == DEFAULT]
     assert len(ours) == 3
@@ -74,6 +77,7 @@ def test_bodymeasure_is_right_on_every_set() -> None:
         assert result.error_worst < 1e-10
 
 
+@pytest.mark.slow
 def test_growth_threads_and_figures_are_told() -> None:
     document = small_benchmark()
     assert [record.patches for record in document.growth] == [10, 100, 1000]
@@ -86,11 +90,13 @@ def test_growth_threads_and_figures_are_told() -> None:
         assert figure.value >= 0.0 or figure.name.endswith("order")
 
 
+@pytest.mark.slow
 def test_progress_ends_where_it_should() -> None:
     small_benchmark()
     assert list(range(1, benchmark_steps(SMALL) + 1)) == PROGRESS
 
 
+@pytest.mark.slow
 def test_csv_has_a_row_for_each_result() -> None:
     document = small_benchmark()
     rows = list(csv.DictReader(io.StringIO(to_csv(document).decode(), newline="")))
@@ -101,6 +107,7 @@ def test_csv_has_a_row_for_each_result() -> None:
         assert row["error_worst"] == ("" if result.error_worst is None else str(result.error_worst))
 
 
+@pytest.mark.slow
 def test_the_picture_names_all_methods_and_is_reproducible() -> None:
     document = small_benchmark()
     picture = error_against_time(document)
@@ -113,6 +120,7 @@ def test_the_picture_names_all_methods_and_is_reproducible() -> None:
     assert error_against_time(document) == picture
 
 
+@pytest.mark.slow
 def test_the_picture_shows_who_fails() -> None:
     document = small_benchmark()
 
@@ -131,6 +139,7 @@ def test_the_picture_shows_who_fails() -> None:
     assert hollow[1] > 0
 
 
+@pytest.mark.slow
 def test_a_method_without_any_length_can_be_drawn() -> None:
     document = small_benchmark()
     nothing = dict.fromkeys(("error_tenth", "error_median", "error_ninetieth", "error_worst"))
@@ -144,6 +153,7 @@ def test_a_method_without_any_length_can_be_drawn() -> None:
     assert b"Ritz" in picture
 
 
+@pytest.mark.slow
 def test_files_are_written_together_or_not_at_all(tmp_path: Path) -> None:
     document = small_benchmark()
     files = write_benchmark(document, tmp_path / "new")

@@ -130,6 +130,7 @@ def test_a_missing_package_is_told(
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_that_a_library_takes_no_part_is_told(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     document = small_benchmark()
     versions = {name: each for name, each in document.versions.items() if name != "pygeodesic"}
@@ -139,6 +140,7 @@ def test_that_a_library_takes_no_part_is_told(run: Run, monkeypatch: pytest.Monk
     assert (ran.code, ran.err) == (0, WITHOUT)
 
 
+@pytest.mark.slow
 def test_matplotlib_is_needed_for_the_picture_alone(
     run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -31,6 +31,7 @@ def checked_content(folder: Path) -> dict[str, Any]:
     return content
 
 
+@pytest.mark.slow
 def test_a_part_of_a_body(run: Run, part: Path, tmp_path: Path) -> None:
     folder = tmp_path / "new" / "report"
     ran = run("report", part, "-o", folder, "--no-pictures", "--processes", 2)

@@ -15,6 +15,7 @@ from bodymeasure.samples import load_sample
 PACKED = re.compile(rb'"(H4sI[A-Za-z0-9+/=]+)"')
 
 
+@pytest.mark.slow
 def test_a_page_is_written_with_the_chart_that_is_asked_for(run: Run, tmp_path: Path) -> None:
     write_atlas(load_sample("female_average"), tmp_path / "anna.atlas")
     write_atlas(load_sample("paraboloid"), tmp_path / "dish.atlas")

@@ -161,6 +161,7 @@ def test_of_many_subjects_some_are_drawn_and_all_that_stand_out(rng: np.random.G
     assert "<b>7" in {subject for _, _, subject in plot.points}
 
 
+@pytest.mark.slow
 def test_two_surveys_are_compared(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("pyarrow")
     path = write_shapes(tmp_path / "many.npz", 5, names=np.array(list("pqrst")))

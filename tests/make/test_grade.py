@@ -10,6 +10,7 @@ from bodymeasure.errors import InputError
 VALUES = {"bust_girth": 88.0, "waist_girth": 72.0, "hip_girth": 97.0}
 
 
+@pytest.mark.slow
 def test_a_measurement_is_varied_and_the_others_stay() -> None:
     family = bm.grade_body(VALUES, {"bust": ["+4cm", "-2cm"]}, unit="cm")
     assert list(family) == ["base", "bust_girth+4cm", "bust_girth-2cm"]

@@ -81,6 +81,7 @@ def test_predictions_cover_as_many_bodies_as_they_say() -> None:
     assert np.allclose(stated, predicted, rtol=0.35)
 
 
+@pytest.mark.slow
 def test_a_body_outside_the_components_is_reproduced() -> None:
     found, mean = _check_held_out(5)
     assert found < 0.5 * mean
@@ -111,6 +112,7 @@ def _check_held_out(number: int) -> tuple[float, float]:
     return tuple(float(np.sqrt((each**2).sum(axis=1).mean())) for each in (found, mean))  # type: ignore[return-value]
 
 
+@pytest.mark.slow
 def test_sex_and_age_move_the_mean_and_keep_the_measurements() -> None:
     woman = bm.make_body(FEW, unit="cm", sex="female")
     man = bm.make_body(FEW, unit="cm", sex="male", age=70)
@@ -125,6 +127,7 @@ def test_sex_and_age_move_the_mean_and_keep_the_measurements() -> None:
     assert 0.05 < heights[2] - heights[0] < 0.14
 
 
+@pytest.mark.slow
 def test_units_may_stand_with_values() -> None:
     mixed: dict[str, float | str] = {
         "stature": "5.5118 ft",
@@ -138,12 +141,14 @@ def test_units_may_stand_with_values() -> None:
     assert body.asked[1].found == pytest.approx(28.25, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_a_key_without_its_side_is_of_the_right_side() -> None:
     body = bm.make_body({**FEW, "knee girth": 37.0, "shoulder slope": 21.0}, unit="cm")
     assert [one.value.key for one in body.asked[3:]] == ["knee_girth_right", "shoulder_slope_right"]
     assert body.asked[4].value.unit == "deg"
 
 
+@pytest.mark.slow
 def test_contradicting_measurements_are_met_half_way_and_said() -> None:
     """The leg's length and its parts are one sum, which these values break by 6 mm."""
     values = {

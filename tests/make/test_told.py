@@ -54,6 +54,7 @@ def _told(values: dict[str, float]) -> Told:
     return told(readout, tuple(Value(key, value, units[key]) for key, value in values.items()))
 
 
+@pytest.mark.slow
 def test_the_womans_measurements_are_possible() -> None:
     found = _told(WOMAN)
     assert not found.refusal

@@ -82,6 +82,7 @@ def test_cloth_has_no_gaps_where_patches_meet_at_an_angle() -> None:
     assert loop_length(cloth, at) - loop_length(skin, at) == pytest.approx(0.04, abs=9e-4)
 
 
+@pytest.mark.slow
 def test_ease_is_the_same_in_other_units() -> None:
     # In one of them, rounding makes the curve of the waist end beyond the seam at the center front.
     body = bm.load_sample("female_average")

@@ -204,6 +204,7 @@ def test_a_general_rotation_changes_nothing() -> None:
     np.testing.assert_allclose(corners_of(there), corners_of(here), atol=1e-8)
 
 
+@pytest.mark.slow
 def test_a_body_that_lies_gives_the_same_pieces(skirt: Piece) -> None:
     body = load_sample("female_average")
     # Up becomes the second axis, and the front the third.

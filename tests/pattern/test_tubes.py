@@ -75,6 +75,7 @@ def test_a_slit_tube_is_a_rectangle(turned: bool) -> None:
     assert piece.edge("top 1").parts[0][:, 0].mean() < piece.edge("top 2").parts[0][:, 0].mean()
 
 
+@pytest.mark.slow
 def test_the_cap_of_a_sleeve_is_longer_than_the_armhole_by_its_ease() -> None:
     atlas = bm.load_sample("female_average")
     definitions = load_pattern("sleeve")

@@ -148,6 +148,7 @@ def test_measurements_are_numbered_where_they_are_seen(
     assert not {"left", "right"} & span
 
 
+@pytest.mark.slow
 def test_closeups_are_taken_from_where_a_tape_is_seen(
     scene: TapeScene, chart: Chart, around: list[Sight]
 ) -> None:

@@ -40,6 +40,7 @@ def rows_of(path: Path) -> list[dict[str, str]]:
         return list(csv.DictReader(file))
 
 
+@pytest.mark.slow
 def test_the_page_says_what_there_is(surveyed: SurveyTable, tmp_path: Path) -> None:
     files = bm.write_survey(surveyed, tmp_path, sizes=[{"knee": 45.0}])
     text = files[0].read_text(encoding="utf-8")
@@ -63,6 +64,7 @@ def test_the_page_says_what_there_is(surveyed: SurveyTable, tmp_path: Path) -> N
     assert float(correlations[0]["waist"]) == pytest.approx(wanted, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_outliers_have_links_to_their_bodies(surveyed: SurveyTable, tmp_path: Path) -> None:
     bm.write_survey(surveyed, tmp_path, sizes=[{"knee": 45.0}])
     outliers = rows_of(tmp_path / "outliers.csv")

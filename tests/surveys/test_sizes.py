@@ -81,6 +81,7 @@ def test_the_most_sizes_are_those_of_the_most_bodies(normal: SurveyTable) -> Non
     assert few.coverage == largest / 2999
 
 
+@pytest.mark.slow
 def test_sizes_by_medoids_are_bodies_and_nearer_than_others(
     normal: SurveyTable, rng: np.random.Generator
 ) -> None:
@@ -152,6 +153,7 @@ def test_what_is_no_key_measurement_is_refused(normal: SurveyTable, tmp_path: Pa
         size_table(empty, StepSizes({"a": 8.0, "b": 4.0}))
 
 
+@pytest.mark.slow
 def test_the_page_has_the_sizes_and_their_mannequins(tmp_path: Path) -> None:
     path = write_shapes(tmp_path / "many.npz", 6, names=np.array(["<i>"] * 6))
     survey = bm.survey(path, knees(), folder=tmp_path / "out")

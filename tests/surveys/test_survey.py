@@ -48,6 +48,7 @@ def test_records_agree_with_the_chart_to_the_last_bit(only: list[str], tmp_path:
                 assert (None if np.isnan(found) else found) == wanted
 
 
+@pytest.mark.slow
 def test_a_body_of_the_space_has_the_chart_of_its_atlas(tmp_path: Path) -> None:
     path = write_shapes(tmp_path / "many.npz", 2)
     only = ["stature", "waist_girth", "hip_girth"]
@@ -61,6 +62,7 @@ def test_a_body_of_the_space_has_the_chart_of_its_atlas(tmp_path: Path) -> None:
         assert table.member(record.key, "error_estimate")[1] == record.error_estimate
 
 
+@pytest.mark.slow
 def test_head_and_hands_are_left_out_only_where_nothing_needs_them(tmp_path: Path) -> None:
     path = write_shapes(tmp_path / "many.npz", 1)
     without = bm.survey(path, folder=tmp_path / "a", only=["waist_girth"])

@@ -12,6 +12,7 @@ from bodymeasure import load_definitions, read_atlas
 GOOD = ("bust_girth=88cm", "waist_girth=28 1/4in", "hip_girth=970mm")
 
 
+@pytest.mark.slow
 def test_values_become_an_atlas_and_a_chart_with_deviations(run: Run, tmp_path: Path) -> None:
     atlas, values = tmp_path / "ann.atlas", tmp_path / "ann.csv"
     ran = run("make", *GOOD, "-o", atlas, "--sex", "female", "--values", values)

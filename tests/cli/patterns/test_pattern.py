@@ -93,6 +93,7 @@ def test_a_body_without_landmarks_is_refused(run: Run, part: Path, tmp_path: Pat
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.slow
 def test_several_bodies_are_sizes_of_one_garment(run: Run, tmp_path: Path) -> None:
     (tmp_path / "small.toml").write_text(SMALL)
     out = tmp_path / "out"

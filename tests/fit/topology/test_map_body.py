@@ -16,6 +16,7 @@ from bodymeasure.fit.model import body_model, limit_matrix, shaped
 from bodymeasure.fit.topology import polygons_of, topology_of_fit
 
 
+@pytest.mark.slow
 def test_hm08_is_recognized_and_not_fitted(tmp_path: Path) -> None:
     vertices = body_in_pose(5)[0]
     file = tmp_path / "anna.obj"

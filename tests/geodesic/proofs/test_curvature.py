@@ -33,6 +33,7 @@ def sampled(nets: Array, points: int = 17) -> Array:
     ).T
 
 
+@pytest.mark.slow
 def test_a_bound_is_not_below_the_curvature_anywhere(rng: np.random.Generator) -> None:
     nets = np.concatenate([mild_patches(rng, 40, 0.5), wild_patches(rng, 10, 1.0)])
     highest = np.maximum(sampled(nets).max(axis=1), 0.0)

@@ -45,6 +45,7 @@ def test_a_patch_that_is_curved_too_much_has_the_distance_in_space() -> None:
     assert 2.562007137069414 <= upper < 2.562007137069415
 
 
+@pytest.mark.slow
 def test_lengths_keep_their_unit_and_failures_have_no_bounds(rng: np.random.Generator) -> None:
     nets = np.stack([mild_patches(rng, 1, 0.3)[0], bent_plane()])
     solution = bm.solve_geodesic(nets * 1000.0, (0, 0), [(1, 1), (0, 1)])

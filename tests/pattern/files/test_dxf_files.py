@@ -68,6 +68,7 @@ def test_each_piece_is_a_block_with_its_lengths(bodice: bm.Pattern) -> None:
     ]
 
 
+@pytest.mark.slow
 def test_sizes_are_blocks_at_one_place(bodice: bm.Pattern) -> None:
     graded = bm.GradedPattern(bodice.definitions, {"S": bodice, "größer": bodice})
     document = read(pattern_dxf(graded))

@@ -35,6 +35,7 @@ def test_the_report_says_for_which_ease_pieces_are() -> None:
     assert (plain["ease"], plain["bridge"]) == ({}, False)
 
 
+@pytest.mark.slow
 def test_sizes_have_folders_beside_what_holds_all(bodice: bm.Pattern, tmp_path: Path) -> None:
     both = graded(bodice, "S", "L")
     files = bm.write_pattern(both, tmp_path, formats=("dxf", "svg", "json"))

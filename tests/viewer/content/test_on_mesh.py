@@ -9,6 +9,7 @@ from bodymeasure.viewer.content.shown import ShownBody
 import bodymeasure as bm
 
 
+@pytest.mark.slow
 def test_paths_over_triangles_are_as_long_as_over_patches() -> None:
     body = ShownBody("0", bm.load_sample("female_average"), "Average")
     names = (

@@ -33,6 +33,7 @@ def test_all_tabs_get_the_same_body(server: Viewer) -> None:
     assert header["start"] == {"chart": None}
 
 
+@pytest.mark.slow
 def test_tapes_do_not_wait_for_a_chart(server: Viewer) -> None:
     order: list[str] = []
 
@@ -108,6 +109,7 @@ def test_the_bodies_opened_longest_ago_are_closed(server: Viewer) -> None:
     assert server.get("/api/body").status_code == 200
 
 
+@pytest.mark.slow
 def test_a_file_has_the_name_of_the_body(server: Viewer) -> None:
     found = server.post("/api/export", json={"set": "core", "format": "csv", "unit": "mm"})
     assert unquote(found.headers["X-Filename"]) == "Average female body, 160.5 cm.csv"
@@ -116,6 +118,7 @@ def test_a_file_has_the_name_of_the_body(server: Viewer) -> None:
     assert ",mm," in rows[1]
 
 
+@pytest.mark.slow
 def test_a_file_that_changes_is_read_again(tmp_path: Path) -> None:
     path = tmp_path / "body.atlas"
     bm.write_atlas(part_of_a_body(100, 106), path)

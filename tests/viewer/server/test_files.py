@@ -30,6 +30,7 @@ def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.slow
 def test_a_report_brings_its_body_and_its_differences(report: Path) -> None:
     with viewer("--report", report) as server:
         header = header_of(server)
@@ -105,6 +106,7 @@ def test_a_report_without_its_body_asks_for_it(
     assert "name the atlas that was measured (Part of a body) before --report" in ran.err
 
 
+@pytest.mark.slow
 def test_all_bodies_of_a_file_are_open(tmp_path: Path) -> None:
     first = part_of_a_body(100, 106)
     larger = bm.Atlas(1.1 * first.points, first.index, first.unit, name="A larger one")
@@ -124,6 +126,7 @@ def test_all_bodies_of_a_file_are_open(tmp_path: Path) -> None:
         assert np.nanmax(unpacked(found)[1]["values"]) > 0.0
 
 
+@pytest.mark.slow
 def test_what_a_check_finds_is_told_on_the_page(tmp_path: Path) -> None:
     path = tmp_path / "gaping.atlas"
     bm.write_atlas(folded_part_of_a_body(), path)

@@ -57,6 +57,7 @@ def test_memory_is_flat_over_bodies_that_are_opened() -> None:
         assert all(b - a < SLACK for a, b in zip(before, after, strict=True)), (before, after)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not POSIX, reason="counts file descriptors")
 def test_tabs_that_are_closed_leave_nothing() -> None:
     with viewer("paraboloid") as server:

@@ -99,6 +99,7 @@ def _compare_in_vain(server: Viewer) -> None:
         server.get("/api/layer?name=diagonals&compare=true")
 
 
+@pytest.mark.slow
 def test_no_process_outlives_a_viewer_that_was_killed() -> None:
     with viewer("female_average") as server:
         page = Listening(server)
@@ -114,6 +115,7 @@ def test_no_process_outlives_a_viewer_that_was_killed() -> None:
         assert gone(workers, patience=60.0)
 
 
+@pytest.mark.slow
 def test_a_worker_that_dies_is_replaced_and_the_page_is_told() -> None:
     with viewer("female_average") as server:
         page = Listening(server)
@@ -157,6 +159,7 @@ def test_a_port_that_was_given_is_taken_again_at_once() -> None:
         assert server.get("/api/body").status_code == 200
 
 
+@pytest.mark.slow
 def test_a_token_may_be_given_but_none_that_can_be_guessed(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -185,6 +188,7 @@ def test_another_address_says_what_it_means() -> None:
     assert "not encrypted" in said
 
 
+@pytest.mark.slow
 def test_the_link_goes_to_the_browser_through_a_file_of_the_user(tmp_path: Path) -> None:
     # What a browser's command line says can be read by all users of the machine.
     opened = tmp_path / "opened"

@@ -43,6 +43,7 @@ def with_service(
     asyncio.run(run())
 
 
+@pytest.mark.slow
 def test_a_file_is_watched_on_after_it_could_not_be_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -121,6 +122,7 @@ def test_no_more_bodies_are_open_than_may_be() -> None:
     with_service(body, test, [body] * 10)
 
 
+@pytest.mark.slow
 def test_a_page_that_is_loaded_again_knows_the_bodies_that_were_dropped() -> None:
     body = ShownBody("0", part_of_a_body(100, 106), "Part")
 
@@ -138,6 +140,7 @@ def test_a_page_that_is_loaded_again_knows_the_bodies_that_were_dropped() -> Non
     with_service(body, test)
 
 
+@pytest.mark.slow
 def test_a_dropped_file_has_another_id_after_a_new_start() -> None:
     body = ShownBody("0", part_of_a_body(100, 106), "Part")
     request = OpenFile(name="bowl.atlas", content=sample_path("paraboloid").read_bytes())
