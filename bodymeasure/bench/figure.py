@@ -26,7 +26,7 @@ TICKS = {
     1e5: "100 ms",
     1e6: "1 s",
 }
-KEYS_A_COLUMN = 3
+KEYS_A_COLUMN = 5
 METADATA: Any = {
     "Title": "Error of a geodesic's length against processor time",
     "Date": None,
@@ -117,7 +117,7 @@ def draw(document: BenchDocument) -> Any:
     """Return the picture as a figure of matplotlib."""
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(10.4, 5.3), facecolor="white")
+    figure = Figure(figsize=(10.4, 5.9), facecolor="white")
     panels = figure.subplots(1, len(document.sets), sharex=True, sharey=True, squeeze=False)[0]
     _scale(panels[0], document.results)
     keys: dict[bool, dict[str, Any]] = {True: {}, False: {}}
@@ -131,9 +131,9 @@ def draw(document: BenchDocument) -> Any:
     panels[0].set_ylabel("relative error of the length")
     panels[len(panels) // 2].set_xlabel("processor time a diagonal, one thread")
     _legend(figure, "bodymeasure", keys[True], 0.065)
-    _legend(figure, "others", keys[False], 0.6)
+    _legend(figure, "others", keys[False], 0.53)
     figure.text(0.065, 0.02, CAPTION, size=TEXT_SIZE - 1.0, color=CAPTION_INK)
-    figure.subplots_adjust(left=0.065, right=0.985, top=0.94, bottom=0.35, wspace=0.06)
+    figure.subplots_adjust(left=0.065, right=0.985, top=0.94, bottom=0.41, wspace=0.06)
     return figure
 
 

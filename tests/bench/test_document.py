@@ -7,6 +7,7 @@ import math
 import xml.etree.ElementTree as ET
 from collections import Counter
 from pathlib import Path
+from typing import Any
 
 import msgspec
 import pytest
@@ -20,9 +21,11 @@ from bodymeasure.bench import (
     write_benchmark,
 )
 from bodymeasure.bench.entrants.entrants import DEFAULT, entrants
+from bodymeasure.bench.figure import draw
 from bodymeasure.bench.records import Result
 from bodymeasure.errors import InputError
 from bodymeasure.report.serial import indented_json
+from bodymeasure.scene.figures.chart_style import chart_style
 
 
 def refuse(constant: str) -> None:
@@ -167,3 +170,18 @@ def test_files_are_written_together_or_not_at_all(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"bench\.csv: cannot be written"):
         write_benchmark(document, tmp_path / "other")
     assert [path.name for path in (tmp_path / "other").iterdir()] == ["bench.csv"]
+
+
+@pytest.mark.slow
+def test_the_keys_fit_into_the_picture() -> None:
+    pytest.importorskip("matplotlib")
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    with chart_style("the figure", "bench"):
+        figure = draw(small_benchmark())
+        canvas: Any = FigureCanvasAgg(figure)
+        renderer = canvas.get_renderer()
+        boxes = [legend.get_window_extent(renderer) for legend in figure.legends]
+    assert len(boxes) == 2
+    assert boxes[0].x1 < boxes[1].x0
+    assert boxes[1].x1 <= figure.bbox.x1
