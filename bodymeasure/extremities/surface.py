@@ -54,6 +54,13 @@ class Patchwork:
     limit: Array
     inside: Bools
 
+    def farthest(self, far: Callable[[Array], Array]) -> tuple[int, float]:
+        """Return the vertex of the part at whose limit a function is the largest, and its value."""
+        numbers = np.unique(self.mesh.quads[self.inside])
+        values = far(self.limit[numbers])
+        top = int(np.argmax(values))
+        return int(numbers[top]), float(values[top])
+
 
 def patchworks(whole: QuadMesh, vertices: Bools) -> tuple[Patchwork, ...]:
     """Return the quads that have only some vertices, at each step of subdivision from 0 on."""
@@ -78,25 +85,23 @@ def farthest(steps: Sequence[Patchwork], far: Callable[[Array], Array]) -> tuple
         Gives a value for each point, from an array (n, 3).
     """
     finest = steps[-1]
-    quads = finest.mesh.quads[finest.inside]
-    numbers = np.unique(quads)
-    best = int(numbers[np.argmax(far(finest.limit[numbers]))])
-    value = float(far(finest.limit[best][None])[0])
-    near = quads_within(finest.mesh, np.array([best]), 1 + MARGIN)
-    mesh, old = part(finest.mesh, near)
-    inside = np.asarray((mesh.quads == np.searchsorted(old, best)).any(axis=1))
-    inside &= finest.inside[near]
+    best, value = finest.farthest(far)
+    closer = closer_to(finest, best)
+    top, last = closer.farthest(far)
+    # The last steps have gained 63 of 64 parts of what was lacking, if they converge as squares do.
+    error = max(abs(last - value) / 21.0, LEAST_ERROR * abs(value))
+    return closer.limit[top], Length(last, error)
+
+
+def closer_to(patchwork: Patchwork, vertex: int) -> Patchwork:
+    """Return the quads of a part about one of its vertices, subdivided further."""
+    near = quads_within(patchwork.mesh, np.array([vertex]), 1 + MARGIN)
+    mesh, old = part(patchwork.mesh, near)
+    inside = np.asarray((mesh.quads == np.searchsorted(old, vertex)).any(axis=1))
+    inside &= patchwork.inside[near]
     for _ in range(CLOSER):
         mesh, inside = subdivide(mesh), children(inside, 1)
-    limit = limit_positions(mesh)
-    numbers = np.unique(mesh.quads[inside])
-    values = far(limit[numbers])
-    top = int(np.argmax(values))
-    # The last steps have gained 63 of 64 parts of what was lacking, if they converge as squares do.
-    gained = float(values[top]) - value
-    return limit[numbers[top]], Length(
-        float(values[top]), max(abs(gained) / 21.0, LEAST_ERROR * abs(value))
-    )
+    return Patchwork(mesh, limit_positions(mesh), inside)
 
 
 def girth(steps: Sequence[Patchwork], at: Array, normal: Array) -> Length:

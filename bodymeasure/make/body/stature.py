@@ -5,19 +5,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure._typing import Array, Bools
 from bodymeasure.extremities.places import Region, places
-from bodymeasure.extremities.surface import CLOSER, MARGIN, STEPS, patchworks
+from bodymeasure.extremities.surface import STEPS, Patchwork, closer_to, patchworks
 from bodymeasure.fit.model import body_model, limit_matrix, shaped
 from bodymeasure.make.body.atlases import COUNT
-from bodymeasure.subdivision import (
-    QuadMesh,
-    children,
-    limit_positions,
-    part,
-    quads_within,
-    subdivide,
-)
+from bodymeasure.subdivision import QuadMesh
 
 # In meters: the top is looked for that far below the highest limit of a vertex of the skull.
 CAP = 0.02
@@ -42,35 +35,19 @@ def stature_of(coefficients: Array) -> tuple[float, Array]:
     skull = places().region == Region.SKULL
     cap = skull & (height > height[skull].max() - CAP)
     finest = _subdivided(vertices, cap)
-    quads = finest.mesh.quads[finest.inside]
-    numbers = np.unique(quads)
-    best = int(numbers[np.argmax(finest.limit[numbers, 2])])
-    limit, inside = _closer(finest.mesh, finest.inside, best)
-    highest = int(inside[np.argmax(limit[inside, 2])])
+    best, _ = finest.farthest(_height)
+    closer = closer_to(finest, best)
+    highest, stature = closer.farthest(_height)
     slopes = _slopes(_Top(np.packbits(cap).tobytes(), best, highest))
-    return float(limit[highest, 2]), slopes
+    return stature, slopes
 
 
-class _Finest(NamedTuple):
-    mesh: QuadMesh
-    limit: Array
-    inside: Bools
+def _height(points: Array) -> Array:
+    return points[:, 2]
 
 
-def _subdivided(vertices: Array, cap: Bools) -> _Finest:
-    last = patchworks(QuadMesh(vertices, body_model().quads), cap)[STEPS]
-    return _Finest(last.mesh, last.limit, last.inside)
-
-
-def _closer(mesh: QuadMesh, chosen: Bools, best: int) -> tuple[Array, Ints]:
-    """Return limits of the finest vertices about a vertex, and which of them count."""
-    near = quads_within(mesh, np.array([best]), 1 + MARGIN)
-    closer, old = part(mesh, near)
-    inside = np.asarray((closer.quads == np.searchsorted(old, best)).any(axis=1))
-    inside &= chosen[near]
-    for _ in range(CLOSER):
-        closer, inside = subdivide(closer), children(inside, 1)
-    return limit_positions(closer), np.unique(closer.quads[inside])
+def _subdivided(vertices: Array, cap: Bools) -> Patchwork:
+    return patchworks(QuadMesh(vertices, body_model().quads), cap)[STEPS]
 
 
 @lru_cache(maxsize=16)
@@ -85,6 +62,5 @@ def _slopes(top: _Top) -> Array:
     found = []
     for first in range(0, COUNT, 3):
         finest = _subdivided(np.ascontiguousarray(rises[first : first + 3].T), cap)
-        limit, _ = _closer(finest.mesh, finest.inside, top.best)
-        found.append(limit[top.highest])
+        found.append(closer_to(finest, top.best).limit[top.highest])
     return np.concatenate(found)
