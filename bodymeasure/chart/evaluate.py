@@ -22,9 +22,6 @@ from bodymeasure.errors import InputError
 from bodymeasure.measure import package_versions
 from bodymeasure.threads import one_blas_thread
 
-# Packages whose versions can change a number of a chart.
-PACKAGES = ("bodymeasure", "numpy", "scipy")
-
 
 @one_blas_thread()
 def measure_chart(
@@ -103,7 +100,7 @@ def measure_chart(
         body.missing,
         tuple(item for item in measured if item.definition.key in named or not _left_out(item)),
         time.perf_counter() - begin,
-        package_versions(PACKAGES),
+        package_versions(),
         body.trust.uncertainty,
         tuple(only),
     )

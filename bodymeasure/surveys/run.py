@@ -19,13 +19,10 @@ from bodymeasure.surveys.records import (
     require_pyarrow,
     write_table,
 )
-from bodymeasure.surveys.records.table import Head
+from bodymeasure.surveys.records.table import TABLE, Head
 
-TABLE = "survey.parquet"
 # The table while it is written.
 UNFINISHED = ".survey.parquet.unfinished"
-# Packages whose versions can change a number.
-PACKAGES = ("bodymeasure", "numpy", "scipy")
 
 
 def run_survey(
@@ -58,7 +55,7 @@ def run_survey(
         name = charting.definitions.name
         raise InputError(f"the set {name!r} defines no measurement; add one to it")
     with locked(folder):
-        versions = package_versions(PACKAGES)
+        versions = package_versions()
         agree_on_settings(
             folder,
             {

@@ -10,8 +10,6 @@ from bodymeasure.files import read_bytes, write_bytes
 from bodymeasure.measure import package_versions
 
 FILE = "done.json"
-# The packages whose versions can change a fit.
-PACKAGES = ("bodymeasure", "numpy", "scipy")
 
 
 class Done:
@@ -56,6 +54,6 @@ def key_of(files: tuple[Path, ...], settings: Mapping[str, object]) -> str:
         If a file cannot be read.
     """
     parts = [hashlib.sha256(read_bytes(file)).digest() for file in files]
-    versions = package_versions(PACKAGES)
+    versions = package_versions()
     parts.append(msgspec.json.encode({**settings, "versions": versions}, order="deterministic"))
     return hashlib.sha256(b"\0".join(parts)).hexdigest()

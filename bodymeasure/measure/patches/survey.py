@@ -20,11 +20,10 @@ from bodymeasure.wording import counted
 if TYPE_CHECKING:
     from bodymeasure.measure.patches.cross_check import CrossCheck
 
-# Packages whose versions can change a number or a picture of a survey.
-PACKAGES = (
-    *("bodymeasure", "numpy", "scipy", "libigl", "potpourri3d"),
-    *("pyvista", "vtk", "matplotlib"),
-)
+# Packages whose versions can change a number of a chart or a fit.
+NUMERIC = ("bodymeasure", "numpy", "scipy")
+# Those that can change a number or a picture of a survey.
+PACKAGES = (*NUMERIC, "libigl", "potpourri3d", "pyvista", "vtk", "matplotlib")
 
 
 @dataclass(frozen=True, eq=False)
@@ -155,8 +154,11 @@ def _timed(seconds: dict[str, float], step: str) -> Iterator[None]:
     seconds[step] = time.perf_counter() - begin
 
 
-def package_versions(packages: Sequence[str]) -> dict[str, str]:
-    """Return the versions of Python and of installed packages, and which kernels serve."""
+def package_versions(packages: Sequence[str] = NUMERIC) -> dict[str, str]:
+    """Return the versions of Python and of installed packages, and which kernels serve.
+
+    Without a choice of packages, they are those that can change a number of a chart or a fit.
+    """
     versions = {"Python": platform.python_version()}
     versions["kernels"] = "compiled" if is_compiled() else "NumPy"
     for package in packages:

@@ -18,8 +18,6 @@ LOST = (
     "the connection to the scheduler is lost; the same call goes on with what is not yet done when "
     "the scheduler is there again"
 )
-# Packages whose versions can change a number.
-PACKAGES = ("bodymeasure", "numpy", "scipy")
 
 
 class Client(Protocol):
@@ -117,10 +115,10 @@ class Cluster:
                 future.cancel()
 
     def _require_same_versions(self) -> None:
-        mine = package_versions(PACKAGES)
+        mine = package_versions()
         try:
-            self._client.run_on_scheduler(package_versions, PACKAGES)
-            found: dict[str, dict[str, str]] = self._client.run(package_versions, PACKAGES)
+            self._client.run_on_scheduler(package_versions)
+            found: dict[str, dict[str, str]] = self._client.run(package_versions)
         except Exception as error:
             # Whatever Dask makes of a module that is not there.
             raise InputError(

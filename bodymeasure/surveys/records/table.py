@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
+# The name of the file in the folder of a survey.
+TABLE = "survey.parquet"
 FORMAT = "bodymeasure survey"
 VERSION = 1
 KEY = b"bodymeasure survey"
@@ -247,7 +249,7 @@ class SurveyTable:
         """The file of each body, from the table's folder, with its number if that holds many."""
         return tuple(self._file.read(["source"]).column(0).to_pylist())
 
-    @property
+    @cached_property
     def failures(self) -> tuple[Failed, ...]:
         """The bodies without a chart."""
         table = self._file.read(["subject", "source", "failure"])
@@ -292,7 +294,7 @@ def read_survey(path: str | PathLike[str]) -> SurveyTable:
     import pyarrow.parquet as pq
 
     path = file_path(path)
-    path = path / "survey.parquet" if path.is_dir() else path
+    path = path / TABLE if path.is_dir() else path
     if not path.is_file():
         raise InputError(f"{path}: no such file; expected what `bodymeasure survey` writes")
     try:
