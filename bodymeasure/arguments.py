@@ -1,6 +1,7 @@
 """The types of arguments, checked where users call, with messages that say what was expected."""
 
 import os
+from collections import Counter
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TypeVar
@@ -20,6 +21,11 @@ def shown(value: object) -> str:
     """Return a value as messages show it: its repr, shortened."""
     text = repr(value)
     return text if len(text) <= SHOWN else f"{text[:SHOWN]}..."
+
+
+def repeated(names: Iterable[str]) -> str | None:
+    """Return the first name that stands more than once among some; None if all differ."""
+    return next((name for name, count in Counter(names).items() if count > 1), None)
 
 
 def file_path(value: object, name: str = "the path") -> Path:

@@ -2,8 +2,9 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
-from bodymeasure.arguments import require_kind, require_progress, several, shown
+from bodymeasure.arguments import repeated, require_kind, require_progress, several, shown
 from bodymeasure.atlas import Unit
 from bodymeasure.chart import Definitions, load_definitions
 from bodymeasure.errors import InputError
@@ -65,21 +66,20 @@ def make_sizes(
     """
     require_progress(progress)
     sizes = several(sizes, Measurements, "sizes", "what read_measurements returns")
-    names = [size.name for size in sizes]
-    for name in names:
-        if names.count(name) > 1:
-            raise InputError(f"two sizes have the name {name!r}; give each a name of its own")
+    if (twice := repeated(size.name for size in sizes)) is not None:
+        raise InputError(f"two sizes have the name {twice!r}; give each a name of its own")
+    making = partial(
+        make_body,
+        sex=sex,
+        age=age,
+        definitions=definitions,
+        tolerance=tolerance,
+        components=components,
+        despite_doubts=despite_doubts,
+    )
     made: dict[str, MadeBody] = {}
     for size in sizes:
-        made[size.name] = make_body(
-            size,
-            sex=sex,
-            age=age,
-            definitions=definitions,
-            tolerance=tolerance,
-            components=components,
-            despite_doubts=despite_doubts,
-        )
+        made[size.name] = making(size)
         if progress is not None:
             progress(len(made), len(sizes))
     return made
@@ -142,16 +142,16 @@ def grade_body(
     check_settings(tolerance, components)
     changes = changes_of(vary, definitions)
     count = 1 + len(next(iter(changes.values())))
-    base = make_body(
-        wanted,
+    making = partial(
+        make_body,
         sex=sex,
         age=age,
         definitions=definitions,
         tolerance=tolerance,
         components=components,
         despite_doubts=despite_doubts,
-        name=f"{wanted.name} base".strip(),
     )
+    base = making(wanted, name=f"{wanted.name} base".strip())
     made = {"base": base}
     if progress is not None:
         progress(1, count)
@@ -160,35 +160,33 @@ def grade_body(
     for one in base.predicted(absent) if absent else ():
         start[one.key] = Value(one.key, one.value, DEGREES if one.unit == DEGREES else "m")
     for number in range(count - 1):
-        changed, words = dict(start), []
-        for key, each in changes.items():
-            text, by = each[number]
-            old = changed[key]
-            value = old.value + by * old.value / old.base
-            if value <= 0.0 and old.unit != DEGREES:
-                raise InputError(
-                    f"vary: {key} is {old.written(old.base)}, of which {text} leaves nothing; "
-                    "change it by less"
-                )
-            changed[key] = replace(old, value=value)
-            words.append(f"{key}{text}")
-        name = ",".join(words)
+        change = {key: each[number] for key, each in changes.items()}
+        name = ",".join(f"{key}{text}" for key, (text, _) in change.items())
+        changed = replace(wanted, values=_changed(start, change), name=name)
         try:
-            made[name] = make_body(
-                replace(wanted, values=tuple(changed.values()), name=name),
-                sex=sex,
-                age=age,
-                definitions=definitions,
-                tolerance=tolerance,
-                components=components,
-                despite_doubts=despite_doubts,
-                name=f"{wanted.name} {name}".strip(),
-            )
+            made[name] = making(changed, name=f"{wanted.name} {name}".strip())
         except InputError as error:
             raise InputError(f"{error}; the first body is possible, so change it by less") from None
         if progress is not None:
             progress(len(made), count)
     return made
+
+
+def _changed(
+    start: Mapping[str, Value], change: Mapping[str, tuple[str, float]]
+) -> tuple[Value, ...]:
+    """Return values of which some are changed, each by its key, in words and meters or degrees."""
+    found = dict(start)
+    for key, (text, by) in change.items():
+        old = start[key]
+        value = old.value + by * old.factor
+        if value <= 0.0 and old.unit != DEGREES:
+            raise InputError(
+                f"vary: {key} is {old.written(old.base)}, of which {text} leaves nothing; change "
+                "it by less"
+            )
+        found[key] = replace(old, value=value)
+    return tuple(found.values())
 
 
 def changes_of(

@@ -253,7 +253,7 @@ def _asked(values: tuple[Value, ...], solution: Solution, covariance: Array) -> 
     deviation = np.sqrt(np.einsum("ki,ij,kj->k", slopes, covariance, slopes).clip(0.0))
     found = []
     for row, value in enumerate(values):
-        scale = value.value / value.base
+        scale = value.factor
         reason = solution.readout.reasons[row]
         there = float(solution.readout.values[row]) * scale if not reason else float("nan")
         found.append(Asked(value, there, float(deviation[row]) * scale, reason))

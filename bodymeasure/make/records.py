@@ -76,7 +76,7 @@ def _body(name: str, body: MadeBody) -> BodyRecord:
     for one in body.predicted():
         # What was asked for stands in the unit in which it was asked.
         mine = asked.get(one.key)
-        scale = mine.value.value / mine.value.base if mine else 1.0 if one.unit == "deg" else 100.0
+        scale = mine.value.factor if mine else 1.0 if one.unit == "deg" else 100.0
         unit = mine.value.unit if mine else one.unit if one.unit == "deg" else "cm"
         known = one.value == one.value
         value = one.value * scale if known else None

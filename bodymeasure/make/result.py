@@ -113,9 +113,7 @@ class MadeBody:
     def largest_miss(self) -> float:
         """The largest miss of a length, in meters."""
         misses = [
-            abs(one.found * one.value.base / one.value.value - one.value.base)
-            for one in self.asked
-            if one.value.unit != DEGREES
+            abs(one.miss) / one.value.factor for one in self.asked if one.value.unit != DEGREES
         ]
         return max(misses, default=0.0)
 

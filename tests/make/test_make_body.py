@@ -232,3 +232,12 @@ def test_the_atlas_is_that_of_the_vertices() -> None:
     assert np.abs(atlas_of(body.coefficients).points - body.atlas.points).max() == 0.0
     assert body.atlas.given["stature"].value == pytest.approx(1.68, abs=2e-5)
     assert "3 measurements" in body.atlas.provenance["source"]
+
+
+def test_an_angle_may_be_zero() -> None:
+    values = {"shoulder_slope": "0 deg", "bust": "88 cm", "waist": "72 cm", "hip": "97 cm"}
+    body = bm.make_body(values, despite_doubts=True)
+    slope = body.asked[0]
+    assert slope.value.key == "shoulder_slope_right"
+    assert slope.found == pytest.approx(0.0, abs=0.02)
+    assert slope.deviation < 0.1

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from bodymeasure.arguments import repeated
 from bodymeasure.errors import InputError
 
 if TYPE_CHECKING:
@@ -47,13 +48,11 @@ def file_names(names: Sequence[str], output: Path | None, *, several: bool) -> F
         folder = Path("made") if output is None else output
         if folder.suffix.lower() == SUFFIX:
             raise InputError(f"{folder}: there are several bodies; expected a folder for them")
-        plain = [_plain(name) for name in names]
-        for name in plain:
-            if plain.count(name) > 1:
-                raise InputError(
-                    f"two bodies would be written to {name}{SUFFIX}; give them names that differ "
-                    "in letters and digits"
-                )
+        if (twice := repeated(map(_plain, names))) is not None:
+            raise InputError(
+                f"two bodies would be written to {twice}{SUFFIX}; give them names that differ "
+                "in letters and digits"
+            )
         return FileNames(folder, None)
     path = Path(f"{_plain(names[0])}{SUFFIX}") if output is None else output
     if path.suffix.lower() != SUFFIX:

@@ -1,5 +1,7 @@
 """`bodymeasure make`."""
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -126,21 +128,19 @@ def make(
         for path in (names.single, values_file):
             if path is not None:
                 require_writable(path)
-        settings = {
-            "sex": sex,
-            "age": age,
-            "definitions": loaded,
-            "tolerance": tolerance,
-            "components": components,
-            "despite_doubts": despite_doubts,
-        }
         count = 1 + len(next(iter(vary.values()))) if vary else len(sizes)
+        making: Callable[..., dict[str, MadeBody]]
+        making = partial(grade_body, sizes[0], vary) if vary else partial(make_sizes, sizes)
         with progress_bar("making", count) as progress:
-            advance = lambda done, _all: progress(done)  # noqa: E731
-            if vary:
-                made = grade_body(sizes[0], vary, progress=advance, **settings)  # type: ignore[arg-type]
-            else:
-                made = make_sizes(sizes, progress=advance, **settings)  # type: ignore[arg-type]
+            made = making(
+                sex=sex,
+                age=age,
+                definitions=loaded,
+                tolerance=tolerance,
+                components=components,
+                despite_doubts=despite_doubts,
+                progress=lambda done, _all: progress(done),
+            )
         contents = {names.path_of(name): atlas_content(body) for name, body in made.items()}
         if values_file is not None:
             contents[values_file] = values_content(made, values_file)
@@ -161,23 +161,18 @@ def make(
 
 
 def _table(body: "MadeBody") -> "Table":
+    from bodymeasure.chart import both_sides
     from bodymeasure.report.units import LENGTH_DECIMALS
 
-    every = {one.key: one.name for one in _definitions(body)}
+    every = {one.key: one.name for one in both_sides(body.definitions.measurement)}
     table = new_table("measurement", "asked", "body", "miss, mm")
     for one in body.asked:
         value, unit = one.value, one.value.unit
         decimals = LENGTH_DECIMALS.get(unit, 2)
         shown = f"{one.found:.{decimals}f} {unit}" if one.found == one.found else "none"
-        miss = "" if unit == "deg" else f"{1e3 * one.miss * value.base / value.value:.3f}"
+        miss = "" if unit == "deg" else f"{1e3 * one.miss / value.factor:.3f}"
         table.add_row(Text(every[value.key]), f"{value.value:.{decimals}f} {unit}", shown, miss)
     return table
-
-
-def _definitions(body: "MadeBody"):  # type: ignore[no-untyped-def]
-    from bodymeasure.chart import both_sides
-
-    return both_sides(body.definitions.measurement)
 
 
 def _print_summary(body: "MadeBody") -> None:

@@ -5,6 +5,7 @@ import math
 from collections.abc import Mapping
 from pathlib import Path
 
+from bodymeasure.arguments import repeated
 from bodymeasure.atlas import Unit
 from bodymeasure.errors import InputError
 from bodymeasure.make.input.measurements import Measurements, Value
@@ -51,8 +52,7 @@ def _decoded(content: bytes, path: Path) -> object:
         # JSON takes the last of two values of one name, which may be the wrong one.
         found = dict(pairs)
         if len(found) < len(pairs):
-            names = [name for name, _ in pairs]
-            twice = next(name for name in names if names.count(name) > 1)
+            twice = repeated(name for name, _ in pairs)
             raise InputError(f"{path}: {twice!r} is given a second time; keep one")
         return found
 

@@ -33,6 +33,11 @@ class Value:
         """The value in meters, or in degrees."""
         return self.value if self.unit == DEGREES else self.value * Unit.parse(self.unit).meters
 
+    @property
+    def factor(self) -> float:
+        """The factor that takes meters, or degrees, to its unit."""
+        return 1.0 if self.unit == DEGREES else 1.0 / Unit.parse(self.unit).meters
+
     def written(self, base: float, digits: int = 1) -> str:
         """Return a value in meters or degrees in the unit of this one, with the unit."""
         if self.unit == DEGREES:

@@ -5,6 +5,7 @@ import io
 import re
 from pathlib import Path
 
+from bodymeasure.arguments import repeated
 from bodymeasure.atlas import Unit
 from bodymeasure.compare.read import header_of, table_text
 from bodymeasure.errors import InputError
@@ -63,9 +64,8 @@ def measurements_of_table(
             header.pop()
         columns = [_column(cell, names, path, unit) for cell in header[1:]]
         keys = [key for key, _ in columns]
-        for key in keys:
-            if keys.count(key) > 1:
-                raise InputError(f"{path}, line 1: {key!r} has two columns; keep one")
+        if (twice := repeated(keys)) is not None:
+            raise InputError(f"{path}, line 1: {twice!r} has two columns; keep one")
         for row in table:
             if not any(cell.strip() for cell in row):
                 continue

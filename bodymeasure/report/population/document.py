@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from statistics import fmean, median, stdev
 
+from bodymeasure.arguments import repeated
 from bodymeasure.errors import InputError
 from bodymeasure.report.body.records import BodyRecord, ChartDocument
 from bodymeasure.report.population.records import Failure, MeasurementSummary, PopulationDocument
@@ -36,8 +37,7 @@ def population_document(
     """
     if not charts:
         raise InputError("there is no body to chart; expected at least one")
-    if len(set(subjects)) < len(charts):
-        twice = next(name for name in subjects if list(subjects).count(name) > 1)
+    if (twice := repeated(subjects)) is not None:
         raise InputError(f"two subjects are named {twice!r}; rename one")
     return PopulationDocument(
         created=(created or datetime.now(UTC)).isoformat(timespec="seconds"),
