@@ -243,10 +243,8 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
         batches = tuple(batch.renumbered(apart[batch.problems]) for batch in batches)
     for batch in batches:
         outcome.put(batch, scale)
-    known, has_length = (
-        is_known(outcome.length, outcome.error_estimate, scale),
-        have_length(outcome.status),
-    )
+    known = is_known(outcome.length, outcome.error_estimate, scale)
+    has_length = have_length(outcome.status)
     outcome.status[has_length & ~known] = Status.INACCURATE
     outcome.length[~(has_length & known)] = np.nan
     return GeodesicSolution(

@@ -24,7 +24,7 @@ from bodymeasure.geodesic.spaces.quadrature import Quadrature
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
-# Beyond the points of the trial space's own quadrature, on each piece: where the path is sampled.
+# A path is sampled at so many points more than its trial space's own quadrature has, on each piece.
 MORE_POINTS = 8
 # The curvature between two samples is taken to be at most this factor above the largest of them.
 # Of 1300 resolved paths on wild patches, none exceeds it by more than 1.16.
@@ -34,11 +34,11 @@ BETWEEN = 1.2
 RESOLVED = 1e-7
 # The rounding errors of a sum that gives a length, relative to it.
 ROUNDING = 2.5e-16
-# By how much two such sums of the same length differ.
+# Two such sums of the same length differ by this part of it.
 NOISE = 5e-16
 # Two points of a patch of size 1 are as far apart as computed, up to this.
 PLACES = 2e-15
-# How far outside (u, v) in [0, 1] rounding puts a path along an edge.
+# Rounding puts a path along an edge so far outside of [0, 1] in u or v.
 ON_EDGE = 1e-14
 # Where ends are closer in u and in v, rounded values may make a path turn back between samples.
 SHORTEST_WAY = 1e-12
@@ -96,12 +96,12 @@ def sample_paths(surface: Surface, space: TrialSpace, values: Array) -> SampledP
     """
     quadrature, (place, *slopes) = _samples(space)
     moved = values - values[:, :, :1]
-    geometry = path_geometry(surface, values @ place.T, *(moved @ rows.T for rows in slopes))
+    places = values @ place.T
+    geometry = path_geometry(surface, places, *(moved @ rows.T for rows in slopes))
     length = quadrature.weights @ geometry.speed[1:-1]
     curvature = BETWEEN * np.abs(geometry.geodesic_curvature).max(axis=0)
     unknown = np.abs(moved[:, :, -1]).max(axis=1) < SHORTEST_WAY
     # Off the patch, a path bounds nothing.
-    places = values @ place.T
     outside = (places.min(axis=(1, 2)) < -ON_EDGE) | (places.max(axis=(1, 2)) > 1.0 + ON_EDGE)
     curvature = np.where(outside | unknown, np.nan, curvature)
     return SampledPaths(np.where(outside, np.inf, length), curvature)

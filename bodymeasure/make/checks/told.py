@@ -19,7 +19,7 @@ from bodymeasure.make.checks.slips import slip_of, unit_of_all
 from bodymeasure.make.input.measurements import Value
 from bodymeasure.report.units import DEGREES
 
-# Of so many bodies one is as far out, at most: beyond, the figure means nothing.
+# The least part of bodies that is stated: a smaller figure means nothing.
 RAREST = 1e-9
 
 
@@ -87,23 +87,19 @@ def _contradiction(
 
 def _refusal(judgment: Judgment, values: tuple[Value, ...], base: Array) -> str:
     row = judgment.worst
-    count = len(values)
-    odds = max(judgment.probability, RAREST)
-    rest = judgment.chi_square - float(judgment.gain[row])
-    words = (
-        f"no body is likely to have these {count} measurements together (chi-square "
-        f"{judgment.chi_square:.0f}, of which fewer than 1 in {_rounded(1.0 / odds)} bodies "
-        f"{'have' if count > 1 else 'has'} more)"
-        if judgment.probability < REFUSED
-        else f"{values[row].key} does not go with the other measurements"
-    )
     value = values[row]
-    helps = (
-        f"; without {value.key} ({value.written(float(base[row]))}) it is {rest:.0f}"
-        if judgment.probability < REFUSED and count > 1
-        else f": it is {value.written(float(base[row]))}"
-    )
-    return f"{words}{helps}; {_meant(judgment, value, row)}"
+    its = value.written(float(base[row]))
+    if judgment.probability < REFUSED:
+        odds = max(judgment.probability, RAREST)
+        rest = judgment.chi_square - float(judgment.gain[row])
+        words = (
+            f"no body is likely to have these {len(values)} measurements together (chi-square "
+            f"{judgment.chi_square:.0f}, of which fewer than 1 in {_rounded(1.0 / odds)} bodies "
+            f"have more); without {value.key} ({its}) it is {rest:.0f}"
+        )
+    else:
+        words = f"{value.key} does not go with the other measurements: it is {its}"
+    return f"{words}; {_meant(judgment, value, row)}"
 
 
 def _meant(judgment: Judgment, value: Value, row: int) -> str:

@@ -19,7 +19,7 @@ EXPECTED = (
     'expected {"unit": "cm", "measurements": {"waist_girth": 72}}, a measurement set of '
     "FreeSewing, or the measurements.json of a chart"
 )
-# Of a file that says its unit.
+# The members of a file that says its unit.
 MEMBERS = ("name", "unit", "sex", "measurements")
 
 

@@ -29,8 +29,8 @@ from bodymeasure.oracle import LEVELS, MeshDistances, has_flips, mesh_distances
 SAFETY = 3.0
 RESOLUTION = 1e-6
 
-# Of so many patches libigl confirms one, and this many of the worst ones, twice as many as reports
-# show.
+# One of so many patches is confirmed by libigl, and so are this many of the worst ones, twice as
+# many as reports show.
 SAMPLE = 20
 WORST = 12
 # What uses up this part of the difference that is allowed is confirmed, too.

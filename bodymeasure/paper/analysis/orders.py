@@ -13,7 +13,7 @@ COUNTS: dict[Form, tuple[int, ...]] = {
     "weak": (8, 11, 15, 20, 27, 36),
     "collocation": (11, 15, 20, 27, 36),
 }
-# By how much the orders of the norms are above t - 1/2.
+# The order in L2 is so much above that in H1, t - 1/2.
 L2_GAIN: dict[Form, float] = {"weak": 1.0, "collocation": 0.5}
 
 

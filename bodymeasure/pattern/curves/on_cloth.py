@@ -15,7 +15,7 @@ from bodymeasure.pattern.curves.skin_curve import SkinCurve
 CHORD = 0.001
 # A part of a curve that is shorter than this part of it is rounding.
 LEAST = 1e-9
-# By how much, as such a part, its ends are moved inwards, so that they lie on its own patch.
+# Its ends are moved inwards by such a part of it, so that they lie on its own patch.
 BESIDE = 1e-12
 
 
