@@ -64,8 +64,8 @@ ORDERS = {
     "paper": "method · data · surface · tables · analysis · reproduction · page",
     "pattern": "grid, planar · cloth, patches · curves, definitions · cutting · flat · hollows ·"
     " pieces · files",
-    "report": "files, serial, units · numbers · templating · landmarks, patterns · patches · body ·"
-    " population",
+    "report": "files, serial, ticks, units · numbers · templating · landmarks, patterns · patches ·"
+    " body · population",
     "scene": "model · camera, colors · lighting · figures · drawing · diagonals · tapes",
     "section": "cells, plane, roots, through/quotient · crossings, pieces ·"
     " arcs, loop, through/poles · curve, part · bridged, places, section · hull",

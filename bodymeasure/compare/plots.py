@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from bodymeasure.compare.records import Agreement, Difference
+from bodymeasure.report.ticks import ticks
 
 # Size and margins in the drawing's own units, about pixels.
 WIDTH, HEIGHT = 380.0, 240.0
@@ -49,8 +50,6 @@ class Plot:
     lines : tuple of Line
     ticks, levels : tuple of (float, float)
         Where labels of the axes stand, and their values.
-    drawn : int
-        How many subjects are drawn.
     """
 
     agreement: Agreement
@@ -117,8 +116,8 @@ def plot_of(agreement: Agreement, differences: Sequence[Difference]) -> Plot | N
         tuple((x(means[place]), y(values[place]), differences[place].subject) for place in shown),
         tuple((y(end), round(y(begin) - y(end), 2)) for begin, end in intervals),
         tuple(lines),
-        tuple((x(value), value) for value in x.ticks()),
-        tuple((y(value), value) for value in y.ticks()),
+        tuple((x(value), value) for value in ticks(x.low, x.high)),
+        tuple((y(value), value) for value in ticks(y.low, y.high)),
     )
 
 
@@ -134,14 +133,6 @@ class _Axis:
     def __call__(self, value: float) -> float:
         part = (value - self.low) / (self.high - self.low)
         return round(self.begin + (self.end - self.begin) * part, 2)
-
-    def ticks(self, *, about: int = 4) -> list[float]:
-        """Return round numbers: steps of 1, 2 or 5 times a power of ten."""
-        rough = (self.high - self.low) / about
-        power = 10.0 ** math.floor(math.log10(rough))
-        step = next(each * power for each in (1.0, 2.0, 5.0, 10.0) if each * power >= rough)
-        first, last = math.ceil(self.low / step), math.floor(self.high / step)
-        return [number * step for number in range(first, last + 1)]
 
 
 def _axis(low: float, high: float, begin: float, end: float) -> _Axis:

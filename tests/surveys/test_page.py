@@ -13,8 +13,9 @@ from bodymeasure.chart import both_sides
 from bodymeasure.cli.surveys.progress import Left, duration
 from bodymeasure.errors import InputError
 from bodymeasure.report.numbers import MINUS, NONE
+from bodymeasure.report.ticks import ticks
 from bodymeasure.surveys import SurveyTable
-from bodymeasure.surveys.page.drawing import drawing, ticks
+from bodymeasure.surveys.page.drawing import drawing
 from bodymeasure.surveys.page.page import correlation
 from bodymeasure.surveys.statistics import MAIN
 

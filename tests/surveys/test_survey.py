@@ -179,7 +179,7 @@ def test_a_file_that_has_changed_is_another_body(tmp_path: Path) -> None:
 
 def test_other_versions_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     bm.survey(["female_average"], knees(), folder=tmp_path)
-    monkeypatch.setattr(run, "package_versions", lambda _: {"numpy": "0.1"})
+    monkeypatch.setattr(run, "package_versions", lambda: {"numpy": "0.1"})
     with pytest.raises(InputError, match="other versions of bodymeasure"):
         bm.survey(["female_average"], knees(), folder=tmp_path)
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from bodymeasure.report.patches.records import Document
+from bodymeasure.report.ticks import round_step
 
 # Two bars a decade are coarse enough to read, and fine enough to show the tail.
 BINS_PER_DECADE = 2
@@ -147,7 +148,5 @@ def draw_histogram(document: Document) -> HistogramDrawing | None:
 
 
 def _step(largest: int) -> int:
-    """Return the distance of grid lines: 1, 2 or 5 times a power of ten, for about four lines."""
-    rough = max(largest, 1) / 4.0
-    power = 10 ** math.floor(math.log10(max(rough, 1.0)))
-    return next(int(factor * power) for factor in (1, 2, 5, 10) if factor * power >= rough)
+    """Return the distance of grid lines, for about four lines."""
+    return int(round_step(max(largest / 4.0, 1.0)))

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bodymeasure._typing import Array
+from bodymeasure.report.ticks import ticks
 
 # Size and margins in the drawing's own units, about pixels.
 WIDTH, HEIGHT = 300.0, 130.0
@@ -76,12 +77,3 @@ def drawing(values: Array) -> Drawing | None:
         tuple((x(value), value) for value in ticks(low, high)),
         tuple((x(float(np.quantile(known, mark / 100.0))), mark) for mark in MARKED),
     )
-
-
-def ticks(low: float, high: float, *, about: int = 4) -> list[float]:
-    """Return round numbers between two, about so many: steps of 1, 2 or 5 times a power of ten."""
-    rough = (high - low) / about
-    power = 10.0 ** math.floor(math.log10(rough))
-    step = next(factor * power for factor in (1.0, 2.0, 5.0, 10.0) if factor * power >= rough)
-    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
-    return [number * step for number in range(first, last + 1)]
