@@ -12,8 +12,8 @@ from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
 from bodymeasure.geodesic.across.poles.leg import leg_between
+from bodymeasure.geodesic.across.routes.finer import fine_route
 from bodymeasure.geodesic.across.routes.graph import patch_graph
-from bodymeasure.geodesic.across.routes.reading import route_of
 from bodymeasure.geodesic.across.routes.topology import topology
 from bodymeasure.geodesic.across.routes.via_pairs import via_pairs
 from bodymeasure.geodesic.across.routes.ways import along_way, way_through
@@ -159,7 +159,7 @@ def _path(
     course = along_way(way.points(mesh.surface), PARTS)
     if any(_apart(course, path.position(PARTS)) <= NEAR * path.length for path in known):
         return None
-    route = route_of(neighbors, mesh, points, way)
+    route = fine_route(atlas, neighbors, points, way)
     if route is None:
         return None
     path = leg_along(atlas, neighbors, points, [route])

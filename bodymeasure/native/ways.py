@@ -9,8 +9,8 @@ import numpy as np
 from bodymeasure._typing import Array, Complex, Ints
 from bodymeasure.native.library import address, kernels
 
-# The most faces of a strip.
-MOST_FACES = 20_000
+# The most faces of a strip: so many, and so many more for each vertex that it begins along.
+MOST_FACES, MORE_FACES = 1000, 16
 
 
 class _Triangles(ctypes.Structure):
@@ -87,9 +87,10 @@ def way_straightened(
         0 if no strip of faces leads past a vertex; 1 if the Python form has to look.
     """
     given = np.array(vertices, np.int64)
-    strip, sides = np.empty((2, MOST_FACES), np.int64)
-    along = np.empty(MOST_FACES)
-    way = _Way(len(given), address(given), faces, (*weights[0], *weights[1]), MOST_FACES)
+    most = MOST_FACES + MORE_FACES * len(given)
+    strip, sides = np.empty((2, most), np.int64)
+    along = np.empty(most)
+    way = _Way(len(given), address(given), faces, (*weights[0], *weights[1]), most)
     way.strip, way.sides, way.along = map(address, (strip, sides, along))
     triangles = _Triangles(*map(address, mesh))
     count = kernels().bodymeasure_straight_way(ctypes.byref(triangles), ctypes.byref(way))

@@ -51,7 +51,7 @@ def test_other_patches_seams_and_units_share_nothing(atlas: bm.Atlas) -> None:
     assert np.array_equal(cut.control_points, atlas.control_points)
     for other in (replace(atlas, points=2.0 * atlas.points), replace(atlas, unit=bm.Unit.CM), cut):
         assert counted(other) is not first
-    assert patch_graph(cut).number.max() > patch_graph(atlas).number.max()
+    assert patch_graph(cut).mesh.vertex.max() > patch_graph(atlas).mesh.vertex.max()
 
 
 def test_what_is_kept_is_bounded(atlas: bm.Atlas) -> None:

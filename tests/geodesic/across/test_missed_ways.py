@@ -28,14 +28,21 @@ def test_a_path_on_the_other_side_of_a_bump_is_found() -> None:
 
 def test_what_runs_out_of_its_budget_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     body = bm.load_sample("female_average")
-    for work, status in ((-OVERDRAFT, bm.Status.OUT_OF_BUDGET), (4e5, bm.Status.CUT_SHORT)):
-        monkeypatch.setattr(leg, "PATH", work)
-        path = bm.geodesic_between(body, *round_a_bump(), on_failure="status")
-        assert path.status is status
-        assert path.error_estimate < 1e-6 * path.length or np.isnan(path.length)
+    monkeypatch.setattr(leg, "PATH", 4e5)
+    path = bm.geodesic_between(body, *round_a_bump(), on_failure="status")
+    assert path.status is bm.Status.CUT_SHORT
+    assert path.error_estimate < 1e-6 * path.length
+    # At the first degree this one is not known well enough.
+    ends = (
+        AtlasPoint(300, 0.8447291006744885, 0.785240402698712),
+        AtlasPoint(143, 0.4472888237709147, 0.7128909397298278),
+    )
     monkeypatch.setattr(leg, "PATH", -OVERDRAFT)
+    path = bm.geodesic_between(body, *ends, on_failure="status")
+    assert path.status is bm.Status.OUT_OF_BUDGET
+    assert np.isnan(path.length)
     with pytest.raises(bm.ConvergenceError, match="used up its budget"):
-        bm.geodesic_between(body, *round_a_bump())
+        bm.geodesic_between(body, *ends)
 
 
 # Pairs whose shortest path runs along a route along which there is another one, which the first

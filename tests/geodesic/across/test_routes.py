@@ -11,6 +11,7 @@ from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.geodesic.across.pieces.problem import RouteProblem
 from bodymeasure.geodesic.across.pieces.refine import refine
+from bodymeasure.geodesic.across.routes.finer import fine_route
 from bodymeasure.geodesic.across.routes.graph import patch_graph
 from bodymeasure.geodesic.across.routes.mesh import RouteMesh
 from bodymeasure.geodesic.across.routes.reading import route_of
@@ -21,6 +22,7 @@ from bodymeasure.geodesic.across.search.search import shortest_along
 from bodymeasure.geodesic.numerics.banded import banded_product, solve_free
 from bodymeasure.geodesic.numerics.box_newton import SecondOrder, minimize_in_box
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
+from bodymeasure.samples import load_sample
 
 
 def place_of(point: AtlasPoint) -> AtlasPoint:
@@ -115,6 +117,25 @@ def test_a_route_begins_beyond_the_seam_on_which_its_start_lies() -> None:
     way, *_ = first_ways(atlas, *ends)
     route = route_of(Neighbors(atlas), patch_graph(atlas).mesh, ends, way)
     assert route == Route((AtlasPoint(1, 0.0, 0.2), ends[1]))
+
+
+def test_on_a_finer_mesh_ways_cross_seams_nearer_to_the_smooth_path(
+    rng: np.random.Generator,
+) -> None:
+    body = load_sample("female_average")
+    neighbors, mesh = Neighbors(body), patch_graph(body).mesh
+    off = np.zeros(2)
+    for _ in range(8):
+        ends = place_of(random_point(rng, body)), place_of(random_point(rng, body))
+        way, *_ = first_ways(body, *ends)
+        routes = route_of(neighbors, mesh, ends, way), fine_route(body, neighbors, ends, way)
+        rough, fine = routes
+        assert rough is not None
+        assert fine is not None
+        if rough.key == fine.key:
+            smooth = refine(body, fine, 8, 1.0).route.along
+            off += [np.abs(np.subtract(each.along, smooth)).sum() for each in (rough, fine)]
+    assert 0.0 < off[1] < 0.2 * off[0]
 
 
 @pytest.fixture

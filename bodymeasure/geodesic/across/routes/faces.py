@@ -26,49 +26,63 @@ class OnFace(NamedTuple):
 class FaceMesh:
     """A triangle mesh, and what lies beside each of its faces.
 
-    The side of a face with number k joins its corners k and k + 1. What searches read face by face
-    is kept in lists, which Python reads faster than arrays.
+    The side of a face with number k joins its corners k and k + 1.
 
     Parameters
     ----------
-    vertices : ndarray, shape (n, 3)
-    faces : list of list of int
-        The three vertices of each face.
-    over : list of list of int
-        The face beyond each side of a face; -1 where there is none, or more than one.
+    arrays : MeshArrays
+        The vertices; the three vertices of each face; the face beyond each side of a face, -1 where
+        there is none, or more than one; where the third corner of a face lies, seen from each of
+        its sides, which leads from 0 to 1 with the corner above it; and the sum of the angles about
+        each vertex, infinite on the boundary and where faces fork.
     forks : dict of (int, int) to list of int
         The other faces beyond a side, by face and side, where there are several.
-    apex : list of list of complex
-        Where the third corner of a face lies, seen from each of its sides: the side leads from 0 to
-        1, and the corner lies above it.
-    angle : list of float
-        The sum of the angles about each vertex; infinite on the boundary and where faces fork.
     """
 
-    vertices: Array
-    faces: list[list[int]]
-    over: list[list[int]]
+    arrays: MeshArrays
     forks: dict[tuple[int, int], list[int]]
-    apex: list[list[complex]]
-    angle: list[float]
 
     @classmethod
     def of_faces(cls, vertices: Array, faces: Ints) -> "FaceMesh":
         """Return the mesh of faces, an array of shape (f, 3)."""
         over, forks, single = _beyond(faces, len(vertices))
         apex, angle = _shapes(vertices, faces)
-        about = np.bincount(faces.ravel(), angle.ravel(), len(vertices))
+        about = np.bincount(faces.ravel(), angle.ravel(), len(vertices)).astype(np.float64)
         about[single] = np.inf
-        return FaceMesh(
-            vertices, faces.tolist(), over.tolist(), forks, apex.tolist(), about.tolist()
-        )
+        faces, over = (np.ascontiguousarray(each, np.int64) for each in (faces, over))
+        apex, vertices = np.ascontiguousarray(apex), np.ascontiguousarray(vertices)
+        return FaceMesh(MeshArrays(faces, over, apex, about, vertices), forks)
+
+    @property
+    def vertices(self) -> Array:
+        """The positions of the vertices, shape (n, 3)."""
+        return self.arrays.vertices
+
+    # What searches read face by face is kept in lists, too, which Python reads faster than arrays.
 
     @cached_property
-    def arrays(self) -> MeshArrays:
-        """The mesh as arrays, for compiled kernels."""
-        faces, over = (np.array(each, np.int64) for each in (self.faces, self.over))
-        apex, angle = np.array(self.apex, complex), np.array(self.angle)
-        return MeshArrays(faces, over, apex, angle, np.ascontiguousarray(self.vertices))
+    def faces(self) -> list[list[int]]:
+        """The three vertices of each face."""
+        faces: list[list[int]] = self.arrays.faces.tolist()
+        return faces
+
+    @cached_property
+    def over(self) -> list[list[int]]:
+        """The face beyond each side of a face."""
+        over: list[list[int]] = self.arrays.over.tolist()
+        return over
+
+    @cached_property
+    def apex(self) -> list[list[complex]]:
+        """Where the third corner of a face lies."""
+        apex: list[list[complex]] = self.arrays.apex.tolist()
+        return apex
+
+    @cached_property
+    def angle(self) -> list[float]:
+        """The sum of the angles about each vertex."""
+        angle: list[float] = self.arrays.angle.tolist()
+        return angle
 
     def beyond(self, face: int, side: int) -> Sequence[int]:
         """Return all faces beyond a side of a face."""

@@ -2,7 +2,7 @@
 
 from bisect import bisect_left
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -50,8 +50,6 @@ class PatchGraph:
     ----------
     mesh : RouteMesh
         The mesh with the same vertices.
-    number : ndarray of int, shape (patches, k + 1, k + 1)
-        The number of the vertex at each grid point; -1 where there is none.
     places : tuple of AtlasPoint
         A point of the atlas at each vertex.
     steps : sparse array, shape (n, n)
@@ -62,7 +60,6 @@ class PatchGraph:
     """
 
     mesh: RouteMesh
-    number: Ints
     places: tuple[AtlasPoint, ...]
     steps: "scipy.sparse.csr_array"
     grid: Ints
@@ -72,22 +69,17 @@ class PatchGraph:
         """The positions of the vertices, shape (n, 3)."""
         return self.mesh.surface.vertices
 
-    @property
-    def segments(self) -> int:
-        """The number of steps along a patch's edge."""
-        return int(self.number.shape[1]) - 1
-
     def distances(self, atlas: Atlas, place: AtlasPoint) -> Array:
         """Return the rough distances of all vertices from a point; infinite on other parts."""
         return self.reach(atlas, place).distances
 
     def reach(self, atlas: Atlas, place: AtlasPoint) -> Reach:
         """Return the rough distances of all vertices from a point, and how they are reached."""
-        segments = self.segments
+        segments = self.mesh.segments
         grid = np.arange(segments + 1)
         near = np.abs(grid - segments * place.u) <= REACH
         beside = np.abs(grid - segments * place.v) <= REACH
-        joined = np.unique(self.number[place.patch][np.ix_(near, beside)])
+        joined = np.unique(self.mesh.vertex[place.patch][np.ix_(near, beside)])
         joined = joined[joined >= 0]
         position = evaluate(atlas.control_points[place.patch], np.array(place[1:]))
         first = np.linalg.norm(self.vertices[joined] - position, axis=1)
@@ -125,7 +117,8 @@ class PatchGraph:
         if known is None:
             begins, others = self._ends_of_steps
             step = bisect_left(others, other, begins[vertex], begins[vertex + 1])
-            known = self._edges[vertex, other] = self._between(*self.grid[step].tolist())
+            patch, i, to_i, j, to_j = self.grid[step].tolist()
+            known = self._edges[vertex, other] = self.mesh.between(patch, (i, j), (to_i, to_j))
         return known
 
     @cached_property
@@ -138,42 +131,16 @@ class PatchGraph:
         """Where the steps of each vertex begin, and the vertices to which they lead, in order."""
         return self.steps.indptr.tolist(), self.steps.indices.tolist()
 
-    @cached_property
-    def _rows(self) -> list[list[list[int]]]:
-        """The numbers of the vertices in lists, which Python reads faster."""
-        rows: list[list[list[int]]] = self.number.tolist()
-        return rows
-
     def _to_first(self, place: AtlasPoint, vertex: int) -> list[int]:
         """The vertices from a corner of the face that holds a point to one that it is joined to."""
         face, weights = self.mesh.holding(place)
-        corners = self.mesh.surface.faces[face]
+        corners = self.mesh.corners[face].tolist()
         if vertex in corners:
             return [vertex]
         corner = corners[int(np.argmax(weights))]
-        grid = self.number[place.patch]
+        grid = self.mesh.vertex[place.patch]
         here, there = (np.argwhere(grid == each)[0].tolist() for each in (corner, vertex))
-        return self._between(place.patch, here[0], there[0], here[1], there[1])
-
-    def _between(self, patch: int, i: int, to_i: int, j: int, to_j: int) -> list[int]:
-        """The vertices of a patch along edges of the mesh between two lines of its grid."""
-        rows = self._rows[patch]
-        result = [rows[i + a][j + b] for a, b in _unit_steps(to_i - i, to_j - j)]
-        return [each for each in result if each >= 0]
-
-
-@lru_cache(maxsize=1024)
-def _unit_steps(rows: int, columns: int) -> tuple[tuple[int, int], ...]:
-    """Return the places on the way, along lines of a grid or along its diagonals, to a place."""
-    steps = max(abs(rows), abs(columns))
-    result = [(0, 0)]
-    for number in range(1, steps + 1):
-        i, j = ((2 * each * number + steps) // (2 * steps) for each in (rows, columns))
-        # Cells are cut along one diagonal only.
-        if (i - result[-1][0]) * (j - result[-1][1]) < 0:
-            result.append((i, result[-1][1]))
-        result.append((i, j))
-    return tuple(result)
+        return self.mesh.between(place.patch, here, there)
 
 
 @prepared
@@ -184,10 +151,7 @@ def patch_graph(atlas: Atlas) -> PatchGraph:
     if len(atlas) * segments**2 > MOST:
         segments = 1
     mesh = whole_mesh(atlas, segments)
-    vertices, faces = mesh.surface.vertices, np.array(mesh.surface.faces)
-    number = np.full((len(atlas), segments + 1, segments + 1), -1)
-    row, column = np.moveaxis(np.rint(segments * mesh.parameters).astype(np.int64), -1, 0)
-    number[np.array(mesh.patch)[:, None], row, column] = faces
+    vertices, number = mesh.surface.vertices, mesh.vertex
     first, last, grid = _steps(number)
     count = len(vertices)
     # Steps along a seam are found on both its patches.
@@ -207,7 +171,7 @@ def patch_graph(atlas: Atlas) -> PatchGraph:
     places: list[AtlasPoint] = [AtlasPoint(0, 0.0, 0.0)] * count
     for patch, i, j in np.argwhere(number >= 0).tolist():
         places[number[patch, i, j]] = AtlasPoint(patch, i / segments, j / segments)
-    return PatchGraph(mesh, number, tuple(places), steps, np.concatenate([grid, back])[order])
+    return PatchGraph(mesh, tuple(places), steps, np.concatenate([grid, back])[order])
 
 
 def _steps(number: Ints) -> tuple[Ints, Ints, Ints]:

@@ -1,6 +1,8 @@
 """The triangle mesh of an atlas over which the starts of paths are pulled straight."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -22,7 +24,7 @@ class RouteMesh:
     Parameters
     ----------
     surface : FaceMesh
-    patch : list of int
+    patch : ndarray of int, shape (f,)
         The patch of each face.
     parameters : ndarray, shape (f, 3, 2)
         (u, v) of each face's corners on its patch.
@@ -30,16 +32,16 @@ class RouteMesh:
         Whether u, or v, of a corner is arbitrary, since the corner lies on a collapsed side.
     number : ndarray of int, shape (patches, k, k, 2)
         The number of each triangle of a patch's cells; -1 where a collapsed side leaves none.
-    sides : list of list of int
+    sides : ndarray of int, shape (f, 3)
         The side of its patch on which each side of a face lies; -1 if it lies on none.
     """
 
     surface: FaceMesh
-    patch: list[int]
+    patch: Ints
     parameters: Array
     free: Bools
     number: Ints
-    sides: list[list[int]]
+    sides: Ints
 
     @classmethod
     def of(cls, atlas: Atlas, segments: int) -> "RouteMesh":
@@ -57,12 +59,43 @@ class RouteMesh:
         number = np.full((len(atlas), segments, segments, 2), -1)
         number[mesh.face_patch, row, column, upper] = np.arange(len(mesh.faces))
         surface = FaceMesh.of_faces(mesh.vertices, mesh.faces)
-        sides = _sides_of_patches(mesh.face_parameters, free).tolist()
-        return cls(surface, mesh.face_patch.tolist(), mesh.face_parameters, free, number, sides)
+        sides = _sides_of_patches(mesh.face_parameters, free)
+        return cls(surface, mesh.face_patch, mesh.face_parameters, free, number, sides)
+
+    @property
+    def segments(self) -> int:
+        """The number of steps along a patch's edge."""
+        return int(self.number.shape[1])
+
+    @property
+    def corners(self) -> Ints:
+        """The vertices of the faces, shape (f, 3)."""
+        return self.surface.arrays.faces
+
+    @cached_property
+    def vertex(self) -> Ints:
+        """The vertex at each point of the patches' grids, shape (patches, k + 1, k + 1); or -1."""
+        lines = self.segments + 1
+        result = np.full((len(self.number), lines, lines), -1)
+        row, column = np.moveaxis(np.rint(self.segments * self.parameters).astype(np.int64), -1, 0)
+        result[self.patch[:, None], row, column] = self.corners
+        return result
+
+    @cached_property
+    def _rows(self) -> list[list[list[int]]]:
+        """The vertices in lists, which Python reads faster."""
+        rows: list[list[list[int]]] = self.vertex.tolist()
+        return rows
+
+    def between(self, patch: int, here: Sequence[int], there: Sequence[int]) -> list[int]:
+        """Return the vertices of a patch along edges between two points of its grid."""
+        rows, (i, j) = self._rows[patch], here
+        steps = _unit_steps(there[0] - i, there[1] - j)
+        return [each for a, b in steps if (each := rows[i + a][j + b]) >= 0]
 
     def holding(self, place: AtlasPoint) -> OnFace:
         """Return a point of the atlas as a point of a face on its patch."""
-        segments = self.number.shape[1]
+        segments = self.segments
         row, column = (min(int(segments * each), segments - 1) for each in place[1:])
         u, v = segments * place.u - row, segments * place.v - column
         lower, upper = self.number[place.patch, row, column].tolist()
@@ -78,6 +111,20 @@ class RouteMesh:
             for (a, b), free in zip(corners, self.free[face].tolist(), strict=True)
         ]
         return OnFace(face, [each / sum(share) for each in share])
+
+
+@lru_cache(maxsize=4096)
+def _unit_steps(rows: int, columns: int) -> tuple[tuple[int, int], ...]:
+    """Return the places on the way, along lines of a grid or along its diagonals, to a place."""
+    steps = max(abs(rows), abs(columns))
+    result = [(0, 0)]
+    for number in range(1, steps + 1):
+        i, j = ((2 * each * number + steps) // (2 * steps) for each in (rows, columns))
+        # Cells are cut along one diagonal only.
+        if (i - result[-1][0]) * (j - result[-1][1]) < 0:
+            result.append((i, result[-1][1]))
+        result.append((i, j))
+    return tuple(result)
 
 
 def _sides_of_patches(parameters: Array, free: Bools) -> Ints:

@@ -1,6 +1,6 @@
 """Reading a way over the mesh of an atlas as a route over patches and seams."""
 
-from itertools import pairwise
+import numpy as np
 
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.seams import EDGES
@@ -23,23 +23,21 @@ def route_of(
     that turn about a pole a hair off the point.
     """
     begin, finish = (
-        _on_patch(neighbors, place, mesh.patch[face])
+        _on_patch(neighbors, place, int(mesh.patch[face]))
         for place, face in zip(ends, (way.strip[0], way.strip[-1]), strict=True)
     )
     if begin is None or finish is None:
         return None
     crossings: list[Crossing] = []
     along: list[float] = []
-    steps = zip(pairwise(way.strip), way.sides, way.along, strict=True)
-    for (here, there), side, t in steps:
-        patch, beyond = mesh.patch[here], mesh.patch[there]
-        leave = mesh.sides[here][side]
-        if leave < 0:
-            continue
-        corners, others = mesh.surface.faces[here], mesh.surface.faces[there]
-        shared = {corners[side], corners[(side + 1) % 3]}
-        entered = next(n for n in range(3) if {others[n], others[(n + 1) % 3]} == shared)
-        enter = mesh.sides[there][entered]
+    strip, sides = np.array(way.strip), np.array(way.sides, np.int64)
+    left = mesh.sides[strip[:-1], sides]
+    for number in np.flatnonzero(left >= 0).tolist():
+        (here, there), side, t = strip[number : number + 2], sides[number], way.along[number]
+        patch, beyond, leave = int(mesh.patch[here]), mesh.patch[there], int(left[number])
+        first, last = mesh.corners[here][[side, (side + 1) % 3]]
+        on = np.isin(mesh.corners[there], (first, last))
+        enter = mesh.sides[there, int(np.flatnonzero(on & np.roll(on, -1))[0])]
         for crossing in neighbors.over.get((patch, leave), ()):
             if (crossing.to_patch, crossing.to_side) == (beyond, enter):
                 axis = 1 - EDGES[leave].fixed_axis

@@ -55,13 +55,14 @@ class StraightWay:
 
     def points(self, mesh: FaceMesh) -> Array:
         """Return the positions of its ends and of where it crosses sides, shape (k, 3)."""
-        corners = np.array([mesh.faces[face] for face in self.strip])
+        faces = mesh.arrays.faces
+        corners = faces[self.strip]
         at = np.arange(len(self.sides))
         side = np.array(self.sides, dtype=np.int64)
         first, last = corners[at, side], corners[at, (side + 1) % 3]
         t = np.array(self.along)[:, None]
         inner = (1.0 - t) * mesh.vertices[first] + t * mesh.vertices[last]
-        outer = [np.array(end.weights) @ mesh.vertices[mesh.faces[end.face]] for end in self.ends]
+        outer = [np.array(end.weights) @ mesh.vertices[faces[end.face]] for end in self.ends]
         return np.stack([outer[0], *inner, outer[1]])
 
 

@@ -12,8 +12,7 @@ from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.across.pieces.budget import Budget
 from bodymeasure.geodesic.across.pieces.part import PathPart, PathPiece
 from bodymeasure.geodesic.across.pieces.path import AtlasPath
-from bodymeasure.geodesic.across.routes.graph import patch_graph
-from bodymeasure.geodesic.across.routes.reading import route_of
+from bodymeasure.geodesic.across.routes.finer import fine_route
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.routes.ways import first_ways
 from bodymeasure.geodesic.across.search.search import shortest_along
@@ -54,8 +53,7 @@ def first_routes(
     """
     if budget is not None:
         budget.spend_on_routes()
-    mesh = patch_graph(atlas).mesh
-    routes = (route_of(neighbors, mesh, ends, way) for way in first_ways(atlas, *ends))
+    routes = (fine_route(atlas, neighbors, ends, way) for way in first_ways(atlas, *ends))
     # Different ways may lead along one route.
     return list({route.key: route for route in routes if route is not None}.values())
 
