@@ -17,6 +17,7 @@ from bodymeasure.native.points import (
     MOST_DEGREE,
     bezier_jets,
     extremes,
+    planar_hull,
     power_jets,
     roots_in_brackets,
 )
@@ -50,6 +51,7 @@ __all__ = [
     "extremes",
     "is_compiled",
     "normals_in_powers",
+    "planar_hull",
     "power_jets",
     "roots_in_brackets",
     "route_newton",

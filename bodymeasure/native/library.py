@@ -32,6 +32,7 @@ KERNELS = {
     "bodymeasure_equilibrium": [_POINTER] * 4,
     "bodymeasure_jets": [*[ctypes.c_int64] * 5, _POINTER, ctypes.c_int64, *[_POINTER] * 2],
     "bodymeasure_normals": [*[ctypes.c_int64] * 2, *[_POINTER] * 8],
+    "bodymeasure_planar_hull": [ctypes.c_int64, *[_POINTER] * 2],
     "bodymeasure_power_jets": [ctypes.c_int64] * 3 + [_POINTER] * 3,
     "bodymeasure_roots": [ctypes.c_int64] * 2 + [_POINTER] * 4,
     "bodymeasure_route_newton": [_POINTER] * 7,
@@ -123,6 +124,12 @@ def doubles(*arrays: NDArray[Any]) -> list[NDArray[np.float64]]:
 
 def address(array: NDArray[Any]) -> int:
     """Return the address of the entries of an array in C order, which must outlive it."""
+    try:
+        # A third of the time of the array interface, but only for what may be written and is not
+        # empty.
+        return ctypes.addressof(ctypes.c_char.from_buffer(array))
+    except (TypeError, ValueError):
+        pass
     if not array.flags.c_contiguous:
         raise ValueError("expected an array in C order")
     result: int = array.__array_interface__["data"][0]

@@ -1,8 +1,8 @@
-"""Roots of polynomials and points of patches, compiled."""
+"""Roots of polynomials, points of patches and hulls of points, compiled."""
 
 import numpy as np
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.native.library import address, doubles, kernels
 
 # The highest degree of a patch in one parameter, and the most columns of its nets, for which the
@@ -73,3 +73,11 @@ def extremes(points: Array) -> tuple[Array, Array]:
     low, high = np.empty((count, 3)), np.empty((count, 3))
     kernels().bodymeasure_extremes(count, size, *map(address, (points, low, high)))
     return low, high
+
+
+def planar_hull(points: Array) -> Ints:
+    """Return the corners of the convex hull of points (k, 2), counterclockwise."""
+    (points,) = doubles(points)
+    corners = np.empty(len(points) + 1, np.int64)
+    count = kernels().bodymeasure_planar_hull(len(points), *map(address, (points, corners)))
+    return corners[:count]

@@ -5,10 +5,9 @@ from functools import cached_property
 
 import numpy as np
 
-from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure._typing import Array, Ints
 from bodymeasure.section.loop import SectionLoop
 from bodymeasure.section.part import joined
-from bodymeasure.section.pieces import MORE_NODES
 from bodymeasure.section.plane import Plane
 
 
@@ -90,44 +89,44 @@ class BridgedLoop:
 
     def positions_at(self, place: Array) -> Array:
         """Return positions (n, 3) at places (n,)."""
-        piece, fraction, on_arc = self._split(place)
-        result: Array = np.empty((len(place), 3))
-        result[on_arc] = self._pieces.positions_at(piece[on_arc] + fraction[on_arc])
-        start, stop = self.bridges[-1 - piece[~on_arc]].transpose(1, 0, 2)
-        result[~on_arc] = start + fraction[~on_arc, None] * (stop - start)
-        return result
+        row, fraction = self._split(place)
+        return self.motion(row, fraction[:, None])[0][:, 0]
 
     def arc_length_at(self, place: Array) -> Array:
         """Return lengths (n,) from the start to places (n,)."""
-        piece, fraction, on_arc = self._split(place)
-        row = np.minimum(place.astype(np.int64), self.count - 1)
+        row, fraction = self._split(place)
+        piece, on_arc = self._piece[row], self._piece[row] >= 0
         before = np.concatenate([[0.0], np.cumsum(self._lengths)])[row]
         way = fraction * self._lengths[row]
         some = self._pieces.pieces.take(piece[on_arc])
         some = some.between(np.zeros(len(some)), fraction[on_arc])
-        way[on_arc] = self._pieces.surface.lengths(some, MORE_NODES)
+        way[on_arc] = self._pieces.surface.lengths(some)
         return np.asarray(before + way)
 
-    def velocities(self, row: Ints, fraction: Array) -> Array:
-        """Return derivatives (n, k, 3) by the fraction, at fractions (n, k) of pieces (n,)."""
+    def motion(self, row: Ints, fraction: Array) -> tuple[Array, Array]:
+        """Return positions and their derivatives by the fraction, both (n, k, 3).
+
+        They are those at fractions (n, k) of pieces (n,).
+        """
         piece = self._piece[row]
         on_arc = piece >= 0
-        result: Array = np.empty((*fraction.shape, 3))
-        result[on_arc] = self._pieces.velocities(piece[on_arc], fraction[on_arc])
-        start, stop = self.bridges[-1 - piece[~on_arc]].transpose(1, 0, 2)
-        result[~on_arc] = (stop - start)[:, None]
-        return result
+        position, velocity = np.empty((2, *fraction.shape, 3))
+        position[on_arc], velocity[on_arc] = self._pieces.motion(piece[on_arc], fraction[on_arc])
+        start, stop = self.bridges[-1 - piece[~on_arc], :, None].transpose(1, 0, 2, 3)
+        position[~on_arc] = start + fraction[~on_arc, :, None] * (stop - start)
+        velocity[~on_arc] = stop - start
+        return position, velocity
 
     def surface_points_at(self, place: Array) -> tuple[Ints, Array]:
         """Return patches (n,) and (u, v) on them (n, 2) at places (n,); -1 and NaN on the lines."""
-        piece, fraction, on_arc = self._split(place)
+        row, fraction = self._split(place)
+        piece, on_arc = self._piece[row], self._piece[row] >= 0
         patch, parameters = np.full(len(place), -1), np.full((len(place), 2), np.nan)
         patch[on_arc], parameters[on_arc] = self._pieces.surface_points_at(
             piece[on_arc] + fraction[on_arc]
         )
         return patch, parameters
 
-    def _split(self, place: Array) -> tuple[Ints, Array, Bools]:
+    def _split(self, place: Array) -> tuple[Ints, Array]:
         row = np.minimum(place.astype(np.int64), self.count - 1)
-        piece = self._piece[row]
-        return piece, place - row, piece >= 0
+        return row, place - row

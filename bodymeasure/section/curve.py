@@ -43,8 +43,11 @@ class Curve(Protocol):
     def arc_length_at(self, place: Array) -> Array:
         """Return lengths (n,) from the start to places (n,)."""
 
-    def velocities(self, row: Ints, fraction: Array) -> Array:
-        """Return derivatives (n, k, 3) by the fraction, at fractions (n, k) of pieces (n,)."""
+    def motion(self, row: Ints, fraction: Array) -> tuple[Array, Array]:
+        """Return positions and their derivatives by the fraction, both (n, k, 3).
+
+        They are those at fractions (n, k) of pieces (n,).
+        """
 
     def surface_points_at(self, place: Array) -> tuple[Ints, Array]:
         """Return patches (n,) and (u, v) (n, 2) at places (n,); -1 and NaN off the surface."""

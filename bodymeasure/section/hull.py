@@ -8,6 +8,7 @@ import scipy
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.errors import InputError
+from bodymeasure.native import is_compiled, planar_hull
 from bodymeasure.section.bridged import BridgedLoop
 from bodymeasure.section.curve import Curve
 from bodymeasure.section.loop import SectionLoop
@@ -15,8 +16,10 @@ from bodymeasure.section.loop import SectionLoop
 # The number of samples on each piece to begin with: they have to separate hollows, not to measure
 # them.
 SAMPLES = 12
-# The number of parts into which the steps beside a bridge's ends are cut in each round.
-CUTS = 8
+# The number of parts into which the steps beside a bridge's ends are cut in each round: four rounds
+# lead from 1/12 of a piece to the finest steps. More are needed where hollows show late.
+CUTS = 17
+ROUNDS = 12
 # Where the ends of bridges are known to within this part of a piece, their lengths are exact except
 # for rounding, since an error e of a tangent's foot changes the perimeter by some e^3.
 FINEST = 1e-6
@@ -30,6 +33,8 @@ ORDER_TOLERANCE = 1e-9
 # An arc that crosses its line within this part of the chord from its end starts there, except for
 # rounding.
 BEYOND = 1e-9
+# A hull that encloses less than this part of its perimeter's square is a line.
+LINE = 1e-13
 # What a hull saves is lost in rounding where only this part of the chord lies outwards of it.
 FLAT = 1e-9
 
@@ -82,8 +87,8 @@ def convex_hull(loop: Curve) -> Hull:
             "length; choose a plane that cuts the body all round, or join the patches' edges"
         )
 
-    def corners(_: Array, flat: Array) -> Ints:
-        return _hull_corners(flat, np.arange(len(flat)))
+    def corners(samples: _Samples, rows: Ints) -> Ints:
+        return _hull_corners(samples.flat, rows)
 
     frame = loop.plane.frame()
     flat = loop.positions_at(np.arange(SAMPLES * loop.count) / SAMPLES) @ frame.T
@@ -111,10 +116,10 @@ def outer_hull(arc: SectionLoop, turn: float) -> Hull:
     """
     loop = BridgedLoop((arc,))
 
-    def corners(place: Array, flat: Array) -> Ints:
+    def corners(samples: _Samples, rows: Ints) -> Ints:
         # The line back from the end to the start comes last.
-        end = int(np.searchsorted(place, float(arc.count)))
-        return _outer_corners(flat, end, turn)
+        end = int(np.searchsorted(samples.place, float(arc.count)))
+        return _outer_corners(samples.flat, end, turn, rows)
 
     hull = _refined(loop, corners, turn)
     chord = float(np.linalg.norm(loop.bridges[0, 1] - loop.bridges[0, 0]))
@@ -143,26 +148,41 @@ class _Samples(NamedTuple):
     leaving: Array
 
     @classmethod
-    def at(cls, loop: Curve, place: Array) -> "_Samples":
+    def at(cls, loop: Curve, to_frame: Array, place: Array) -> "_Samples":
         """Return the samples at places that begin pieces or lie within them."""
-        to_frame = loop.plane.frame().T
         row = place.astype(np.int64)
-        leaving = loop.velocities(row, (place - row)[:, None])[:, 0] @ to_frame
         begins = np.flatnonzero(place == row)
+        # The ends of the pieces before are the same points, but for their velocities.
+        rows = np.concatenate([row, (row[begins] - 1) % loop.count])
+        fraction = np.concatenate([place - row, np.ones(len(begins))])
+        flat, velocity = (x[:, 0] @ to_frame for x in loop.motion(rows, fraction[:, None]))
+        leaving = velocity[: len(row)]
         arriving = leaving.copy()
-        ends = np.ones((len(begins), 1))
-        before = (row[begins] - 1) % loop.count
-        arriving[begins] = loop.velocities(before, ends)[:, 0] @ to_frame
-        return cls(place, loop.positions_at(place) @ to_frame, arriving, leaving)
+        arriving[begins] = velocity[len(row) :]
+        return cls(place, flat[: len(row)], arriving, leaving)
 
-    def joined(self, other: "_Samples") -> "_Samples":
-        """Return both, each place once."""
+    def joined(self, other: "_Samples") -> tuple["_Samples", Ints]:
+        """Return both, each place once, and the rows of the first of them."""
         both = [np.concatenate(pair) for pair in zip(self, other, strict=True)]
-        _, order = np.unique(both[0], return_index=True)
-        return _Samples(*(each[order] for each in both))
+        _, order, rows = np.unique(both[0], return_index=True, return_inverse=True)
+        return _Samples(*(each[order] for each in both)), rows
 
 
-_Corners = Callable[[Array, Array], Ints]
+_Corners = Callable[[_Samples, Ints], Ints]
+
+
+class _Chords(NamedTuple):
+    """Chords over a curve: the places of their ends, shape (k, 2), and their lengths (k,)."""
+
+    ends: Array
+    length: Array
+
+    def saved(self, loop: Curve) -> Array:
+        """Return the arcs less the chords."""
+        first, last = loop.arc_length_at(self.ends.T.ravel()).reshape(2, -1)
+        arc = np.where(self.ends[:, 1] < self.ends[:, 0], last - first + loop.length, last - first)
+        # No arc is shorter than its chord, except for rounding.
+        return np.maximum(arc - self.length, 0.0)
 
 
 def _refined(loop: Curve, corners_of: _Corners, turn: float) -> Hull:
@@ -172,45 +192,59 @@ def _refined(loop: Curve, corners_of: _Corners, turn: float) -> Hull:
     ----------
     loop : Curve
     corners_of : callable
-        Takes places (n,) and positions in the plane (n, 2) and returns the rows of the corners, in
-        order.
+        Takes samples and the rows of some of them, and returns the rows of the corners among these,
+        in order.
     turn : float
         Positive if the curve goes counterclockwise round what it encloses.
     """
-    samples = _Samples.at(loop, np.arange(SAMPLES * loop.count) / SAMPLES)
-    previous = np.inf
-    for _ in range(20):
-        place = samples.place
-        corners = corners_of(place, samples.flat)
+    to_frame = loop.plane.frame().T
+    samples = _Samples.at(loop, to_frame, np.arange(SAMPLES * loop.count) / SAMPLES)
+    rows = np.arange(len(samples.place))
+    chords: list[_Chords] = []
+    for _ in range(ROUNDS):
+        place, flat = samples.place, samples.flat
+        corners = corners_of(samples, rows)
         first, last = corners, np.roll(corners, -1)
-        saved = _saved(loop, samples, first, last)
-        total = loop.length - float(saved.sum())
-        hollow = saved > NEGLIGIBLE * loop.length
-        # Skipped ends of pieces that save nothing may be kinks, whose hollows show on finer steps.
         skips = (last - first) % len(place) > 1
-        skips &= hollow | (np.floor(place[first]) != np.floor(place[last]))
-        ends = np.concatenate([first[skips], last[skips]])
+        first, last = first[skips], last[skips]
+        chord = _sizes(flat[last] - flat[first])
+        chords = [*chords[-1:], _Chords(np.stack([place[first], place[last]], axis=1), chord)]
+        # Skipped ends of pieces that save nothing may be kinks, whose hollows show on finer steps.
+        worth = _polygon_arcs(flat, first, last) - chord > NEGLIGIBLE * loop.length
+        worth |= np.floor(place[first]) != np.floor(place[last])
+        ends = np.concatenate([first[worth], last[worth]])
         steps = np.concatenate([ends - 1, ends, _concave_steps(samples, corners, turn)])
         new = _between(place, np.unique(steps % len(place)), float(loop.count))
         if not len(new):
             break
-        previous = total
-        samples = samples.joined(_Samples.at(loop, new))
-    change = abs(previous - total) if np.isfinite(previous) else 0.0
-    spans = np.stack([place[first[hollow]], place[last[hollow]]], axis=1)
+        samples, number = samples.joined(_Samples.at(loop, to_frame, new))
+        # What lies inside the hull of some samples lies inside that of more.
+        rows = np.unique(np.concatenate([number[corners], number[len(place) :]]))
+    saved = chords[-1].saved(loop)
+    total = loop.length - float(saved.sum())
+    before = loop.length - float(chords[0].saved(loop).sum()) if len(chords) > 1 else total
+    spans = chords[-1].ends[saved > NEGLIGIBLE * loop.length]
     bridges = loop.positions_at(spans.ravel()).reshape(-1, 2, 3)
-    return Hull(total, loop.error_estimate + change, bridges, spans)
+    return Hull(total, loop.error_estimate + abs(before - total), bridges, spans)
 
 
-def _outer_corners(flat: Array, end: int, turn: float) -> Ints:
+def _polygon_arcs(flat: Array, first: Ints, last: Ints) -> Array:
+    """Return the lengths of the polygon of samples from some rows forwards to others."""
+    sides = _sizes(np.roll(flat, -1, axis=0) - flat)
+    way = np.concatenate([[0.0], np.cumsum(sides)])
+    arc = way[last] - way[first]
+    return np.where(last < first, arc + way[-1], arc)
+
+
+def _outer_corners(flat: Array, end: int, turn: float, rows: Ints) -> Ints:
     """Samples on the hull of what lies outwards of the chord from the first to the one at `end`."""
     chord = flat[end] - flat[0]
     length = np.linalg.norm(chord)
     along = (flat[: end + 1] - flat[0]) @ chord / length**2
     outwards = np.sign(turn) / length * _cross(flat[: end + 1] - flat[0], chord[None])
-    rows = np.flatnonzero((outwards[1:] > 0.0) != (outwards[:-1] > 0.0))
-    step = outwards[rows] / (outwards[rows] - outwards[rows + 1])
-    crossed = along[rows] + step * (along[rows + 1] - along[rows])
+    at = np.flatnonzero((outwards[1:] > 0.0) != (outwards[:-1] > 0.0))
+    step = outwards[at] / (outwards[at] - outwards[at + 1])
+    crossed = along[at] + step * (along[at + 1] - along[at])
     if ((crossed < -BEYOND) | (crossed > 1.0 + BEYOND)).any():
         raise InputError(
             "the surface winds about an end of the tape, so that a taut tape has no clear way out; "
@@ -219,18 +253,18 @@ def _outer_corners(flat: Array, end: int, turn: float) -> Ints:
     if not (outwards > FLAT * length).any():
         return np.array([0, end])
     # All that is kept lies to one side of the chord, so that the chord is a side of its hull.
-    kept = np.union1d(np.flatnonzero(outwards > 0.0), [0, end])
+    rows = rows[rows <= end]
+    kept = np.union1d(rows[outwards[rows] > 0.0], [0, end])
     return np.union1d(_hull_corners(flat, kept), [0, end])
 
 
 def _hull_corners(flat: Array, rows: Ints) -> Ints:
     """Return which of some rows of samples are on their convex hull, in the curve's order."""
-    try:
-        corners = rows[scipy.spatial.ConvexHull(flat[rows]).vertices]
-    except scipy.spatial.QhullError:
+    corners = rows[_planar_hull(flat[rows])]
+    if abs(signed_area(flat[corners])) <= LINE * _perimeter(flat[corners]) ** 2:
         raise InputError(
             "the section is as flat as a line, so it has no convex hull; move or tilt the plane"
-        ) from None
+        )
     ordered = np.sort(corners)
     around, along = (_perimeter(flat[order]) for order in (corners, ordered))
     if along > around * (1.0 + ORDER_TOLERANCE):
@@ -241,23 +275,18 @@ def _hull_corners(flat: Array, rows: Ints) -> Ints:
     return ordered
 
 
+def _planar_hull(flat: Array) -> Ints:
+    """Return the corners of the convex hull of points, in order round it; none of a line."""
+    if is_compiled():
+        return planar_hull(flat)
+    try:
+        return np.asarray(scipy.spatial.ConvexHull(flat).vertices, dtype=np.int64)
+    except scipy.spatial.QhullError:
+        return np.empty(0, dtype=np.int64)
+
+
 def _perimeter(corners: Array) -> float:
-    return float(np.linalg.norm(corners - np.roll(corners, 1, axis=0), axis=1).sum())
-
-
-def _saved(loop: Curve, samples: _Samples, first: Ints, last: Ints) -> Array:
-    """Arc less chord from each corner to the next, shape (corners,); 0 from sample to sample."""
-    place, flat = samples.place, samples.flat
-    span = (last - first) % len(place)
-    rows = np.flatnonzero(span > 1)
-    result = np.zeros(len(first))
-    at = loop.arc_length_at(place[np.concatenate([first[rows], last[rows]])])
-    arc = at[len(rows) :] - at[: len(rows)]
-    arc = np.where(last[rows] < first[rows], arc + loop.length, arc)
-    chord = np.linalg.norm(flat[last[rows]] - flat[first[rows]], axis=1)
-    # No arc is shorter than its chord, except for rounding.
-    result[rows] = np.maximum(arc - chord, 0.0)
-    return result
+    return float(_sizes(corners - np.roll(corners, 1, axis=0)).sum())
 
 
 def _concave_steps(samples: _Samples, corners: Ints, turn: float) -> Ints:
@@ -287,8 +316,12 @@ def _cross(first: Array, second: Array) -> Array:
     return np.asarray(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
 
 
+def _sizes(vectors: Array) -> Array:
+    return np.asarray(np.hypot(vectors[:, 0], vectors[:, 1]))
+
+
 def _sine(first: Array, second: Array) -> Array:
-    size = np.linalg.norm(first, axis=1) * np.linalg.norm(second, axis=1)
+    size = _sizes(first) * _sizes(second)
     sine = np.divide(_cross(first, second), size, out=np.zeros_like(size), where=size > 0.0)
     return np.asarray(sine)
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Unit
-from bodymeasure.section.pieces import MORE_NODES, CutSurface, Pieces
+from bodymeasure.section.pieces import CutSurface, Pieces
 from bodymeasure.section.plane import Plane
 
 # Fractions of a piece at which a loop is sampled, each piece's start included.
@@ -108,11 +108,14 @@ class SectionLoop:
         row, fraction = self._split(place)
         pieces = self.pieces.take(row).between(np.zeros(len(row)), fraction)
         before = np.concatenate([[0.0], np.cumsum(self.piece_length)])
-        return np.asarray(before[row] + self.surface.lengths(pieces, MORE_NODES))
+        return np.asarray(before[row] + self.surface.lengths(pieces))
 
-    def velocities(self, row: Ints, fraction: Array) -> Array:
-        """Return derivatives (n, k, 3) by the fraction, at fractions (n, k) of pieces (n,)."""
-        return self.surface.points(self.pieces.take(row), fraction)[2]
+    def motion(self, row: Ints, fraction: Array) -> tuple[Array, Array]:
+        """Return positions and their derivatives by the fraction, both (n, k, 3).
+
+        They are those at fractions (n, k) of pieces (n,).
+        """
+        return self.surface.points(self.pieces.take(row), fraction)[1:]
 
     def surface_points_at(self, place: Array) -> tuple[Ints, Array]:
         """Return patches (n,) and (u, v) on them (n, 2) at places (n,)."""

@@ -5,7 +5,7 @@ from dataclasses import fields, replace
 import numpy as np
 
 from bodymeasure.section.loop import SectionLoop
-from bodymeasure.section.pieces import MORE_NODES, Pieces
+from bodymeasure.section.pieces import Pieces
 
 
 def turned(loop: SectionLoop) -> SectionLoop:
@@ -33,7 +33,7 @@ def part(loop: SectionLoop, first: float, last: float) -> SectionLoop:
     length = loop.piece_length[rows % loop.count].copy()
     pieces = cut.between(start, stop)
     inner = np.flatnonzero((start > 0.0) | (stop < 1.0))
-    length[inner] = loop.surface.lengths(pieces.take(inner), MORE_NODES)
+    length[inner] = loop.surface.lengths(pieces.take(inner))
     return replace(loop, pieces=pieces, piece_length=length, closed=False)
 
 

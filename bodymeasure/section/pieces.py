@@ -4,6 +4,7 @@ from dataclasses import dataclass, fields, replace
 from functools import cached_property, lru_cache
 
 import numpy as np
+import scipy
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.bezier import bernstein, derivatives
@@ -46,7 +47,7 @@ class Pieces:
     def __len__(self) -> int:
         return len(self.patch)
 
-    def take(self, rows: Ints | Bools) -> "Pieces":
+    def take(self, rows: Ints | Bools | slice) -> "Pieces":
         """Return some of the pieces."""
         return Pieces(*(getattr(self, field.name)[rows] for field in fields(self)))
 
@@ -121,22 +122,35 @@ class CutSurface:
         velocity = (along + slope[..., None] * other) * (pieces.stop - pieces.start)[:, None, None]
         return parameters, jet[..., 0, 0, :], velocity
 
-    def lengths(self, pieces: Pieces, nodes: int) -> Array:
+    def lengths(self, pieces: Pieces, nodes: int = MORE_NODES) -> Array:
         """Return the lengths of pieces by Gauss quadrature, shape (k,)."""
-        at, weights = _gauss(nodes)
-        _, _, velocity = self.points(pieces, np.broadcast_to(at, (len(pieces), nodes)))
-        return np.asarray(np.linalg.norm(velocity, axis=-1) @ weights)
+        return self.measures(pieces, nodes)[0]
+
+    def measures(self, pieces: Pieces, *rules: int) -> Array:
+        """Return the lengths of pieces by Gauss rules of so many nodes, and what they sweep.
+
+        These are (rules + 1) rows of shape (k,): the last one is twice the area that the way from
+        the plane's point to the piece sweeps, by the first rule.
+        """
+        at, weights = _gauss(rules)
+        fraction = np.broadcast_to(at, (len(pieces), len(at)))
+        _, position, velocity = self.points(pieces, fraction)
+        speed = np.sqrt(np.einsum("knc,knc->nk", velocity, velocity))
+        # The normal times the cross product of two vectors is a product with a skew matrix.
+        across = np.cross(self.plane.normal, np.eye(3))
+        sweep = np.einsum("knc,knc->nk", (position - self.plane.point) @ across, velocity)
+        return np.concatenate([weights @ speed, weights[:1] @ sweep])
 
 
 @lru_cache
-def _gauss(nodes: int) -> tuple[Array, Array]:
-    x, weights = np.polynomial.legendre.leggauss(nodes)
-    return 0.5 * (1.0 + x), 0.5 * weights
+def _gauss(rules: tuple[int, ...]) -> tuple[Array, Array]:
+    """Return the nodes of all rules in [0, 1], and each rule's weights, 0 at those of others."""
+    each = [np.polynomial.legendre.leggauss(nodes) for nodes in rules]
+    at = np.concatenate([0.5 * (1.0 + x) for x, _ in each])
+    return at, scipy.linalg.block_diag(*(0.5 * weights for _, weights in each))
 
 
-def measured_pieces(
-    surface: CutSurface, pieces: Pieces, size: float
-) -> tuple[Pieces, Array, Array]:
+def measured_pieces(surface: CutSurface, pieces: Pieces, size: float) -> tuple[Pieces, Array, Ints]:
     """Halve pieces until two quadrature rules agree on each one's length.
 
     Parameters
@@ -151,28 +165,32 @@ def measured_pieces(
     -------
     pieces : Pieces
         In the same order.
-    length, error : ndarray, shape (k,)
-        Lengths by the larger rule, and their differences from the smaller one.
+    measures : ndarray, shape (3, k)
+        Lengths by the larger rule, their differences from the smaller one, and what the pieces
+        sweep.
+    origin : ndarray of int, shape (k,)
+        Row of the piece that was given of which each is a part, or the whole.
     """
     order = np.arange(len(pieces), dtype=np.float64)
-    done: list[tuple[Array, Pieces, Array, Array]] = []
+    done: list[tuple[Array, Pieces, Array]] = []
     for halving in range(MAX_HALVINGS + 1):
-        length = surface.lengths(pieces, MORE_NODES)
-        error = np.abs(length - surface.lengths(pieces, NODES))
-        good = (error <= TOLERANCE * size) | (halving == MAX_HALVINGS)
-        done.append((order[good], pieces.take(good), length[good], error[good]))
+        measures = surface.measures(pieces, MORE_NODES, NODES)
+        measures[1] = np.abs(measures[0] - measures[1])
+        good = (measures[1] <= TOLERANCE * size) | (halving == MAX_HALVINGS)
+        done.append((order[good], pieces.take(good), measures[:, good]))
         if good.all():
             break
         rest = pieces.take(np.repeat(np.flatnonzero(~good), 2))
         second = np.tile([0.0, 0.5], len(rest) // 2)
         pieces = rest.between(second, second + 0.5)
         order = np.repeat(order[~good], 2) + second * 0.5**halving
-    rank = np.argsort(np.concatenate([part[0] for part in done]))
+    order = np.concatenate([part[0] for part in done])
+    rank = np.argsort(order)
     joined = Pieces(
         *(
             np.concatenate([getattr(part[1], field.name) for part in done])[rank]
             for field in fields(Pieces)
         )
     )
-    length, error = (np.concatenate([part[i] for part in done])[rank] for i in (2, 3))
-    return joined, length, error
+    measures = np.concatenate([part[2] for part in done], axis=1)[:, rank]
+    return joined, measures, order[rank].astype(np.int64)

@@ -203,7 +203,7 @@ def local_maxima(loop: SectionLoop, direction: Array) -> LoopPlaces:
     piece, step = np.nonzero((slope[:, :-1] > 0.0) & (slope[:, 1:] <= 0.0))
 
     def slope_at(fraction: Array, rows: Ints) -> Array:
-        return np.asarray(loop.velocities(piece[rows], fraction[:, None])[:, 0] @ direction)
+        return np.asarray(loop.motion(piece[rows], fraction[:, None])[1][:, 0] @ direction)
 
     ends = slope[piece, step], slope[piece, step + 1]
     fraction = _roots(slope_at, step / SLOPES, (step + 1) / SLOPES, *ends, FINEST)

@@ -1,5 +1,6 @@
 """The exact section of an atlas by a plane."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -99,9 +100,12 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
     if not isinstance(plane, Plane):
         raise InputError(f"the plane is {plane!r}; expected a Plane, of a point and a normal")
     nets = _of_weight_one(atlas.control_points)
-    distances = plane.distances(nets)
+    approximation = atlas.approximation
+    stretch = None if approximation is None else approximation.stretch
+    surface = CutSurface(nets, plane, np.zeros((len(nets), 4), dtype=np.bool_), stretch)
     size = float(np.abs(project(nets) - plane.point).max())
-    flat = np.flatnonzero(np.abs(distances).max(axis=(1, 2)) <= FLAT * size)
+    low, high = _bounds(surface)
+    flat = np.flatnonzero(np.maximum(-low, high) <= FLAT * size)
     if len(flat):
         raise InputError(
             f"patch {atlas.patch_names[flat[0]]!r} lies in {plane}, so that the section is no "
@@ -110,31 +114,25 @@ def plane_section(atlas: Atlas, plane: Plane) -> PlaneSection:
     table = edges_of(atlas)
     poles = poles_in(atlas.points, table, plane, size)
     table, pole = opened(table, poles.sides)
-    approximation = atlas.approximation
-    stretch = None if approximation is None else approximation.stretch
     missed = False
     for move in MOVES:
         # A plane through poles is turned about them.
-        here = plane.moved(move * size)
-        if len(poles.points):
-            here = turned_about(plane, poles.points, move)
-        surface = CutSurface(nets, here, poles.sides, stretch)
+        if len(poles.points) or move != 0.0:
+            turned = len(poles.points) > 0
+            here = turned_about(plane, poles.points, move) if turned else plane.moved(move * size)
+            surface = CutSurface(nets, here, poles.sides, stretch)
+            low, high = _bounds(surface)
         # Patches beside the plane do not belong to the section, but share edges with those that do.
-        distances = surface.distances(np.arange(len(nets)))
-        near = np.flatnonzero(
-            (distances.min(axis=(1, 2)) <= 0.0) & (distances.max(axis=(1, 2)) >= 0.0)
-        )
-        joined = _joined(atlas, distances[near], near, (table, pole), size)
+        near = np.flatnonzero((low <= 0.0) & (high >= 0.0))
+        joined = _joined(atlas, surface.distances(near), near, (table, pole), size)
         if joined is None:
             continue
-        arcs, chains = joined
-        moved = abs(move) * size + poles.away
-        loops = [_loop(atlas, surface, arcs, chain, size, moved) for chain in chains]
-        # Corners that the plane only touched leave a trace when it is moved.
+        moved = abs(move) * size
         loops = [
             loop
-            for loop in loops
-            if loop.length > TRACE * abs(move) * size and not _is_slit(loop, size)
+            for loop, area in _loops(atlas, surface, joined, size, moved + poles.away)
+            # Corners that the plane only touched leave a trace when it is moved.
+            if loop.length > TRACE * moved and not _is_slit(loop, area, size)
         ]
         if not loops and move != 0.0:
             # A boundary that lies in the plane is cut by the planes on one side of it only.
@@ -157,6 +155,12 @@ def _of_weight_one(nets: Array) -> Array:
     return np.asarray(nets / nets[..., 3].max())
 
 
+def _bounds(surface: CutSurface) -> tuple[Array, Array]:
+    """Return the least and greatest coefficients of each patch's distances, shape (patches,)."""
+    distances = surface.patches.distances.reshape(len(surface.control_points), -1)
+    return distances.min(axis=1), distances.max(axis=1)
+
+
 def _joined(
     atlas: Atlas,
     distance: Array,
@@ -171,10 +175,14 @@ def _joined(
     if len(cells.patch) and np.abs(cells.corners).min() <= NEAR * size:
         return None
     table, pole = edges
+    edge, number = np.unique(table.edge[patches], return_inverse=True)
     own = EdgeTable(
-        table.control_index[patches], table.edge[patches], table.reversed[patches], table.sides
+        table.control_index[patches],
+        number.reshape(len(patches), 4),
+        table.reversed[patches],
+        table.sides[edge],
     )
-    crossings = joined_at_poles(find_crossings(distance, cells, own), pole)
+    crossings = joined_at_poles(find_crossings(distance, cells, own), pole[edge])
     arcs = pair_crossings(cells, crossings)
     chains = None if arcs is None else chain_arcs(arcs, crossings.sides)
     if arcs is None or chains is None:
@@ -193,28 +201,40 @@ def _refuse_touching(atlas: Atlas, undecided: Cells, patches: Ints) -> None:
     )
 
 
-def _is_slit(loop: SectionLoop, size: float) -> bool:
-    """Return whether a closed curve runs there and back, so that it encloses nothing."""
-    if not loop.closed:
-        return False
-    points = loop.positions - loop.positions[:1]
-    area = 0.5 * np.linalg.norm(np.cross(points, np.roll(points, -1, axis=0)).sum(axis=0))
-    return bool(area <= SLIT * size * loop.length)
-
-
-def _loop(
-    atlas: Atlas, surface: CutSurface, arcs: Arcs, chain: Chain, size: float, moved: float
-) -> SectionLoop:
-    backwards = chain.backwards.astype(np.float64)
-    pieces = arcs.pieces.take(chain.arc).between(backwards, 1.0 - backwards)
-    pieces, length, error = measured_pieces(surface, pieces, size)
-    rounding = np.finfo(np.float64).eps * size * len(pieces)
-    return SectionLoop(
-        surface,
-        pieces,
-        length,
-        float(error.sum() + rounding + SAFETY * moved),
-        chain.closed,
-        atlas.unit,
-        atlas.regions,
+def _loops(
+    atlas: Atlas,
+    surface: CutSurface,
+    joined: tuple[Arcs, list[Chain]],
+    size: float,
+    moved: float,
+) -> Iterator[tuple[SectionLoop, float]]:
+    """Yield the curves of chains, and twice the areas that they enclose if they are closed."""
+    arcs, chains = joined
+    if not chains:
+        return
+    backwards = np.concatenate([chain.backwards for chain in chains]).astype(np.float64)
+    arc = np.concatenate([chain.arc for chain in chains])
+    # All are measured together.
+    pieces, (length, error, swept), origin = measured_pieces(
+        surface, arcs.pieces.take(arc).between(backwards, 1.0 - backwards), size
     )
+    ends = np.searchsorted(origin, np.cumsum([len(chain.arc) for chain in chains]))
+    for chain, first, last in zip(chains, [0, *ends.tolist()], ends.tolist(), strict=False):
+        rounding = np.finfo(np.float64).eps * size * (last - first)
+        yield (
+            SectionLoop(
+                surface,
+                pieces.take(slice(first, last)),
+                length[first:last],
+                float(error[first:last].sum() + rounding + SAFETY * moved),
+                chain.closed,
+                atlas.unit,
+                atlas.regions,
+            ),
+            abs(float(swept[first:last].sum())),
+        )
+
+
+def _is_slit(loop: SectionLoop, area: float, size: float) -> bool:
+    """Return whether a closed curve runs there and back, so that it encloses nothing."""
+    return loop.closed and 0.5 * area <= SLIT * size * loop.length

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import scipy
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -26,7 +27,14 @@ from bodymeasure.geodesic.shortest.grid_graph import shortest_trees
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.geodesic.surfaces.control_points import extremes
-from bodymeasure.native import MeshArrays, WayFound, diagonal, is_compiled, way_straightened
+from bodymeasure.native import (
+    MeshArrays,
+    WayFound,
+    diagonal,
+    is_compiled,
+    planar_hull,
+    way_straightened,
+)
 from bodymeasure.native.library import SWITCH, without_kernels
 from bodymeasure.section import Plane
 from bodymeasure.section.pieces import CutSurface, Pieces
@@ -438,3 +446,17 @@ def test_an_environment_that_names_no_library_is_refused(tmp_path: Path) -> None
         assert f"{SWITCH} is {value!r}" in ran.stderr
         assert "unset it" in " ".join(ran.stderr.split())
         assert "Traceback" not in ran.stderr
+
+
+@given(seeds, st.integers(3, 200))
+def test_hulls_of_points_in_a_plane(seed: int, count: int) -> None:
+    points = np.random.default_rng(seed).standard_normal((count, 2))
+    corners, expected = planar_hull(points), scipy.spatial.ConvexHull(points).vertices
+    first = int(np.flatnonzero(expected == corners[0])[0])
+    np.testing.assert_array_equal(corners, np.roll(expected, -first))
+
+
+@given(st.integers(1, 5))
+def test_points_on_a_line_have_no_hull(count: int) -> None:
+    x = np.arange(float(count))
+    assert len(planar_hull(np.stack([x, 2.0 * x], axis=1))) < 3

@@ -102,7 +102,7 @@ class _Gathered:
         at = min(max(place - row, BESIDE), 1.0 - BESIDE) + row
         three = np.array([at - BESIDE, at, at + BESIDE])
         points = curve.positions_at(three)
-        velocity = curve.velocities(np.array([row]), np.array([[place - row]]))[0, 0]
+        velocity = curve.motion(np.array([row]), np.array([[place - row]]))[1][0, 0]
         tangent = velocity / np.linalg.norm(velocity)
         point = curve.positions_at(np.array([place]))[0]
         number = int(np.linalg.norm(self._places - point, axis=1).argmin())

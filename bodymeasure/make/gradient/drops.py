@@ -59,7 +59,7 @@ def _pull_ended(
     up, weights = body.atlas.axes.up_vector, weights.copy()
     pull.at(definition.start, weights[0])
     # The end slides along the tape's curve until it is at the level.
-    tangent = arc.velocities(np.array([arc.count - 1]), np.array([[1.0]]))[0, 0]
+    tangent = arc.motion(np.array([arc.count - 1]), np.array([[1.0]]))[1][0, 0]
     slide = float(weights[-1] @ tangent) / float(tangent @ up)
     pull.at(definition.level, slide * up)
     weights[-1] -= slide * up

@@ -93,7 +93,7 @@ def extreme_girth(
     Notes
     -----
     17 planes at equal distances are tried first, and then Brent's method searches between the
-    neighbors of the best one.
+    neighbors of the best one, unless that lies at an end, and the girth beside it is less extreme.
 
     Examples
     --------
@@ -111,27 +111,32 @@ def extreme_girth(
             raise InputError(f"{what} is {word!r}; expected {known[0]!r} or {known[1]!r}")
     stretch = _Stretch.between(atlas, start, end, limb=limb)
     sign = -1.0 if kind == "largest" else 1.0
+    loops: dict[float, SectionLoop] = {}
 
     def cost(fraction: float) -> float:
-        loop = stretch.loop(float(fraction))
+        loop = loops[float(fraction)] = stretch.loop(float(fraction))
         return sign * (loop.length if tape == "contact" else convex_hull(loop).length)
 
     fractions = np.linspace(0.0, 1.0, SAMPLES)
     costs = np.array([cost(fraction) for fraction in fractions])
     best = int(np.argmin(costs))
+    fraction = float(fractions[best])
     low, high = fractions[max(best - 1, 0)], fractions[min(best + 1, SAMPLES - 1)]
-    found = scipy.optimize.minimize_scalar(
-        cost, bounds=(low, high), method="bounded", options={"xatol": TOLERANCE}
-    )
-    # Brent's method stays away from the bounds, where the extreme may well be.
-    fraction = float(found.x) if found.fun < costs[best] else float(fractions[best])
+    # An extreme at an end of the stretch, where nothing beside it is more extreme, is found.
+    beside = {0: 2.0 * TOLERANCE, SAMPLES - 1: 1.0 - 2.0 * TOLERANCE}.get(best)
+    if beside is None or cost(beside) < costs[best]:
+        found = scipy.optimize.minimize_scalar(
+            cost, bounds=(low, high), method="bounded", options={"xatol": TOLERANCE}
+        )
+        # Brent's method stays away from the bounds, where the extreme may well be.
+        fraction = float(found.x) if found.fun < costs[best] else fraction
     status = Extremum.INSIDE
     if fraction <= 2.0 * TOLERANCE:
         status = Extremum.AT_START
     elif fraction >= 1.0 - 2.0 * TOLERANCE:
         status = Extremum.AT_END
     height = float(stretch.point(fraction) @ atlas.axes.up_vector)
-    return ExtremeGirth(girth_of_loop(stretch.loop(fraction)), fraction, height, status)
+    return ExtremeGirth(girth_of_loop(loops[fraction]), fraction, height, status)
 
 
 @dataclass(frozen=True, eq=False)

@@ -91,7 +91,7 @@ def _curve(atlas: Atlas, loop: SectionLoop) -> SkinCurve:
         here = pieces.take(row)
         fraction = wanted / lengths[row]
         for _ in range(STEPS):
-            run = loop.surface.lengths(here.between(np.zeros(len(row)), fraction), 13)
+            run = loop.surface.lengths(here.between(np.zeros(len(row)), fraction))
             velocity = loop.surface.points(here, fraction[:, None])[2][:, 0]
             fraction = fraction - (run - wanted) / np.linalg.norm(velocity, axis=1)
             fraction = np.clip(fraction, 0.0, 1.0)

@@ -44,8 +44,11 @@ def poles_in(points: Array, table: EdgeTable, plane: Plane, size: float) -> Pole
     size : float
         Size of the atlas.
     """
+    sides = table.collapsed
+    if not sides.any():
+        return PolesInPlane(sides, points[:0], 0.0)
     distance = np.abs(plane.distances(points))[table.control_index[:, :, 0]]
-    sides = table.collapsed & (distance <= IN_PLANE * size)
+    sides &= distance <= IN_PLANE * size
     number = np.unique(table.control_index[sides][:, 0])
     return PolesInPlane(sides, points[number], float(distance[sides].max(initial=0.0)))
 
@@ -70,6 +73,8 @@ def opened(table: EdgeTable, sides: Bools) -> tuple[EdgeTable, Ints]:
     The pole of each edge is returned, too: the number of its control point, -1 for other edges.
     """
     count, more = len(table.sides), int(sides.sum())
+    if not more:
+        return table, np.full(count, -1)
     edge, is_reversed = table.edge.copy(), table.reversed.copy()
     edge[sides] = count + np.arange(more)
     is_reversed[sides] = False

@@ -21,6 +21,8 @@ def without_poles(distance: Array, sides: Bools) -> Array:
     sides : ndarray of bool, shape (patches, 4)
         The collapsed sides that lie in the plane.
     """
+    if not sides.any():
+        return distance
     result, degree = distance.copy(), distance.shape[1] - 1
     rows = np.flatnonzero(sides.any(axis=1))
     for side in range(4):
