@@ -5,8 +5,8 @@ from collections.abc import Iterator
 import numpy as np
 import scipy
 
-from bodymeasure._typing import Array, Ints
-from bodymeasure.atlas import EDGES, Atlas, AtlasPoint
+from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure.atlas import EDGES, Atlas, AtlasPoint, sides_of
 from bodymeasure.atlas.topology.neighbors import on_side
 from bodymeasure.bezier import derivatives, project
 from bodymeasure.geodesic.across.routes.topology import topology
@@ -22,6 +22,9 @@ REST = 1e-12
 OUTSIDE = 1e-9
 # The sign of slopes below this part of the height's largest derivatives is rounding.
 LEVEL = 1e-9
+# Slopes whose coefficients all have one sign, beyond this part of the largest of all, vanish
+# nowhere on the patch, nor where rounding puts a point of it outside.
+NOWHERE = 1e-6
 # Saddles closer together than this part of the atlas's size are one.
 SAME = 1e-7
 
@@ -65,25 +68,49 @@ def saddles_between(atlas: Atlas, low: float, high: float, near: Array) -> list[
 
 def _in_patches(atlas: Atlas, patches: Ints) -> Iterator[AtlasPoint]:
     """Yield the points in patches where the height has no gradient and an indefinite Hessian."""
+    nets = _height_nets(atlas, patches)
+    level = [_may_vanish(np.diff(nets, axis=axis).reshape(len(nets), -1)) for axis in (1, 2)]
+    patches = patches[level[0] & level[1]]
     side = (np.arange(STARTS) + 0.5) / STARTS
     grid = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
     row = np.repeat(patches, len(grid))
     place = np.tile(grid, (len(patches), 1))
+    busy = np.arange(len(row))
     for _ in range(STEPS):
-        slope, bend = _slopes(atlas, row, place)
+        slope, bend = _slopes(atlas, row[busy], place[busy])
         determinant = bend[:, 0, 0] * bend[:, 1, 1] - bend[:, 0, 1] ** 2
         bend[determinant == 0.0] = np.eye(2)
         step = np.linalg.solve(bend, slope[..., None])[..., 0]
         # Steps are no longer than a patch's width, so that no search is lost for good.
-        step *= np.minimum(1.0, 0.5 / np.maximum(np.abs(step).max(axis=1), 1e-300))[:, None]
-        place = np.clip(place - step, -1.0, 2.0)
+        size = np.abs(step).max(axis=1)
+        step *= np.minimum(1.0, 0.5 / np.maximum(size, 1e-300))[:, None]
+        place[busy] = np.clip(place[busy] - step, -1.0, 2.0)
+        busy = busy[size > REST]
+    rests = np.ones(len(row), dtype=np.bool_)
+    rests[busy] = False
     slope, bend = _slopes(atlas, row, place)
-    rests = np.abs(step).max(axis=1) <= REST
     rests &= ((place >= -OUTSIDE) & (place <= 1.0 + OUTSIDE)).all(axis=1)
     rests &= np.linalg.det(bend) < 0.0
     for number in np.flatnonzero(rests):
         u, v = np.clip(place[number], 0.0, 1.0).tolist()
         yield AtlasPoint(int(row[number]), u, v)
+
+
+def _height_nets(atlas: Atlas, patches: Ints) -> Array:
+    """Return the coefficients of the heights of patches, shape (k, m + 1, m + 1).
+
+    Those of rational patches are quotients, which have none: theirs are NaN.
+    """
+    nets = atlas.control_points[patches]
+    if nets.shape[-1] == 4:
+        return np.full(nets.shape[:-1], np.nan)
+    return np.asarray(nets @ atlas.axes.up_vector)
+
+
+def _may_vanish(slopes: Array) -> Bools:
+    """Return whether slopes may be zero somewhere, by their coefficients (..., k)."""
+    least = NOWHERE * np.abs(slopes).max(initial=0.0)
+    return ~((slopes.min(axis=-1) > least) | (slopes.max(axis=-1) < -least))
 
 
 def _slopes(atlas: Atlas, patch: Ints, place: Array) -> tuple[Array, Array]:
@@ -96,8 +123,10 @@ def _slopes(atlas: Atlas, patch: Ints, place: Array) -> tuple[Array, Array]:
 def _on_seams(atlas: Atlas, patches: Ints) -> Iterator[AtlasPoint]:
     """Yield points where the height is least along a seam and falls to both sides, or reversed."""
     neighbors = topology(atlas).neighbors
+    level = _may_vanish(np.diff(sides_of(_height_nets(atlas, patches)), axis=2))
+    chosen = {(int(patches[row]), int(side)) for row, side in np.argwhere(level)}
     for (patch, side), crossings in neighbors.over.items():
-        if patch not in patches or len(crossings) != 1:
+        if (patch, side) not in chosen or len(crossings) != 1:
             continue
         axis = EDGES[side].fixed_axis
         for along in _level_places(atlas, patch, side):
