@@ -1,7 +1,7 @@
 """Compiled kernels for what arrays of NumPy do not reach; without them, NumPy does the same."""
 
 from bodymeasure.native.box import box_steps
-from bodymeasure.native.closest import ClosestSettings, closest_in_powers
+from bodymeasure.native.closest import ClosestSettings, PatchSeams, closest_in_powers
 from bodymeasure.native.diagonal import (
     DiagonalProblems,
     DiagonalSettings,
@@ -38,6 +38,7 @@ __all__ = [
     "Graphs",
     "MeshArrays",
     "NewtonSettings",
+    "PatchSeams",
     "PathTables",
     "QuadratureTables",
     "RouteArrays",

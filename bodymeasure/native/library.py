@@ -25,7 +25,7 @@ SWITCH = "BODYMEASURE_NATIVE"
 _POINTER = ctypes.c_void_p
 KERNELS = {
     "bodymeasure_box_step": [_POINTER] * 2,
-    "bodymeasure_closest": [*[ctypes.c_int64] * 2, *[_POINTER] * 5],
+    "bodymeasure_closest": [*[ctypes.c_int64] * 2, *[_POINTER] * 9],
     "bodymeasure_diagonals": [*[_POINTER] * 5, ctypes.c_int64],
     "bodymeasure_energy": [_POINTER, _POINTER, ctypes.c_int64, *[_POINTER] * 3],
     "bodymeasure_extremes": [ctypes.c_int64] * 2 + [_POINTER] * 3,
@@ -127,7 +127,7 @@ def address(array: NDArray[Any]) -> int:
     try:
         # A third of the time of the array interface, but only for what may be written and is not
         # empty.
-        return ctypes.addressof(ctypes.c_char.from_buffer(array))
+        return ctypes.addressof(ctypes.c_char.from_buffer(array.data))
     except (TypeError, ValueError):
         pass
     if not array.flags.c_contiguous:

@@ -233,7 +233,7 @@ def _polygon_arcs(flat: Array, first: Ints, last: Ints) -> Array:
     sides = _sizes(np.roll(flat, -1, axis=0) - flat)
     way = np.concatenate([[0.0], np.cumsum(sides)])
     arc = way[last] - way[first]
-    return np.where(last < first, arc + way[-1], arc)
+    return np.asarray(np.where(last < first, arc + way[-1], arc))
 
 
 def _outer_corners(flat: Array, end: int, turn: float, rows: Ints) -> Ints:

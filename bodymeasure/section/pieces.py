@@ -124,7 +124,7 @@ class CutSurface:
 
     def lengths(self, pieces: Pieces, nodes: int = MORE_NODES) -> Array:
         """Return the lengths of pieces by Gauss quadrature, shape (k,)."""
-        return self.measures(pieces, nodes)[0]
+        return np.asarray(self.measures(pieces, nodes)[0])
 
     def measures(self, pieces: Pieces, *rules: int) -> Array:
         """Return the lengths of pieces by Gauss rules of so many nodes, and what they sweep.

@@ -133,6 +133,8 @@ def _narrowed(
 def _closest(skin: Skin, positions: Array, patch: Ints, side: Ints) -> tuple[Ints, Ints, Array]:
     """Return the closest points of seams, or of sharp ones that go on: patch, side, along."""
     patch, side = patch.copy(), side.copy()
+    if not len(patch):
+        return patch, side, np.empty(0)
     along, squared = _descend(skin, positions, patch, side)
     for _ in range(MAX_SEAMS):
         moved = False
@@ -176,14 +178,10 @@ def _round_corner(skin: Skin, patch: int, side: int, along: float) -> list[tuple
 def _descend(skin: Skin, positions: Array, patch: Ints, side: Ints) -> tuple[Array, Array]:
     """Return the closest points of seams: their parameters (k,), and the squared distances."""
     grid = np.linspace(0.0, 1.0, SAMPLES + 1)
-    tried = np.stack(
-        [
-            ((_curve(skin, patch, side, np.full(len(patch), t))[0] - positions) ** 2).sum(axis=1)
-            for t in grid
-        ],
-        axis=1,
-    )
-    along = grid[tried.argmin(axis=1)] if len(patch) else np.empty(0)
+    count = len(grid)
+    places = _curve(skin, patch.repeat(count), side.repeat(count), np.tile(grid, len(patch)))[0]
+    tried = ((places.reshape(len(patch), count, 3) - positions[:, None]) ** 2).sum(axis=2)
+    along = grid[tried.argmin(axis=1)]
     for _ in range(MAX_STEPS):
         point, velocity, bend = _curve(skin, patch, side, along)
         offset = point - positions

@@ -10,13 +10,14 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.check.degeneracy import collapsed_sides
 from bodymeasure.atlas.normals import normals_and_bends
 from bodymeasure.atlas.prepared import prepared
-from bodymeasure.atlas.queries.feet import descend_in_powers
+from bodymeasure.atlas.queries.feet import MAX_SEAMS, feet_over_seams
 from bodymeasure.atlas.queries.outside import Outside, outward_signs
 from bodymeasure.atlas.seams import AXIS, VALUE
 from bodymeasure.atlas.topology.edges import edges_of
 from bodymeasure.atlas.topology.joins import entered, kink_angles, on_sides, over_sides, seams_of
 from bodymeasure.bezier import evaluate, project
 from bodymeasure.bezier.power_form import jets, power_coefficients
+from bodymeasure.native import PatchSeams
 from bodymeasure.taut.poles import Poles
 
 # The number of samples along a side of each patch. A search starts at the closest one; they lie
@@ -25,8 +26,6 @@ SAMPLES = 12
 # After a step of this size in (u, v), the error that is left is about its square, as in Newton's
 # method.
 LAST_STEP = 1e-6
-# The most seams that a search for one foot may cross: all round a corner of five patches, and back.
-MAX_CROSSINGS = 6
 # Degrees by which the skin turns over a seam, beyond which both patches are searched for a foot.
 SHARP = 30.0
 # Positions closer to the skin than this part of the atlas's size have no direction from their foot
@@ -123,34 +122,28 @@ class Skin:
         """Return the patches (k,) of these points, and the parameters there (k, 2), alone."""
         _, nearest = self.tree.query(positions)
         patch, sample = np.divmod(np.asarray(nearest, dtype=np.int64), SAMPLES**2)
-        x, squared = self.descend(patch, positions, self.grid[sample])
-        self._cross(positions, patch, x, squared)
-        self._behind_ridges(positions, patch, x, squared)
-        self._round_poles(positions, patch, x, squared)
-        return patch, x
+        best = self._search(positions, patch, self.grid[sample])
+        self._behind_ridges(positions, *best)
+        self._round_poles(positions, *best)
+        return best[0], best[1]
 
     def descend(self, patch: Ints, positions: Array, start: Array) -> tuple[Array, Array]:
         """Return the closest points of single patches, and the squared distances."""
-        return descend_in_powers(self.coefficients[patch], positions, start, LAST_STEP)
+        return self._search(positions, patch, start, most_seams=0)[1:]
 
-    def _cross(self, positions: Array, patch: Ints, x: Array, squared: Array) -> None:
-        """Continue over the seams on which searches ended, where that leads closer, in place."""
-        pending = np.arange(len(patch))
-        for _ in range(MAX_CROSSINGS):
-            row, side = on_sides(x[pending])
-            row = pending[row]
-            joined = self.to_patch[patch[row], side] >= 0
-            row, side = row[joined], side[joined]
-            if not len(row):
-                return
-            to_patch, start = self.entered(patch[row], x[row], side)
-            there, closer = self.descend(to_patch, positions[row], start)
-            # At a corner two sides lead on; the closer one is written last, and stays.
-            order = np.argsort(-closer)
-            better = order[closer[order] < squared[row[order]] - (TIED * self.size) ** 2]
-            found = row[better]
-            patch[found], x[found], squared[found] = to_patch[better], there[better], closer[better]
-            pending = np.unique(found)
+    def _search(
+        self, positions: Array, patch: Ints, start: Array, most_seams: int = MAX_SEAMS
+    ) -> tuple[Ints, Array, Array]:
+        """Return the closest points near places of patches, over seams where that leads closer."""
+        return feet_over_seams(
+            self.coefficients,
+            PatchSeams(self.to_patch, self.to_side, self.flipped),
+            positions,
+            (patch, start),
+            last_step=LAST_STEP,
+            tied=(TIED * self.size) ** 2,
+            most_seams=most_seams,
+        )
 
     def _behind_ridges(self, positions: Array, patch: Ints, x: Array, squared: Array) -> None:
         """Search for feet beyond the sharp seams of their patches too, in place.
@@ -178,8 +171,7 @@ class Skin:
         if not len(row):
             return
         patch, x, squared = best
-        there, closer = self.descend(to_patch, positions[row], start)
-        self._cross(positions[row], to_patch, there, closer)
+        to_patch, there, closer = self._search(positions[row], to_patch, start)
         order = np.argsort(-closer)
         better = order[closer[order] < squared[row[order]] - (TIED * self.size) ** 2]
         found = row[better]

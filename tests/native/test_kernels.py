@@ -16,7 +16,9 @@ from hypothesis import strategies as st
 import bodymeasure as bm
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.normals import normals_and_bends
-from bodymeasure.atlas.queries.feet import descend_in_powers
+from bodymeasure.atlas.queries.feet import feet_over_seams
+from bodymeasure.atlas.topology.edges import edges_of
+from bodymeasure.atlas.topology.joins import over_sides
 from bodymeasure.bezier import homogeneous
 from bodymeasure.bezier.power_form import jets, power_coefficients
 from bodymeasure.geodesic.across.routes.graph import patch_graph
@@ -29,6 +31,7 @@ from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.geodesic.surfaces.control_points import extremes
 from bodymeasure.native import (
     MeshArrays,
+    PatchSeams,
     WayFound,
     diagonal,
     is_compiled,
@@ -183,13 +186,35 @@ def test_jets_of_patches_in_powers(seed: int, degree: int, coordinates: int) -> 
 def test_closest_points_of_patches(seed: int, degree: int) -> None:
     rng = np.random.default_rng(seed)
     coefficients = power_coefficients(rng.normal(size=(6, degree + 1, degree + 1, 3)))
-    targets, start = rng.normal(size=(6, 3)), rng.random((6, 2))
-    _, compiled = descend_in_powers(coefficients, targets, start, 1e-12)
+    targets, start = rng.normal(size=(6, 3)), (np.arange(6), rng.random((6, 2)))
+    sides = np.full((6, 4), -1)
+    seams = PatchSeams(sides, sides, np.zeros((6, 4), dtype=np.bool_))
+    _, _, compiled = feet_over_seams(coefficients, seams, targets, start, last_step=1e-12, tied=0.0)
     with by_numpy():
-        _, plain = descend_in_powers(coefficients, targets, start, 1e-12)
+        _, _, plain = feet_over_seams(
+            coefficients, seams, targets, start, last_step=1e-12, tied=0.0
+        )
     # On a saddle of the distance rounding decides which way a search goes.
     agree = np.abs(compiled - plain) <= 1e-9 * (1.0 + plain)
     assert agree.sum() >= 5
+
+
+@pytest.mark.parametrize("sample", ["female_average", "paraboloid"])
+def test_closest_points_beyond_seams(sample: str, rng: np.random.Generator) -> None:
+    atlas = bm.load_sample(sample)
+    coefficients = power_coefficients(atlas.control_points)
+    seams = PatchSeams(*over_sides(edges_of(atlas)))
+    patch = rng.integers(len(atlas), size=300)
+    # The search begins on one patch, and its target lies near another one.
+    aside, start = rng.normal(scale=0.05, size=(300, 3)), (patch, rng.random((300, 2)))
+    targets = atlas.control_points[patch, 0, 0, :3] + aside
+    compiled = feet_over_seams(coefficients, seams, targets, start, last_step=1e-10, tied=1e-24)
+    with by_numpy():
+        plain = feet_over_seams(coefficients, seams, targets, start, last_step=1e-10, tied=1e-24)
+    assert (compiled[0] != patch).any() or len(atlas) == 1
+    # A tie of two patches is broken by rounding.
+    agree = np.abs(compiled[2] - plain[2]) <= 1e-12
+    assert agree.mean() > 0.99
 
 
 @given(seeds, st.integers(1, 6), st.sampled_from((3, 4)), st.integers(0, 6))

@@ -5,13 +5,22 @@ from collections.abc import Callable
 import numpy as np
 
 from bodymeasure._typing import Array, Ints
+from bodymeasure.atlas.topology.joins import entered, on_sides
 from bodymeasure.bezier.power_form import jets
-from bodymeasure.native import MOST_DEGREE, ClosestSettings, closest_in_powers, is_compiled
+from bodymeasure.native import (
+    MOST_DEGREE,
+    ClosestSettings,
+    PatchSeams,
+    closest_in_powers,
+    is_compiled,
+)
 
 # Newton's steps for one position, halvings included. From a sample beside the closest point four
 # are enough; the slow searches are those where the distance is nearly stationary along a whole
 # curve, as from the center of a sphere.
 MAX_STEPS = 100
+# The most seams that a search for one foot may cross: all round a corner of five patches, and back.
+MAX_SEAMS = 6
 # The longest step in (u, v): a patch's second-order model can be trusted as far as that.
 LONGEST_STEP = 0.25
 # Part of the metric's determinant: Hessians whose determinant is smaller count as singular, and the
@@ -76,23 +85,70 @@ def descend(
     return trial, _dot(offset, offset)
 
 
-def descend_in_powers(
-    coefficients: Array, targets: Array, start: Array, last_step: float
-) -> tuple[Array, Array]:
-    """Return what `descend` does, for patches as coefficients of powers.
+def feet_over_seams(
+    coefficients: Array,
+    seams: PatchSeams,
+    targets: Array,
+    start: tuple[Ints, Array],
+    *,
+    last_step: float,
+    tied: float,
+    most_seams: int = MAX_SEAMS,
+) -> tuple[Ints, Array, Array]:
+    """Return the closest points of patches as coefficients of powers, and beyond their seams.
 
     Parameters
     ----------
-    coefficients : ndarray, shape (k, m + 1, m + 1, 3 or 4)
+    coefficients : ndarray, shape (patches, m + 1, m + 1, 3 or 4)
         From `bodymeasure.bezier.power_form`.
-    targets, start, last_step
+    seams : PatchSeams
+        A search that ends on a seam goes on beyond it, where that leads closer.
+    targets : ndarray, shape (k, 3)
+    start : tuple of ndarray, of shapes (k,) and (k, 2)
+        The patches, and a place nearby on each.
+    last_step : float
         As in `descend`.
+    tied : float
+        Two squared distances that differ by less are those of one point on a seam.
+    most_seams : int
+        The most seams that a search may cross.
+
+    Returns
+    -------
+    patch : ndarray of int, shape (k,)
+    x : ndarray, shape (k, 2)
+    squared : ndarray, shape (k,)
     """
     side, coordinates = coefficients.shape[2:]
     if is_compiled() and coordinates == 3 and side <= MOST_DEGREE + 1:
-        settings = ClosestSettings(MAX_STEPS, last_step, LONGEST_STEP, SINGULAR, DAMPING, ROUNDING)
-        return closest_in_powers(coefficients, targets, start, settings)
-    return descend(lambda rows, x: jets(coefficients[rows], x), targets, start, last_step)
+        limits = LONGEST_STEP, SINGULAR, DAMPING, ROUNDING
+        settings = ClosestSettings(MAX_STEPS, most_seams, last_step, *limits, tied)
+        return closest_in_powers(coefficients, seams, targets, start, settings)
+
+    def descended(patch: Ints, targets: Array, x: Array) -> tuple[Array, Array]:
+        return descend(lambda rows, at: jets(coefficients[patch[rows]], at), targets, x, last_step)
+
+    patch = start[0].copy()
+    x, squared = descended(patch, targets, start[1])
+    pending = np.arange(len(patch))
+    for _ in range(most_seams):
+        row, side = on_sides(x[pending])
+        row = pending[row]
+        joined = seams.to_patch[patch[row], side] >= 0
+        row, side = row[joined], side[joined]
+        if not len(row):
+            break
+        at = patch[row], side
+        to_patch, flipped = seams.to_patch[at], seams.flipped[at]
+        begin = entered(x[row], side, seams.to_side[at], flipped)
+        there, closer = descended(to_patch, targets[row], begin)
+        # At a corner two sides lead on; the closer one is written last, and stays.
+        order = np.argsort(-closer)
+        better = order[closer[order] < squared[row[order]] - tied]
+        found = row[better]
+        patch[found], x[found], squared[found] = to_patch[better], there[better], closer[better]
+        pending = np.unique(found)
+    return patch, x, squared
 
 
 def _step(s: Array, offset: Array, x: Array) -> Array:

@@ -99,18 +99,18 @@ def _in_patches(atlas: Atlas, patches: Ints) -> Iterator[AtlasPoint]:
 def _height_nets(atlas: Atlas, patches: Ints) -> Array:
     """Return the coefficients of the heights of patches, shape (k, m + 1, m + 1).
 
-    Those of rational patches are quotients, which have none: theirs are NaN.
+    Those of rational patches are quotients, which have none: theirs are zero.
     """
     nets = atlas.control_points[patches]
     if nets.shape[-1] == 4:
-        return np.full(nets.shape[:-1], np.nan)
+        return np.zeros(nets.shape[:-1])
     return np.asarray(nets @ atlas.axes.up_vector)
 
 
 def _may_vanish(slopes: Array) -> Bools:
     """Return whether slopes may be zero somewhere, by their coefficients (..., k)."""
     least = NOWHERE * np.abs(slopes).max(initial=0.0)
-    return ~((slopes.min(axis=-1) > least) | (slopes.max(axis=-1) < -least))
+    return np.asarray((slopes.min(axis=-1) <= least) & (slopes.max(axis=-1) >= -least))
 
 
 def _slopes(atlas: Atlas, patch: Ints, place: Array) -> tuple[Array, Array]:

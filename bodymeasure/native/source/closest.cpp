@@ -1,5 +1,5 @@
-// The closest points of patches in powers of u and v; the NumPy form is
-// `atlas.queries.closest.descend` with `bezier.power_form.jets`.
+// The closest points of patches in powers of u and v, and of those over their seams; the NumPy form
+// is in `atlas.queries.feet`.
 //
 // Projected Newton after D. Bertsekas, SIAM J. Control Optim. 20 (1982) 221-246: a coordinate on its
 // bound which the gradient presses outwards is held; the others take a Newton step (a Gauss-Newton
@@ -12,10 +12,11 @@
 
 namespace bodymeasure {
 
-// The constants of `atlas.queries.closest`.
+// The constants of `atlas.queries.feet`; a search goes on over a seam where that leads closer by more
+// than `tied`, in squares of distances.
 struct ClosestSettings {
-    int64_t most_steps;
-    double last_step, longest_step, singular, damping, rounding;
+    int64_t most_steps, most_seams;
+    double last_step, longest_step, singular, damping, rounding, tied;
 };
 
 namespace {
@@ -44,6 +45,13 @@ void newton_step(const double *s, const double *offset, const double *x,
     if (longest > settings.longest_step)
         for (int k = 0; k < 2; ++k) step[k] *= settings.longest_step / longest;
 }
+
+// The sides of all patches, (patches, 4): the patch and the side beyond, -1 where there is none, and
+// whether that side runs against this one.
+struct Seams {
+    const int64_t *to_patch, *to_side;
+    const bool *flipped;
+};
 
 double inside(double t) { return t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t; }
 
@@ -78,16 +86,52 @@ double descend(int64_t side, const double *coefficients, const double *target, d
     return squared();
 }
 
+void cross(int64_t side, const double *coefficients, const Seams &seams, const double *target,
+           const ClosestSettings &settings, int64_t *patch, double *x, double *squared) {
+    const int64_t size = side * side * 3;
+    for (int64_t number = 0; number < settings.most_seams; ++number) {
+        double least = *squared - settings.tied, place[2] = {0.0, 0.0};
+        int64_t found = -1;
+        for (int64_t edge = 0; edge < 4; ++edge) {
+            const int64_t over = seams.to_patch[4 * *patch + edge];
+            if (over < 0 || x[edge / 2] != edge % 2) continue;
+            const int64_t to_side = seams.to_side[4 * *patch + edge];
+            const double along = x[1 - edge / 2];
+            double there[2];
+            there[to_side / 2] = to_side % 2;
+            there[1 - to_side / 2] = seams.flipped[4 * *patch + edge] ? 1.0 - along : along;
+            const double closer =
+                descend(side, coefficients + over * size, target, there, settings);
+            // At a corner two sides lead on.
+            if (!(closer < least)) continue;
+            least = closer;
+            found = over;
+            place[0] = there[0];
+            place[1] = there[1];
+        }
+        if (found < 0) return;
+        *patch = found;
+        *squared = least;
+        x[0] = place[0];
+        x[1] = place[1];
+    }
+}
+
 }  // namespace bodymeasure
 
-// Of patches (count, side, side, 3), to targets (count, 3), from parameters x (count, 2), which are
-// moved there; `squared` are the squares of the distances.
+// Of some of all patches (patches, side, side, 3), to targets (count, 3), from parameters x (count, 2),
+// which are moved there, as are the patches (count,); `squared` are the squares of the distances.
 EXPORTED int64_t bodymeasure_closest(int64_t count, int64_t side, const double *coefficients,
-                                     const double *targets,
-                                     const bodymeasure::ClosestSettings *settings, double *x,
-                                     double *squared) {
-    for (int64_t k = 0; k < count; ++k)
-        squared[k] = bodymeasure::descend(side, coefficients + k * side * side * 3, targets + 3 * k,
-                                          x + 2 * k, *settings);
+                                     const int64_t *to_patch, const int64_t *to_side,
+                                     const bool *flipped, const double *targets,
+                                     const bodymeasure::ClosestSettings *settings, int64_t *patch,
+                                     double *x, double *squared) {
+    const bodymeasure::Seams seams{to_patch, to_side, flipped};
+    for (int64_t k = 0; k < count; ++k, targets += 3, x += 2) {
+        squared[k] = bodymeasure::descend(side, coefficients + patch[k] * side * side * 3, targets,
+                                          x, *settings);
+        bodymeasure::cross(side, coefficients, seams, targets, *settings, patch + k, x,
+                           squared + k);
+    }
     return count;
 }
