@@ -36,6 +36,8 @@ class Pole(Contact):
 End = Contact | None
 """The end of a free leg: an edge along which the end may move, or None for a fixed point."""
 
+Ends = tuple[End, End]
+
 
 @dataclass(frozen=True)
 class Leg:

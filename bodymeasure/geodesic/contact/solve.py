@@ -6,26 +6,15 @@ rest, and read again from the legs themselves if one of them leaves the patch.
 """
 
 from collections.abc import Sequence
-from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 
 from bodymeasure._typing import Array
-from bodymeasure.geodesic.contact.degrees import (
-    LOWER_DEGREES,
-    OVERSHOOT,
-    degrees_wanted,
-    leave_for_certain,
-)
 from bodymeasure.geodesic.contact.edge_arc import edge_arc
-from bodymeasure.geodesic.contact.free_leg import solve_free_piece
-from bodymeasure.geodesic.contact.joined import ContactPath, SolvedLeg, join
-from bodymeasure.geodesic.contact.legs import End, Leg, read_legs
-from bodymeasure.geodesic.contact.tangency import tangency_error
-from bodymeasure.geodesic.lengths.measure import measure_length
+from bodymeasure.geodesic.contact.free_legs import FreeLeg, solve_free_legs
+from bodymeasure.geodesic.contact.joined import ContactPath, join
+from bodymeasure.geodesic.contact.legs import Ends, Leg, read_legs
 from bodymeasure.geodesic.solving.protocol import EdgeContact
-from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # A polygon with more legs than this is not at rest; no path on wild patches had more than five.
@@ -34,92 +23,88 @@ MOST_LEGS = 12
 MOST_PATTERNS = 6
 
 
-class _FreeLeg(NamedTuple):
-    """A leg, and whether it stays in the patch."""
-
-    solved: SolvedLeg
-    inside: bool
-
-
-def solve_contact_path(
-    surface: Surface, polygon: Array, poles: tuple[End, End], tolerance: float
-) -> ContactPath | None:
-    """Solve for a path, each free leg by collocation and each contact arc by quadrature.
+def solve_contact_paths(
+    surface: Surface, polygons: Sequence[Array], poles: Sequence[Ends], tolerance: float
+) -> list[ContactPath | None]:
+    """Solve for paths, each free leg by collocation and each contact arc by quadrature.
 
     Parameters
     ----------
     surface : Surface
-        The surface of one problem.
-    polygon : ndarray, shape (m + 1, 2)
-        The polygon to start from, at rest.
-    poles : pair of End
-        The collapsed edges, `legs.Pole`, on which the path's ends lie.
+        The patch of each path.
+    polygons : sequence of ndarray, shape (m + 1, 2)
+        The polygons to start from, at rest.
+    poles : sequence of pairs of End
+        The collapsed edges, `legs.Pole`, on which the paths' ends lie.
     tolerance : float
         The relative error of the length that is asked for.
 
     Returns
     -------
-    ContactPath or None
+    list of ContactPath or None
         None if a leg has no solution, or no pattern was found whose free legs stay in the patch and
         whose arcs are pressed against their edges.
     """
+    result: list[ContactPath | None] = [None] * len(polygons)
+    points = {
+        row: _put_on_poles(*each) for row, each in enumerate(zip(polygons, poles, strict=True))
+    }
+    for _ in range(MOST_PATTERNS):
+        patterns = {row: read_legs(each, poles[row]) for row, each in points.items()}
+        patterns = {row: legs for row, legs in patterns.items() if len(legs) <= MOST_LEGS}
+        solved = _solve_legs(surface, points, patterns, tolerance)
+        again = {}
+        for row, free in solved.items():
+            here, legs = points[row], patterns[row]
+            backwards = [_runs_backwards(here, legs, free, number) for number in range(len(legs))]
+            if any(backwards) or not all(found is None or found.inside for found in free):
+                again[row] = _read_anew(here, legs, free, backwards)
+            else:
+                result[row] = _put_together(surface.take(np.array([row])), here, legs, free)
+        points = again
+        if not points:
+            break
+    return result
+
+
+def _put_on_poles(polygon: Array, poles: Ends) -> Array:
+    """The polygon; all parameters along a collapsed edge are the same place."""
     points = polygon.copy()
-    # All parameters along a collapsed edge are the same place.
     for place, beside, pole in ((0, 1, poles[0]), (-1, -2, poles[1])):
         if pole is not None:
             points[place, 1 - pole.axis] = points[beside, 1 - pole.axis]
-    for _ in range(MOST_PATTERNS):
-        legs = read_legs(points, poles)
-        if len(legs) > MOST_LEGS:
-            return None
-        free: list[_FreeLeg | None] = []
-        for leg in legs:
-            free.append(_solve_free(surface, points, leg, tolerance))
-            if leg.contact is None and free[-1] is None:
-                return None
-        backwards = [_runs_backwards(points, legs, free, number) for number in range(len(legs))]
-        if not any(backwards) and all(found is None or found.inside for found in free):
-            return _put_together(surface, points, legs, free)
-        points = _read_anew(points, legs, free, backwards)
-    return None
+    return points
 
 
-def _solve_free(surface: Surface, points: Array, leg: Leg, tolerance: float) -> _FreeLeg | None:
-    if leg.contact is not None:
-        return None
-    polygon = points[leg.first : leg.last + 1]
-    steps = np.diff(surface.jet(polygon[None], 0)[0, :, 0], axis=1)
-    way = np.concatenate([[0.0], np.cumsum(np.sqrt((steps * steps).sum(axis=0)))])
-    if not way[-1] > 0.0:
-        return None
-    times = way / way[-1]
-    wanted, outside = 0.0, None
-    for degree in LOWER_DEGREES:
-        if degree < wanted:
-            continue
-        space = polynomial_space(degree)
-        start = np.stack([np.interp(space.nodes, times, polygon[:, axis]) for axis in (0, 1)])
-        values = solve_free_piece(surface, space, start, leg.ends)
-        if values is None:
-            continue
-        length = measure_length(surface, space, values[None])
-        # The error of a joint hardly depends on the degree.
-        wanted = degrees_wanted(degree, length, tolerance)[0]
-        joints = tangency_error(surface, space, values, leg.ends)
-        length = replace(length, error=length.error + joints)
-        if not length.is_known_to(tolerance)[0]:
-            continue
-        solved = SolvedLeg(space, values, length)
-        if not space.leaves_patch(values[None], OVERSHOOT)[0]:
-            return _FreeLeg(solved, inside=True)
-        outside = _FreeLeg(solved, inside=False)
-        if leave_for_certain(space, values[None], length)[0]:
-            break
-    return outside
+def _solve_legs(
+    surface: Surface, points: dict[int, Array], patterns: dict[int, list[Leg]], tolerance: float
+) -> dict[int, list[FreeLeg | None]]:
+    """The free legs of all paths, in their order, with None for arcs; without paths that fail."""
+    parts = [(row, leg) for row, legs in patterns.items() for leg in legs if leg.contact is None]
+    found = iter(
+        solve_free_legs(
+            surface.take(np.array([row for row, _ in parts], np.int64)),
+            [points[row][leg.first : leg.last + 1] for row, leg in parts],
+            [leg.ends for _, leg in parts],
+            tolerance,
+        )
+    )
+    solved = {
+        row: [next(found) if leg.contact is None else None for leg in legs]
+        for row, legs in patterns.items()
+    }
+    return {
+        row: free
+        for row, free in solved.items()
+        if all(
+            each is not None or leg.contact is not None
+            for each, leg in zip(free, patterns[row], strict=True)
+        )
+    }
 
 
 def _arc_ends(
-    points: Array, legs: Sequence[Leg], free: Sequence[_FreeLeg | None], number: int
+    points: Array, legs: Sequence[Leg], free: Sequence[FreeLeg | None], number: int
 ) -> tuple[Array, Array]:
     """The ends of an arc: those of its neighbors, or fixed points."""
     leg = legs[number]
@@ -131,7 +116,7 @@ def _arc_ends(
 
 
 def _runs_backwards(
-    points: Array, legs: Sequence[Leg], free: Sequence[_FreeLeg | None], number: int
+    points: Array, legs: Sequence[Leg], free: Sequence[FreeLeg | None], number: int
 ) -> bool:
     leg = legs[number]
     if leg.contact is None:
@@ -147,7 +132,7 @@ def _runs_backwards(
 def _read_anew(
     points: Array,
     legs: Sequence[Leg],
-    free: Sequence[_FreeLeg | None],
+    free: Sequence[FreeLeg | None],
     backwards: Sequence[bool],
 ) -> Array:
     """A polygon along the legs, put into the box; without the arcs that run backwards."""
@@ -171,7 +156,7 @@ def _read_anew(
 
 
 def _put_together(
-    surface: Surface, points: Array, legs: Sequence[Leg], free: Sequence[_FreeLeg | None]
+    surface: Surface, points: Array, legs: Sequence[Leg], free: Sequence[FreeLeg | None]
 ) -> ContactPath | None:
     parts, contacts = [], []
     for number, (leg, found) in enumerate(zip(legs, free, strict=True)):

@@ -15,12 +15,15 @@ joint, of the Jacobi field of `lengths.measure`. By Green's formula that is
 end.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.contact.edge_arc import edge_curvature
-from bodymeasure.geodesic.contact.legs import End, Pole
+from bodymeasure.geodesic.contact.legs import Ends, Pole
 from bodymeasure.geodesic.lengths.path_geometry import PathGeometry, path_geometry
+from bodymeasure.geodesic.numerics.linear_systems import solved
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
@@ -29,50 +32,58 @@ from bodymeasure.geodesic.surfaces.protocol import Surface
 SAFETY = 3.0
 
 
-def tangency_error(
-    surface: Surface, space: TrialSpace, values: Array, ends: tuple[End, End]
-) -> float:
-    """Return the estimated error of a leg and its arcs together that their joints cause.
+def tangency_errors(
+    surface: Surface, space: TrialSpace, values: Array, ends: Sequence[Ends]
+) -> Array:
+    """Return the estimated errors of legs and their arcs together that their joints cause.
 
     Parameters
     ----------
     surface : Surface
-        The surface of one problem.
+        The patch of each leg.
     space : TrialSpace
-    values : ndarray, shape (2, n + 1)
-        The leg's u and v at the nodes.
-    ends : pair of End
+    values : ndarray, shape (legs, 2, n + 1)
+        The legs' u and v at the nodes.
+    ends : sequence of pairs of End
+
+    Returns
+    -------
+    ndarray, shape (legs,)
     """
-    error = 0.0
-    joints = [(n, end) for n, end in enumerate(ends) if end and not isinstance(end, Pole)]
+    errors = np.zeros(len(values))
+    joints = [
+        (row, number, end)
+        for row, pair in enumerate(ends)
+        for number, end in enumerate(pair)
+        if end is not None and not isinstance(end, Pole)
+    ]
     if joints:
+        rows, numbers = (np.array(each) for each in list(zip(*joints, strict=True))[:2])
+        joined = values[rows]
         maps = space.at_quadrature
-        geometry = path_geometry(surface, *(values[None] @ rows.T for rows in maps))
-        length = float(space.quadrature.weights @ geometry.speed[:, 0])
-        for number, contact in joints:
-            angle = _angle(space, geometry, number)
-            curvature = edge_curvature(surface, contact, values[:, -number])
+        geometry = path_geometry(surface.take(rows), *(joined @ each.T for each in maps))
+        angle, length = _angles(space, geometry, numbers), space.quadrature.weights @ geometry.speed
+        for place, (row, number, contact) in enumerate(joints):
+            own = surface.take(np.array([row]))
+            curvature = edge_curvature(own, contact, values[row, :, -number])
             # Half the angle's square, over the distance by which the joint is off, at most the leg.
             with np.errstate(divide="ignore"):
-                off = np.minimum(np.divide(angle, 3.0 * curvature), length)
-            error += SAFETY * 0.5 * angle**2 * float(off)
-    return error
+                off = np.minimum(np.divide(angle[place], 3.0 * curvature), length[place])
+            errors[row] += SAFETY * 0.5 * angle[place] ** 2 * float(off)
+    return errors
 
 
-def _angle(space: TrialSpace, geometry: PathGeometry, joint: int) -> float:
-    """The angle between geodesic and computed path at its start (0) or end (1); may be inf."""
-    speed, kappa, curvature = (each[:, 0] for each in geometry)
+def _angles(space: TrialSpace, geometry: PathGeometry, numbers: Ints) -> Array:
+    """The angles between geodesics and computed paths at their starts (0) or ends (1); or inf."""
+    speed, kappa, curvature = (each.T for each in geometry)
     way = space.quadrature.weights * speed
-    steps = np.concatenate([[way[0]], way[:-1] + way[1:], [way[-1]]]) / 2.0
+    steps = np.concatenate([way[:, :1], way[:, :-1] + way[:, 1:], way[:, -1:]], axis=1) / 2.0
     # The Jacobi equation by finite differences at the quadrature's points, of which there are few.
-    matrix = np.diag(1.0 / steps[1:] + 1.0 / steps[:-1] - curvature * way)
-    row = np.arange(len(way) - 1)
-    matrix[row, row + 1] = matrix[row + 1, row] = -1.0 / steps[1:-1]
-    right = np.zeros(len(way))
-    right[-joint] = 1.0 / steps[-joint]
-    try:
-        field = np.linalg.solve(matrix, right)
-    except np.linalg.LinAlgError:
-        return np.inf
-    angle = float(abs((way * kappa) @ field))
-    return angle if np.isfinite(angle) else np.inf
+    matrix, point = np.zeros((*way.shape, way.shape[1])), np.arange(way.shape[1])
+    matrix[:, point, point] = 1.0 / steps[:, 1:] + 1.0 / steps[:, :-1] - curvature * way
+    beside = -1.0 / steps[:, 1:-1]
+    matrix[:, point[:-1], point[1:]] = matrix[:, point[1:], point[:-1]] = beside
+    right, row = np.zeros_like(way), np.arange(len(way))
+    right[row, -numbers] = 1.0 / steps[row, -numbers]
+    angle = np.abs((way * kappa * solved(matrix, right)).sum(axis=1))
+    return np.where(np.isfinite(angle), angle, np.inf)

@@ -51,10 +51,8 @@ def times_at(quadrature: Quadrature, speed: Array, parts: Array) -> Array:
         In [0, 1].
     """
     pieces = speed.reshape(len(speed), len(quadrature.widths), quadrature.count)
-    nodes, weights = legendre.leggauss(quadrature.count)
-    analysis = legendre.legvander(nodes, quadrature.count - 1) * weights[:, None]
-    analysis *= np.arange(quadrature.count) + 0.5
     # Legendre coefficients of speed and arc length on each piece, (coefficient, problem, piece).
+    analysis = quadrature.rule.analysis
     rate = np.moveaxis(pieces @ analysis * quadrature.widths[:, None] / 2.0, -1, 0)
     gone = legendre.legint(rate, lbnd=-1.0)
     through = np.cumsum(legendre.legval(1.0, gone), axis=1)
@@ -64,15 +62,18 @@ def times_at(quadrature: Quadrature, speed: Array, parts: Array) -> Array:
     row = np.arange(len(speed))[:, None]
     wanted = wanted - before[row, piece]
     rate, gone = rate[:, row, piece], gone[:, row, piece]
-    x = 2.0 * wanted / gone.sum(axis=0) - 1.0
+    # A start that rounding put outside the bracket would be sent to its middle.
+    x = np.clip(2.0 * wanted / gone.sum(axis=0) - 1.0, -1.0, 1.0)
     low, high = np.full_like(x, -1.0), np.full_like(x, 1.0)
     # A few paths nearly stand still somewhere and take many steps: the others wait no longer.
     found, rest = x.copy(), np.arange(len(x))
     for _ in range(STEPS):
-        excess = legendre.legval(x, gone, tensor=False) - wanted
+        # One basis for both: what takes the time is to make it.
+        basis = np.moveaxis(legendre.legvander(x, len(gone) - 1), -1, 0)
+        excess = (basis * gone).sum(axis=0) - wanted
         close = (np.abs(excess) <= CLOSE * through[rest, -1:]).all(axis=1)
         low, high = np.where(excess < 0.0, x, low), np.where(excess > 0.0, x, high)
-        step = x - excess / legendre.legval(x, rate, tensor=False)
+        step = x - excess / (basis[:-1] * rate).sum(axis=0)
         x = np.where((step >= low) & (step <= high), step, (low + high) / 2.0)
         if close.any():
             found[rest] = x

@@ -141,4 +141,4 @@ def _system(surface: Surface, start: Array, moves: Array) -> tuple[Array, Array]
                 points = np.arange(max(0, -shift), size - max(0, shift))
                 band = BANDS + row - column - 2 * shift
                 bands[band, 2 * (points + shift) + column] = entries[points]
-    return np.stack(here.residual, axis=1).ravel(), bands
+    return here.residual.T.ravel(), bands

@@ -1,11 +1,12 @@
-"""Newton's method for one problem, its steps halved until the residual falls."""
+"""Newton's method, its steps halved until the residual falls, for one problem or for many."""
 
-from collections.abc import Callable
-from typing import NamedTuple
+from collections.abc import Callable, Generator
+from functools import partial
+from typing import NamedTuple, cast
 
 import numpy as np
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 
 # A Newton step smaller than this part of the way from start to end is the last one: the next would
 # be about its square, and the error of the length, which is stationary, the square of that again.
@@ -52,11 +53,53 @@ def damped_newton(
     Solved or None
         None if it failed.
     """
+    steps = _steps(guess, span)
+    trial = next(steps)
+    while True:
+        residual, matrix = system(trial)
+        try:
+            trial = steps.send((residual, partial(direction, residual, matrix)))
+        except StopIteration as end:
+            return cast("Solved | None", end.value)
+
+
+def damped_newton_of_many(
+    system: Callable[[Ints, Array], tuple[Array, Array]], guesses: Array, spans: Array
+) -> list[Solved | None]:
+    """Solve many systems, each as `damped_newton` does, evaluated together.
+
+    Parameters
+    ----------
+    system : callable
+        A function from the numbers of some systems, and their unknowns, to the left sides and to
+        Newton's directions, each with one row a system.
+    guesses : ndarray, shape (systems, ...)
+    spans : ndarray, shape (systems,)
+    """
+    found: list[Solved | None] = [None] * len(guesses)
+    steps = [_steps(guess, span) for guess, span in zip(guesses, spans.tolist(), strict=True)]
+    trials = {number: next(each) for number, each in enumerate(steps)}
+    while trials:
+        numbers = np.array(list(trials))
+        residuals, ways = system(numbers, np.stack(list(trials.values())))
+        for number, residual, way in zip(numbers.tolist(), residuals, ways, strict=True):
+            try:
+                trials[number] = steps[number].send((residual, partial(np.asarray, way)))
+            except StopIteration as end:
+                found[number] = end.value
+                del trials[number]
+    return found
+
+
+def _steps(
+    guess: Array, span: float
+) -> Generator[Array, tuple[Array, Callable[[], Array]], Solved | None]:
+    """The unknowns to evaluate next; sent back are left sides, and what returns the direction."""
     unknowns = guess
-    residual, matrix = system(unknowns)
+    residual, direction = yield unknowns
     evaluations = 1
     while evaluations < MOST_EVALUATIONS:
-        way = direction(residual, matrix)
+        way = direction()
         size = np.abs(way).max(initial=0.0)
         if not np.isfinite(size):
             return None
@@ -65,7 +108,7 @@ def damped_newton(
         step, norm = min(1.0, LONGEST_STEP / size), np.linalg.norm(residual)
         while True:
             trial = unknowns + step * way
-            residual, matrix = system(trial)
+            residual, direction = yield trial
             evaluations += 1
             if np.linalg.norm(residual) < norm:
                 break

@@ -11,7 +11,7 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.contact.degrees import LOWER_DEGREES, degrees_wanted, leave_for_certain
 from bodymeasure.geodesic.contact.joined import ContactPath
 from bodymeasure.geodesic.contact.legs import End, Pole
-from bodymeasure.geodesic.contact.solve import solve_contact_path
+from bodymeasure.geodesic.contact.solve import solve_contact_paths
 from bodymeasure.geodesic.elements.rival import Rival
 from bodymeasure.geodesic.elements.solve import solve_elements
 from bodymeasure.geodesic.lengths.coincident import TIMES
@@ -102,10 +102,11 @@ def exact_paths(
     part = surface.take(left)
     fine = _on_edges(descend(part, _refined(polygons[left], FINE_EDGES)))
     least = polygon_lengths(part, fine)
-    for row, polygon, shortest in zip(left, fine, least, strict=True):
-        own, ends = surface.take(np.array([row])), (poles[0][row], poles[1][row])
-        path = solve_contact_path(own, polygon, ends, tolerance)
+    every_ends = [(poles[0][row], poles[1][row]) for row in left]
+    paths = solve_contact_paths(part, [*fine], every_ends, tolerance)
+    for row, path, ends, shortest in zip(left, paths, every_ends, least, strict=True):
         if path is None or not _is_good(path, shortest, tolerance):
+            own = surface.take(np.array([row]))
             rival = Rival(float(known[row]), own.jet(curves[row]()[None], 0)[0, :, 0].T)
             path, reached = solve_elements(
                 own, polygons[row], ends, tolerance=tolerance, rival=rival

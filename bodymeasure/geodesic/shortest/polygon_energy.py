@@ -86,28 +86,22 @@ def polygon_energy(surface: Surface, points: Array) -> PolygonEnergy:
     jet = np.ascontiguousarray(surface.jet(points, 2).swapaxes(2, 3))
     step = np.diff(jet[0], axis=1)
     bend = step[:, :-1] - step[:, 1:]
-    _, s_u, s_v, s_uu, s_uv, s_vv = jet[:, :, 1:-1]
-    factor = 2.0 * edges
-    gradient = factor * np.stack([dot(s_u, bend), dot(s_v, bend)])
-    mixed, mixed_bending = dot(s_u, s_v), dot(s_uv, bend)
-    metric = np.stack([dot(s_u, s_u), mixed, mixed, dot(s_v, s_v)])
-    mean = REGULARIZATION * (metric[0] + metric[3]).mean(axis=0) / 2.0
-    metric[0] += mean
-    metric[3] += mean
-    bending = np.stack([dot(s_uu, bend), mixed_bending, mixed_bending, dot(s_vv, bend)])
-    lower = np.stack(
-        [dot(row[:, 1:], column[:, :-1]) for row in (s_u, s_v) for column in (s_u, s_v)]
-    )
+    inner_jet = jet[:, :, 1:-1]
+    tangents, factor = inner_jet[1:3], 2.0 * edges
+    along_bend = np.einsum("dckp,ckp->dkp", inner_jet[1:], bend)
+    gradient = factor * along_bend[:2]
+    metric = np.einsum("ickp,jckp->ijkp", tangents, tangents)
+    mean = REGULARIZATION * (metric[0, 0] + metric[1, 1]).mean(axis=0) / 2.0
+    metric[0, 0] += mean
+    metric[1, 1] += mean
+    bending = along_bend[[[2, 3], [3, 4]]]
+    lower = np.einsum("ickp,jckp->ijkp", tangents[:, :, 1:], tangents[:, :, :-1])
     inner = points[:, 1:-1].transpose(2, 1, 0)
     return PolygonEnergy(
         energy=edges * dot(step, step).sum(axis=0),
         gradient=gradient,
-        metric=2.0 * factor * _blocks(metric),
-        bending=factor * _blocks(bending),
-        lower=-factor * _blocks(lower),
+        metric=2.0 * factor * metric,
+        bending=factor * bending,
+        lower=-factor * lower,
         held=((inner <= 0.0) & (gradient > 0.0)) | ((inner >= 1.0) & (gradient < 0.0)),
     )
-
-
-def _blocks(entries: Array) -> Array:
-    return entries.reshape(2, 2, *entries.shape[1:])

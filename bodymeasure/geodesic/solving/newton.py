@@ -7,6 +7,7 @@ import numpy as np
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.geodesic.lengths.equations import residual_and_jacobian
 from bodymeasure.geodesic.numerics.damped_newton import LAST_STEP, LONGEST_STEP, SMALLEST_STEP
+from bodymeasure.geodesic.numerics.linear_systems import solved
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
@@ -125,31 +126,13 @@ def _direction(jacobian: Array, residual: Array, like: Array) -> tuple[Array, Bo
     """The Newton directions, zero at the end nodes, and which systems could be solved."""
     problems, _, points = residual.shape
     matrix = jacobian.reshape(problems, 2 * points, 2 * points)
-    right = -residual.reshape(problems, 2 * points, 1)
-    solvable = np.asarray(np.isfinite(right).all(axis=(1, 2)))
+    right = -residual.reshape(problems, 2 * points)
+    solvable = np.asarray(np.isfinite(right).all(axis=1))
     if not solvable.all():
         matrix = np.where(solvable[:, None, None], matrix, np.eye(2 * points))
-        right = np.where(solvable[:, None, None], right, 0.0)
-    try:
-        solution = np.linalg.solve(matrix, right)
-    except np.linalg.LinAlgError:
-        solution, regular = _solve_one_by_one(matrix, right)
-        solvable &= regular
-    solvable &= np.isfinite(solution).all(axis=(1, 2))
+        right = np.where(solvable[:, None], right, 0.0)
+    solution = solved(matrix, right)
+    solvable &= np.isfinite(solution).all(axis=1)
     direction = np.zeros_like(like)
-    direction[:, :, 1:-1] = np.where(solvable[:, None, None], solution, 0.0).reshape(
-        problems, 2, points
-    )
+    direction[:, :, 1:-1] = np.where(solvable[:, None], solution, 0.0).reshape(problems, 2, points)
     return direction, solvable
-
-
-def _solve_one_by_one(matrix: Array, right: Array) -> tuple[Array, Bools]:
-    """The solutions of systems, some of them exactly singular, and which are regular."""
-    solution = np.zeros_like(right)
-    regular = np.ones(len(matrix), bool)
-    for i in range(len(matrix)):
-        try:
-            solution[i] = np.linalg.solve(matrix[i], right[i])
-        except np.linalg.LinAlgError:
-            regular[i] = False
-    return solution, regular

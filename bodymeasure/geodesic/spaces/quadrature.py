@@ -1,7 +1,7 @@
 """Composite Gauss-Legendre quadrature that estimates its own error."""
 
-from functools import cached_property
-from typing import Any
+from functools import cached_property, lru_cache
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -14,6 +14,29 @@ from bodymeasure.geodesic.numerics.array_libraries import constant
 FALLS = 4.5
 # Coefficients below this part of the values, times the number of points, are rounding errors.
 ROUNDING = 2e-16
+
+
+class GaussRule(NamedTuple):
+    """Gauss-Legendre quadrature on [-1, 1]: arrays that many share, and none changes.
+
+    Parameters
+    ----------
+    points, weights : ndarray, shape (count,)
+    analysis : ndarray, shape (count, count)
+        The map from values at the points, on its left, to Legendre coefficients.
+    """
+
+    points: Array
+    weights: Array
+    analysis: Array
+
+
+@lru_cache(maxsize=64)
+def gauss_rule(count: int) -> GaussRule:
+    """Return the rule of so many points."""
+    points, weights = legendre.leggauss(count)
+    analysis = legendre.legvander(points, count - 1) * weights[:, None]
+    return GaussRule(points, weights, analysis * (np.arange(count) + 0.5))
 
 
 class Quadrature:
@@ -30,17 +53,15 @@ class Quadrature:
     def __init__(self, edges: Array, count: int) -> None:
         self.count = count
         self.widths = np.diff(edges)
-        nodes, weights = legendre.leggauss(count)
-        self.points = (edges[:-1, None] + self.widths[:, None] * (nodes + 1.0) / 2.0).ravel()
-        self.weights = (self.widths[:, None] * weights / 2.0).ravel()
+        self.rule = gauss_rule(count)
+        x = self.rule.points
+        self.points = (edges[:-1, None] + self.widths[:, None] * (x + 1.0) / 2.0).ravel()
+        self.weights = (self.widths[:, None] * self.rule.weights / 2.0).ravel()
 
     @cached_property
     def coefficients(self) -> Array:
         """The map from values on a piece to its Legendre coefficients beyond the first quarter."""
-        nodes, weights = legendre.leggauss(self.count)
-        transform = legendre.legvander(nodes, self.count - 1) * weights[:, None]
-        transform *= np.arange(self.count) + 0.5
-        return np.ascontiguousarray(transform[:, self.quarters[0] :].T)
+        return np.ascontiguousarray(self.rule.analysis[:, self.quarters[0] :].T)
 
     @property
     def quarters(self) -> tuple[int, int, int]:
@@ -50,10 +71,8 @@ class Quadrature:
     @cached_property
     def antiderivative(self) -> Array:
         """The map from values at the points to the integrals from 0 to them."""
-        nodes, weights = legendre.leggauss(self.count)
-        transform = legendre.legvander(nodes, self.count - 1) * weights[:, None]
-        transform *= np.arange(self.count) + 0.5
-        own = legendre.legval(nodes, legendre.legint(transform.T, lbnd=-1.0)).T
+        integrals = legendre.legint(self.rule.analysis.T, lbnd=-1.0)
+        own = legendre.legval(self.rule.points, integrals).T
         before = np.tril(np.ones((len(self.widths),) * 2), -1)
         result = np.asarray(np.kron(np.diag(self.widths / 2.0), own), dtype=np.float64)
         result += np.kron(before, np.ones((self.count, self.count))) * self.weights

@@ -96,3 +96,12 @@ def test_rigid_motion(name: str, rng: np.random.Generator) -> None:
     rotation = Rotation.from_rotvec(rng.normal(size=3)).as_matrix()
     net = patch(name) @ rotation.T + rng.normal(size=3)
     agrees(bm.solve_geodesic(net, (0.0, 0.0), (1.0, 1.0)), name, arcs(known(name)))
+
+
+def test_paths_are_the_same_alone_and_together() -> None:
+    together = bm.solve_geodesic(np.stack([patch(name) for name in LEVELS]), (0.0, 0.0), (1.0, 1.0))
+    alone = [known(name) for name in LEVELS]
+    np.testing.assert_array_equal(together.status, [each.status for each in alone])
+    np.testing.assert_allclose(together.length, [each.length for each in alone], rtol=1e-14)
+    for number, name in enumerate(LEVELS):
+        agrees(together[number], name, arcs(known(name)))

@@ -10,7 +10,7 @@ import bodymeasure as bm
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.contact.edge_arc import edge_arc
 from bodymeasure.geodesic.contact.legs import Contact, read_legs
-from bodymeasure.geodesic.contact.tangency import SAFETY, tangency_error
+from bodymeasure.geodesic.contact.tangency import SAFETY, tangency_errors
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 
@@ -92,8 +92,8 @@ def test_a_joint_in_the_wrong_place_is_told(off: float) -> None:
     x, y = ((1 - t) ** 2 * begin + 2 * t * (1 - t) * control + t**2 * target).T
     edge = 2.4 * y * (1.0 - y)
     values = np.stack([(x - edge) / (1.0 - edge), y])
-    told = tangency_error(surface, space, values, (Contact(0, 0.0), None)) / SAFETY
-    assert told == pytest.approx(abs(whole(joint) - whole(right)), rel=0.2)
+    told = tangency_errors(surface, space, values[None], [(Contact(0, 0.0), None)]) / SAFETY
+    assert told[0] == pytest.approx(abs(whole(joint) - whole(right)), rel=0.2)
 
 
 def test_the_length_of_an_edge_whose_speed_almost_vanishes() -> None:

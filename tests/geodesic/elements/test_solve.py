@@ -12,7 +12,7 @@ import bodymeasure as bm
 from bodymeasure._typing import Array, Bools
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.contact.legs import Pole
-from bodymeasure.geodesic.contact.solve import solve_contact_path
+from bodymeasure.geodesic.contact.solve import solve_contact_paths
 from bodymeasure.geodesic.elements import solve
 from bodymeasure.geodesic.elements.measure import ElementLength, measure_elements
 from bodymeasure.geodesic.elements.path import ElementPath
@@ -99,7 +99,7 @@ def test_a_cylinder_whose_generator_dips_in_speed() -> None:
 def test_arcs_along_an_edge_are_those_of_legs(end: tuple[float, float]) -> None:
     surface = BezierSurfaces(bent_plane()[None])
     polygon = descend(surface, (LINE * np.array(end))[None])[0]
-    legs = solve_contact_path(surface, polygon, (None, None), 1e-10)
+    legs = solve_contact_paths(surface, [polygon], [(None, None)], 1e-10)[0]
     found = solve_elements(surface, polygon, (None, None), tolerance=1e-10)
     assert legs is not None
     assert found.path is not None

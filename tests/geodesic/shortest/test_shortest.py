@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 import bodymeasure as bm
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.contact.legs import read_legs
-from bodymeasure.geodesic.contact.solve import solve_contact_path
+from bodymeasure.geodesic.contact.solve import solve_contact_paths
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.oracle import mesh_distances
 
@@ -150,7 +150,7 @@ def test_an_arc_of_one_point_does_not_run_backwards(x: float, clear: bool) -> No
     polygon[32, 0] = 0.0
     legs = read_legs(polygon)
     assert [(leg.first, leg.last) for leg in legs] == [(0, 32), (32, 32), (32, 64)]
-    path = solve_contact_path(BezierSurfaces(net[None]), polygon, (None, None), 1e-9)
+    path = solve_contact_paths(BezierSurfaces(net[None]), [polygon], [(None, None)], 1e-9)[0]
     assert path is not None
     if clear:
         # The pattern was read again, and the chord was found.
@@ -186,7 +186,7 @@ def test_a_shorter_way_that_cannot_be_made_exact_is_not_kept_quiet(
     net = heights(z)
     loose = bm.RBFCollocation(tolerance=1e-3)
     shorter = bm.solve_geodesic(net, START, END, search="thorough").length
-    for module in ("shortest.exact_paths", "contact.solve"):
+    for module in ("shortest.exact_paths", "contact.free_legs"):
         monkeypatch.setattr(f"bodymeasure.geodesic.{module}.LOWER_DEGREES", (2,))
     monkeypatch.setattr("bodymeasure.geodesic.elements.solve.MOST_WORK", 0)
     kept = bm.solve_geodesic(net, START, END, method=loose, search="thorough", on_failure="status")

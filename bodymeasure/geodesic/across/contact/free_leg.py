@@ -14,8 +14,8 @@ from bodymeasure.geodesic.across.pieces.part import PathPart
 from bodymeasure.geodesic.across.pieces.problem import RouteProblem
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.contact.degrees import DEGREES, OVERSHOOT
-from bodymeasure.geodesic.contact.legs import Contact, End
-from bodymeasure.geodesic.contact.tangency import tangency_error
+from bodymeasure.geodesic.contact.legs import Contact, Ends
+from bodymeasure.geodesic.contact.tangency import tangency_errors
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 
 # Where Newton's method fails at this many degrees, there is no such leg, and it fails at the others
@@ -74,7 +74,8 @@ def _joint_error(leg: RefinedPath, part: FreePart) -> float:
         if side is not None:
             piece = number * (len(leg.lengths) - 1)
             contact = Contact(EDGES[side].fixed_axis, EDGES[side].fixed_value)
-            ends: tuple[End, End] = (None, contact) if number else (contact, None)
+            ends: Ends = (None, contact) if number else (contact, None)
             surface = leg.problem.surface.take(np.array([piece]))
-            error += tangency_error(surface, leg.problem.space, leg.values[piece], ends)
+            values = leg.values[piece][None]
+            error += tangency_errors(surface, leg.problem.space, values, [ends])[0]
     return error
