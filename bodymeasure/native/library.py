@@ -24,7 +24,7 @@ SWITCH = "BODYMEASURE_NATIVE"
 # The arguments of each kernel: addresses of arrays, and whole numbers.
 _POINTER = ctypes.c_void_p
 KERNELS = {
-    "bodymeasure_box_step": [_POINTER] * 2,
+    "bodymeasure_box_steps": [ctypes.c_int64] * 3 + [_POINTER] * 6,
     "bodymeasure_closest": [*[ctypes.c_int64] * 2, *[_POINTER] * 9],
     "bodymeasure_diagonals": [*[_POINTER] * 5, ctypes.c_int64],
     "bodymeasure_energy": [_POINTER, _POINTER, ctypes.c_int64, *[_POINTER] * 3],

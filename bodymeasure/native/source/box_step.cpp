@@ -122,7 +122,17 @@ double box_decrease(const BoxModel &model, const double *step, double *room) {
 
 }  // namespace bodymeasure
 
-EXPORTED int64_t bodymeasure_box_step(const bodymeasure::BoxModel *model, double *step) {
-    std::vector<double> room(bodymeasure::step_room(*model));
-    return bodymeasure::box_step(*model, step, room.data()) ? 1 : 0;
+// Many models of one size, in arrays of (count, ...).
+EXPORTED int64_t bodymeasure_box_steps(int64_t count, int64_t unknowns, int64_t bands,
+                                       const double *matrix, const double *gradient,
+                                       const double *place, const uint8_t *idle, double *step,
+                                       uint8_t *definite) {
+    std::vector<double> room(bodymeasure::step_room({unknowns, bands, nullptr, nullptr, nullptr, nullptr}));
+    for (int64_t number = 0; number < count; ++number) {
+        const int64_t first = number * unknowns;
+        const bodymeasure::BoxModel model{unknowns,         bands,         matrix + first * bands,
+                                          gradient + first, place + first, idle + first};
+        definite[number] = bodymeasure::box_step(model, step + first, room.data());
+    }
+    return count;
 }
