@@ -41,7 +41,7 @@ class DiagonalSettings(ctypes.Structure):
     """`DiagonalSettings` of ``diagonal.h``: the constants of `geodesic.graph` and its lengths."""
 
     _fields_ = (
-        *((name, ctypes.c_int64) for name in ("steps", "twice_falls")),
+        *((name, ctypes.c_int64) for name in ("guess_steps", "steps", "twice_falls")),
         *((name, ctypes.c_double) for name in ("longest_step", "small", "most_offset")),
         *((name, ctypes.c_double) for name in ("far_outside", "tolerance", "steep", "rounding")),
         *((name, ctypes.c_double) for name in ("noise", "safety", "quadrature_safety")),
@@ -101,11 +101,11 @@ class DiagonalSpace:
     times : ndarray, shape (inner,)
         The inner nodes.
     carry : ndarray, shape (inner, before)
-        The map from offsets at the inner nodes of the space before; none before the first.
+        The map from offsets at the inner nodes of the space before; none before the guess.
     slopes : ndarray, shape (2, inner, inner)
         The maps to two derivatives at the nodes.
     quadrature : QuadratureTables, optional
-        Without them paths are not measured.
+        Without them the space only serves to make a guess.
     """
 
     def __init__(
@@ -230,7 +230,7 @@ def diagonal_paths(
     rows: Ints,
     space: DiagonalSpace,
     settings: DiagonalSettings,
-    before: Array,
+    before: Array | DiagonalSpace,
 ) -> DiagonalPaths:
     """Take Newton's steps on a trial space, and measure the paths.
 
@@ -240,19 +240,20 @@ def diagonal_paths(
     rows : ndarray of int, shape (k,)
         The problems to solve.
     space : DiagonalSpace
-        One that only makes a guess leaves all paths to another space.
+        One with a quadrature.
     settings : DiagonalSettings
-    before : ndarray, shape (k, before)
-        The offsets at the inner nodes of the space before.
+    before : ndarray, shape (k, before), or DiagonalSpace
+        The offsets at the inner nodes of the space before, or the space to make a first guess on.
     """
-    nets, start, end, before = doubles(problems.nets, problems.start, problems.end, before)
+    nets, start, end = doubles(problems.nets, problems.start, problems.end)
+    guess = before if isinstance(before, DiagonalSpace) else space
+    known = None if isinstance(before, DiagonalSpace) else doubles(before)[0]
     rows = np.ascontiguousarray(rows, np.int64)
     count, inner = len(rows), space.inner
-    most = count if space.points else 0
     # Pages of memory that are not written to are not taken.
-    numbers, reals = np.empty((3, count), np.int64), np.empty((6, most))
-    answers = np.empty((2, most), bool)
-    values, speed = np.empty((most, 2, inner + 2)), np.empty((most, space.points))
+    numbers, reals = np.empty((3, count), np.int64), np.empty((6, count))
+    answers = np.empty((2, count), bool)
+    values, speed = np.empty((count, 2, inner + 2)), np.empty((count, space.points))
     offset = np.empty((count, inner))
     given = _Problems(count, *map(address, (rows, nets, start, end)), problems.are_corners)
     # An address takes a microsecond, so that those of rows follow from one.
@@ -260,17 +261,18 @@ def diagonal_paths(
     found = _Paths(
         number,
         *map(address, (values, speed)),
-        *(real + 8 * most * row for row in range(6)),
+        *(real + 8 * count * row for row in range(6)),
         number + 8 * count,
-        *(answer, answer + most),
+        *(answer, answer + count),
         number + 16 * count,
         address(offset),
     )
     kernels().bodymeasure_diagonals(
         ctypes.byref(given),
+        ctypes.byref(guess.structure),
         ctypes.byref(space.structure),
         ctypes.byref(settings),
-        address(before),
+        None if known is None else address(known),
         ctypes.byref(found),
         MOST_LANES,
     )

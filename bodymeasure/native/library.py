@@ -26,7 +26,7 @@ _POINTER = ctypes.c_void_p
 KERNELS = {
     "bodymeasure_box_steps": [ctypes.c_int64] * 3 + [_POINTER] * 6,
     "bodymeasure_closest": [*[ctypes.c_int64] * 2, *[_POINTER] * 9],
-    "bodymeasure_diagonals": [*[_POINTER] * 5, ctypes.c_int64],
+    "bodymeasure_diagonals": [*[_POINTER] * 6, ctypes.c_int64],
     "bodymeasure_energy": [_POINTER, _POINTER, ctypes.c_int64, *[_POINTER] * 3],
     "bodymeasure_extremes": [ctypes.c_int64] * 2 + [_POINTER] * 3,
     "bodymeasure_equilibrium": [_POINTER] * 4,

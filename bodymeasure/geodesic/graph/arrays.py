@@ -28,16 +28,6 @@ from bodymeasure.geodesic.solving.protocol import PathBatch
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 
 
-def guess(problems: OffsetProblems) -> Any:
-    """Return offsets at the inner nodes of `guess_space`, shape (n - 1, problems)."""
-    space, xp = guess_space(), problems.xp
-    offsets = []
-    for _, part in _chunks(problems, np.arange(problems.count)):
-        straight = 0.0 * part.columns[: space.size - 1, 0, :]
-        offsets.append(_newton(space, part, straight, GUESS_STEPS)[0])
-    return xp.concat(offsets, axis=1)
-
-
 def climb(problems: OffsetProblems, rest: Ints, rung: Rung, offset: Any) -> Iterator[Climbed]:
     """Yield what becomes of problems on a trial space, in parts.
 
@@ -47,10 +37,12 @@ def climb(problems: OffsetProblems, rest: Ints, rung: Rung, offset: Any) -> Iter
     rest : ndarray of int, shape (k,)
         The problems that are tried.
     rung : Rung
-    offset : array, shape (m - 1, k)
-        Offsets at the inner nodes of the space before.
+    offset : array, shape (m - 1, k), optional
+        Offsets at the inner nodes of the space before; without them, that is `guess_space`, and
+        they are found there first.
     """
     xp, space = problems.xp, rung.space
+    offset = _guess(problems, rest) if offset is None else offset
     offset = constant(inner_maps(rung.before, space.nodes[1:-1])[0], offset, xp) @ offset
     for rows, part in _chunks(problems, rest):
         path, last_step = _newton(space, part, offset[:, rows], rung.steps)
@@ -65,6 +57,16 @@ def climb(problems: OffsetProblems, rest: Ints, rung: Rung, offset: Any) -> Iter
             place[left],
             xp.take(path, constant(left, path, xp), axis=1),
         )
+
+
+def _guess(problems: OffsetProblems, rest: Ints) -> Any:
+    """Offsets at the inner nodes of `guess_space`, shape (n - 1, k)."""
+    space, xp = guess_space(), problems.xp
+    offsets = []
+    for _, part in _chunks(problems, rest):
+        straight = 0.0 * part.columns[: space.size - 1, 0, :]
+        offsets.append(_newton(space, part, straight, GUESS_STEPS)[0])
+    return xp.concat(offsets, axis=1)
 
 
 def _chunks(problems: OffsetProblems, rest: Ints) -> list[tuple[slice, OffsetProblems]]:

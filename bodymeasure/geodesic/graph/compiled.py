@@ -45,18 +45,12 @@ def is_served(space: TrialSpace) -> bool:
     return space.size >= jacobi.FEW and len(space.quadrature.widths) == 1
 
 
-def guess(problems: OffsetProblems) -> Any:
-    """Return offsets at the inner nodes of `guess_space`, shape (n - 1, problems)."""
-    settings = _settings(problems, GUESS_STEPS, 0.0, 0.0)
-    rows, nothing = np.arange(problems.count), np.zeros((problems.count, 0))
-    return diagonal_paths(_given(problems), rows, _guessing(), settings, nothing).offset.T
-
-
 def climb(problems: OffsetProblems, rest: Any, rung: Rung, offset: Any) -> Climbed:
     """Return what becomes of problems on a trial space; see `arrays.climb`."""
-    settings = _settings(problems, rung.steps, rung.small, rung.tolerance)
-    tables = _tables(rung.before, rung.space)
-    found = diagonal_paths(_given(problems), rest, tables, settings, offset.T)
+    settings = _settings(rung.steps, rung.small, rung.tolerance, problems.rounding)
+    given = DiagonalProblems(problems.nets, problems.start, problems.end, problems.are_corners)
+    before = _guessing() if offset is None else offset.T
+    found = diagonal_paths(given, rest, _tables(rung.before, rung.space), settings, before)
     length = Length(
         found.raw, found.correction, found.error, found.residual, found.index, found.trusted
     )
@@ -74,14 +68,10 @@ def climb(problems: OffsetProblems, rest: Any, rung: Rung, offset: Any) -> Climb
     return Climbed(done, found.left, found.offset.T)
 
 
-def _given(problems: OffsetProblems) -> DiagonalProblems:
-    return DiagonalProblems(problems.nets, problems.start, problems.end, problems.are_corners)
-
-
-def _settings(
-    problems: OffsetProblems, steps: int, small: float, tolerance: float
-) -> DiagonalSettings:
+@lru_cache(maxsize=64)
+def _settings(steps: int, small: float, tolerance: float, rounding: float) -> DiagonalSettings:
     return DiagonalSettings(
+        guess_steps=GUESS_STEPS,
         steps=steps,
         twice_falls=round(2.0 * FALLS),
         longest_step=LONGEST_STEP,
@@ -90,7 +80,7 @@ def _settings(
         far_outside=FAR_OUTSIDE,
         tolerance=tolerance,
         steep=STEEP,
-        rounding=problems.rounding,
+        rounding=rounding,
         noise=ROUNDING,
         safety=jacobi.SAFETY,
         quadrature_safety=jacobi.QUADRATURE_SAFETY,

@@ -93,9 +93,7 @@ def _solve_block(
     rest = np.arange(problems.count)
     iterations = np.full(problems.count, GUESS_STEPS)
     batches: list[PathBatch] = []
-    are_served = compiled.serves(problems.nets)
-    offset = (compiled if are_served else arrays).guess(problems)
-    before = guess_space()
+    offset, before = None, guess_space()
     steps = FIRST if len(spaces) > 1 else LATER
     for make_space in spaces:
         space = make_space()

@@ -79,6 +79,7 @@ int lanes_for(int64_t most) {
 // Solve problems on a trial space, in vectors of at most `lanes`; see `solve`. Returns the number
 // of lanes that were taken.
 EXPORTED int64_t bodymeasure_diagonals(const bodymeasure::DiagonalProblems *problems,
+                                       const bodymeasure::DiagonalSpace *guess,
                                        const bodymeasure::DiagonalSpace *space,
                                        const bodymeasure::DiagonalSettings *settings,
                                        const double *before, bodymeasure::DiagonalPaths *paths,
@@ -86,9 +87,9 @@ EXPORTED int64_t bodymeasure_diagonals(const bodymeasure::DiagonalProblems *prob
     paths->counts[0] = paths->counts[1] = 0;
     const int chosen = bodymeasure::lanes_for(lanes);
 #if defined(HAS_WIDE)
-    if (chosen == 8) bodymeasure::widest::solve(*problems, *space, *settings, before, *paths);
-    if (chosen == 4) bodymeasure::wide::solve(*problems, *space, *settings, before, *paths);
+    if (chosen == 8) bodymeasure::widest::solve(*problems, *guess, *space, *settings, before, *paths);
+    if (chosen == 4) bodymeasure::wide::solve(*problems, *guess, *space, *settings, before, *paths);
 #endif
-    if (chosen == 2) bodymeasure::narrow::solve(*problems, *space, *settings, before, *paths);
+    if (chosen == 2) bodymeasure::narrow::solve(*problems, *guess, *space, *settings, before, *paths);
     return chosen;
 }

@@ -44,7 +44,7 @@ struct DiagonalSpace {
 
 // Constants of `graph.ladder`, `lengths.jacobi`, `lengths.length` and `spaces.quadrature`.
 struct DiagonalSettings {
-    int64_t steps, twice_falls;
+    int64_t guess_steps, steps, twice_falls;
     double longest_step, small, most_offset, far_outside, tolerance, steep, rounding, noise;
     double safety, quadrature_safety, curvature_variation, path_rounding;
     double lyapunov, eigenvalue_rounding, trusted_correction, trusted_residual;

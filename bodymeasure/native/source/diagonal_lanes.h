@@ -160,11 +160,11 @@ INLINE Lanes mapped(const double *row, const Lanes *x, int64_t count) {
 
 // Newton's steps from offsets at the inner nodes. Returns the size of the last one. The room is for
 // (inner + 1) inner vectors.
-INLINE Lanes newton(const DiagonalSpace &space, const DiagonalSettings &settings, const Nets &nets,
-                    Lanes *offset, Lanes *room) {
-    const int64_t n = space.inner, width = n + 1;
+INLINE Lanes newton(const DiagonalSpace &space, int64_t n, int64_t steps, double longest_step,
+                    const Nets &nets, Lanes *offset, Lanes *room) {
+    const int64_t width = n + 1;
     Lanes largest{};
-    for (int64_t step = 0; step < settings.steps; ++step) {
+    for (int64_t step = 0; step < steps; ++step) {
         for (int64_t i = 0; i < n; ++i) {
             const double *first = space.first + i * n, *second = space.second_map + i * n;
             Jet jet;
@@ -192,7 +192,7 @@ INLINE Lanes newton(const DiagonalSpace &space, const DiagonalSettings &settings
         }
         largest = Lanes{};
         for (int64_t i = 0; i < n; ++i) largest = larger(largest, size(room[i * width + n]));
-        const Lanes longest = all(settings.longest_step);
+        const Lanes longest = all(longest_step);
         const Lanes part = largest > longest ? longest / largest : all(1.0);
         for (int64_t i = 0; i < n; ++i) offset[i] += part * room[i * width + n];
     }
@@ -455,11 +455,14 @@ INLINE void write(const DiagonalSpace &space, const DiagonalSettings &settings, 
     }
 }
 
-// Solve all problems, from offsets at the nodes of the space before: (count, before).
-static void solve(const DiagonalProblems &problems, const DiagonalSpace &space,
-                  const DiagonalSettings &settings, const double *before, DiagonalPaths &paths) {
+// Solve all problems, from offsets at the nodes of the space before, (count, before); where there
+// are none, from Newton's steps on that space, which begin on the straight line.
+static void solve(const DiagonalProblems &problems, const DiagonalSpace &guess,
+                  const DiagonalSpace &space, const DiagonalSettings &settings, const double *before,
+                  DiagonalPaths &paths) {
     const int64_t n = space.inner, points = space.points, modes = space.modes;
-    const int64_t system = (n + 1) * n, values = 2 * (n + 2);
+    const int64_t side = n > space.before ? n : space.before;
+    const int64_t system = (side + 1) * side, values = 2 * (n + 2);
     const int64_t jacobi = 6 * points + modes * (modes + 5) / 2 + 1;
     const int64_t most = jacobi > system ? jacobi : system;
     const int64_t vectors = n + space.before + 4 * points + (most > values ? most : values);
@@ -474,20 +477,20 @@ static void solve(const DiagonalProblems &problems, const DiagonalSpace &space,
         const int64_t rest = problems.count - begin;
         const int count = rest < LANES ? int(rest) : LANES;
         load(problems, begin, nets);
-        for (int64_t k = 0; k < space.before; ++k)
-            for (int i = 0; i < LANES; ++i)
+        const double longest = settings.longest_step;
+        for (int64_t k = 0; k < space.before; ++k) {
+            old[k] = Lanes{};
+            for (int i = 0; i < LANES && before; ++i)
                 put(old[k], i, before[(begin + (i < count ? i : count - 1)) * space.before + k]);
-        for (int64_t i = 0; i < n; ++i)
-            offset[i] = space.before ? mapped(space.carry + i * space.before, old, space.before)
-                                     : all(0.0);
-        const Lanes step = newton(space, settings, nets, offset, room);
-        if (points == 0) {
-            for (int i = 0; i < count; ++i) leave(offset, n, i, begin + i, paths);
-            continue;
         }
+        if (!before) newton(guess, guess.inner, settings.guess_steps, longest, nets, old, room);
+        for (int64_t i = 0; i < n; ++i)
+            offset[i] = mapped(space.carry + i * space.before, old, space.before);
+        // Most problems are solved on 8 functions: there the compiler knows how long the loops are.
+        const Lanes step = n == 7 ? newton(space, 7, settings.steps, longest, nets, offset, room)
+                                  : newton(space, n, settings.steps, longest, nets, offset, room);
         follow(space, nets, offset, along);
         Measured measured;
-        // Most problems are solved on 8 functions: there the compiler knows how long the loops are.
         if (points == 24 && modes == 16)
             measure(space, settings, along, room, 12, 16, measured);
         else
