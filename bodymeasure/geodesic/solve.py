@@ -1,5 +1,6 @@
 """The one entry to geodesics on patches: it checks, scales and solves, and says how good it is."""
 
+import math
 from dataclasses import dataclass
 from functools import cache
 from typing import NamedTuple, Protocol
@@ -159,14 +160,14 @@ def _problems(surface: ArrayLike | HasDerivatives, start: Array, end: Array) -> 
     surfaces: Surface
     if hasattr(surface, "derivatives"):
         shape = _broadcast(start.shape[:-1], end.shape[:-1])
-        count = int(np.prod(shape))
+        count = math.prod(shape)
         surfaces, size = CustomSurface(surface.derivatives).of_size_one()
         surface_of, scale = np.zeros(count, np.int64), np.full(count, size)
     else:
         nets, extremes = checked_with_extremes(surface)
         shape = _broadcast(nets.shape[:-3], start.shape[:-1], end.shape[:-1])
         # Each patch is prepared once, however many problems it has.
-        patches = np.arange(int(np.prod(nets.shape[:-3]))).reshape(nets.shape[:-3])
+        patches = np.arange(math.prod(nets.shape[:-3])).reshape(nets.shape[:-3])
         surface_of = np.broadcast_to(patches, shape).ravel()
         nets, sizes = of_size_one(nets.reshape((-1, *nets.shape[-3:])), extremes)
         surfaces, scale = surfaces_of(nets), sizes[surface_of]

@@ -41,10 +41,15 @@ class OffsetProblems:
     are_corners: bool
 
     @classmethod
+    def of_corners(cls, nets: Any, start: Array, end: Array) -> "OffsetProblems":
+        """Return the problems of going from corners to the opposite ones."""
+        return cls(nets, start, end, True)
+
+    @classmethod
     def of(cls, nets: Any, start: Array, end: Array) -> "OffsetProblems":
         """Return the problems of going from start to end, no coordinate of which may be equal."""
         if are_corners(start, end):
-            return cls(nets, start, end, True)
+            return cls.of_corners(nets, start, end)
         xp = namespace(nets)
         parts = constant(restrict(to_numpy(_centered(nets)), start, end), nets, xp)
         return cls(parts, start, end, False)

@@ -60,14 +60,19 @@ def solve_offsets(
     # The straight line between points on one line of u or v has no width to be a graph in.
     across = np.flatnonzero((start[:, 0] != end[:, 0]) & (start[:, 1] != end[:, 1]))
     is_whole = len(across) == len(start)
+    corners = are_corners(start, end)
+    # All at once where that copies nothing.
+    copies_nothing = is_whole and corners and compiled.serves(surface.control_points)
+    size = max(BLOCK, len(start)) if copies_nothing else BLOCK
     # A system without a solution ends in numbers that are not finite, and its problem is left over.
     with np.errstate(all="ignore"):
-        for rows in slices(len(across), _block(surface, ends) if is_whole else BLOCK):
+        for rows in slices(len(across), size):
             block = across[rows]
             # What is in a row need not be copied.
             here = rows if is_whole else block
             nets = surface.control_points[rows, ...] if is_whole else _taken(surface, block)
-            problems = OffsetProblems.of(nets, start[here], end[here])
+            make = OffsetProblems.of_corners if corners else OffsetProblems.of
+            problems = make(nets, start[here], end[here])
             result = _solve_block(spaces, problems, tolerance)
             iterations[here] = result.iterations
             for batch in result.batches:
@@ -75,12 +80,6 @@ def solve_offsets(
                 same = is_whole and rows.start == 0
                 parts.append(batch if same else batch.renumbered(block[batch.problems]))
     return MethodResult(tuple(_joined(parts) for parts in batches.values()), iterations)
-
-
-def _block(surface: BezierSurfaces, ends: tuple[Array, Array]) -> int:
-    """How many problems are solved at once: all of them where that copies nothing."""
-    copies_nothing = compiled.serves(surface.control_points) and are_corners(*ends)
-    return max(BLOCK, len(ends[0])) if copies_nothing else BLOCK
 
 
 def _taken(surface: BezierSurfaces, rows: Ints) -> Any:

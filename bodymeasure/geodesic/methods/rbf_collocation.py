@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import cached_property, lru_cache, partial
 
 import numpy as np
 
@@ -102,7 +102,7 @@ class RBFCollocation:
         if self.collocation_points is not None:
             _check_collocation_points(self.collocation_points, counts)
 
-    @property
+    @cached_property
     def counts(self) -> tuple[int, ...]:
         """The numbers of functions that are tried in turn."""
         if self.centers is not None:

@@ -1,5 +1,6 @@
 """Control points as users give them: checked once, and scaled to size 1."""
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -127,17 +128,14 @@ def of_size_one(nets: Any, known: Extremes | None = None) -> tuple[Any, Array]:
     for _ in range(2):
         low, high = extremes(nets) if known is None else known
         exact = np.frexp(_largest(high - low))[1].astype(np.int64) - 1
-        power = np.clip(exact, -MOST, MOST)
-        factor = np.repeat(np.ldexp(1.0, -power)[:, None], nets.shape[-1], axis=1)
-        # Weights have no unit.
-        factor[:, 3:] = 1.0
+        power = np.minimum(np.maximum(exact, -MOST), MOST)
         # One factor for whole rows takes a third of the time of three that alternate.
-        row = (
-            factor[:, :1] if nets.shape[-1] == 3 else np.tile(factor, int(np.prod(nets.shape[1:3])))
-        )
-        flat = xp.reshape(nets, (nets.shape[0], int(np.prod(nets.shape[1:])))) * constant(
-            row, nets, xp
-        )
+        factor = np.ldexp(1.0, -power)[:, None]
+        size = math.prod(nets.shape[1:])
+        if nets.shape[-1] == 4:
+            # Weights have no unit.
+            factor = np.tile(np.append(np.repeat(factor, 3, axis=1), factor**0, axis=1), size // 4)
+        flat = xp.reshape(nets, (nets.shape[0], size)) * constant(factor, nets, xp)
         nets = xp.reshape(flat, nets.shape)
         exponents += power
         if (power == exact).all():
@@ -151,7 +149,7 @@ def extremes(control_points: Any) -> Extremes:
     if control_points.shape[-1] == 4:
         control_points = project(control_points)
     xp = namespace(control_points)
-    points = xp.reshape(control_points, (-1, int(np.prod(control_points.shape[-3:-1])), 3))
+    points = xp.reshape(control_points, (-1, math.prod(control_points.shape[-3:-1]), 3))
     if isinstance(points, np.ndarray) and is_compiled():
         return compiled_extremes(points)
     return to_numpy(_folded(points, xp.minimum)), to_numpy(_folded(points, xp.maximum))
