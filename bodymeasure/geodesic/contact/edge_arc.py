@@ -6,6 +6,7 @@ patch: it is the multiplier of the constraint, which must have that sign all alo
 conditions of Karush, Kuhn and Tucker).
 """
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -96,29 +97,46 @@ def _halves(surface: Surface, contact: Contact, edges: Array, begin: Array, end:
         speed = np.sqrt((velocity * velocity).sum(axis=0))
         lengths.append((rule.weights * speed).reshape(len(middles), -1).sum(axis=1))
     whole, halves = lengths
-    return _Halves(whole, halves, _inward_turn(jet, contact, velocity, end - begin))
+    along = 1 - contact.axis
+    turn = _inward_turn(
+        jet[1 + contact.axis] * contact.inwards,
+        jet[3 + 2 * along] * (end - begin)[along] ** 2,
+        velocity,
+    )
+    return _Halves(whole, halves, turn)
 
 
-def edge_curvature(surface: Surface, contact: Contact, place: Array) -> float:
-    """Return the size of the geodesic curvature of an edge at a place (u, v)."""
-    way = np.array([0.0, 1.0] if contact.axis == 0 else [1.0, 0.0])
-    jet = surface.jet(place[None, None], 2)[:, :, 0]
-    velocity = jet[1] * way[0] + jet[2] * way[1]
-    turn = _inward_turn(jet, contact, velocity, way)[0]
+def edge_curvatures(surface: Surface, contacts: Sequence[Contact], places: Array) -> Array:
+    """Return the sizes of the geodesic curvatures of edges.
+
+    Parameters
+    ----------
+    surface : Surface
+        The patch of each edge.
+    contacts : sequence of Contact
+        The edges.
+    places : ndarray, shape (edges, 2)
+        Points (u, v) on them.
+    """
+    row, axis = np.arange(len(places)), np.array([contact.axis for contact in contacts])
+    inwards = np.array([contact.inwards for contact in contacts])
+    jet = surface.jet(places[:, None], 2)[:, :, :, 0]
+    velocity = jet[2 - axis, :, row].T
+    turn = _inward_turn(jet[1 + axis, :, row].T * inwards, jet[5 - 2 * axis, :, row].T, velocity)
     with np.errstate(divide="ignore", invalid="ignore"):
-        curvature = np.abs(turn) / np.linalg.norm(velocity)
-    return float(np.nan_to_num(curvature))
+        curvature = np.abs(turn) / np.linalg.norm(velocity, axis=0)
+    return np.asarray(np.nan_to_num(curvature))
 
 
-def _inward_turn(jet: Array, contact: Contact, velocity: Array, way: Array) -> Array:
-    """The angle by which the arc turns into the patch for each unit of its parameter."""
-    along, across = (2, 1) if contact.axis == 0 else (1, 2)
-    acceleration = jet[5 if along == 2 else 3] * way[along - 1] ** 2
+def _inward_turn(across: Array, acceleration: Array, velocity: Array) -> Array:
+    """The angles by which arcs turn into their patches for each unit of their parameters.
+
+    All have shape (3, ...); what leads across an edge leads into the patch.
+    """
     square = (velocity * velocity).sum(axis=0)
     # Where the edge stands still it has no turn.
     with np.errstate(divide="ignore", invalid="ignore"):
-        inward = jet[across] * (1.0 if contact.value == 0.0 else -1.0)
-        inward -= velocity * (inward * velocity).sum(axis=0) / square
+        inward = across - velocity * (across * velocity).sum(axis=0) / square
         inward /= np.sqrt((inward * inward).sum(axis=0))
         turn = (acceleration * inward).sum(axis=0) / np.sqrt(square)
     return np.asarray(np.nan_to_num(turn))

@@ -27,6 +27,11 @@ class Contact:
         """The edge's name, as in `bodymeasure.atlas.EDGES`."""
         return f"{'uv'[self.axis]} = {self.value:g}"
 
+    @property
+    def inwards(self) -> float:
+        """The sign of the coordinate's change where it leads into the patch."""
+        return 1.0 if self.value == 0.0 else -1.0
+
 
 @dataclass(frozen=True)
 class Pole(Contact):

@@ -20,7 +20,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from bodymeasure._typing import Array, Ints
-from bodymeasure.geodesic.contact.edge_arc import edge_curvature
+from bodymeasure.geodesic.contact.edge_arc import edge_curvatures
 from bodymeasure.geodesic.contact.legs import Ends, Pole
 from bodymeasure.geodesic.lengths.path_geometry import PathGeometry, path_geometry
 from bodymeasure.geodesic.numerics.linear_systems import solved
@@ -59,17 +59,15 @@ def tangency_errors(
     ]
     if joints:
         rows, numbers = (np.array(each) for each in list(zip(*joints, strict=True))[:2])
-        joined = values[rows]
-        maps = space.at_quadrature
-        geometry = path_geometry(surface.take(rows), *(joined @ each.T for each in maps))
+        surface, joined = surface.take(rows), values[rows]
+        geometry = path_geometry(surface, *(joined @ maps.T for maps in space.at_quadrature))
         angle, length = _angles(space, geometry, numbers), space.quadrature.weights @ geometry.speed
-        for place, (row, number, contact) in enumerate(joints):
-            own = surface.take(np.array([row]))
-            curvature = edge_curvature(own, contact, values[row, :, -number])
-            # Half the angle's square, over the distance by which the joint is off, at most the leg.
-            with np.errstate(divide="ignore"):
-                off = np.minimum(np.divide(angle[place], 3.0 * curvature), length[place])
-            errors[row] += SAFETY * 0.5 * angle[place] ** 2 * float(off)
+        places = joined[np.arange(len(rows)), :, -numbers]
+        curvature = edge_curvatures(surface, [contact for _, _, contact in joints], places)
+        # Half the angle's square, over the distance by which the joint is off, at most the leg.
+        with np.errstate(divide="ignore"):
+            off = np.minimum(np.divide(angle, 3.0 * curvature), length)
+        np.add.at(errors, rows, SAFETY * 0.5 * angle**2 * off)
     return errors
 
 

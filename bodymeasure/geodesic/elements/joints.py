@@ -19,7 +19,7 @@ Where an arc along an edge ends, the joint can move along the edge only: the err
 import numpy as np
 
 from bodymeasure._typing import Array, Bools
-from bodymeasure.geodesic.contact.edge_arc import edge_curvature
+from bodymeasure.geodesic.contact.edge_arc import edge_curvatures
 from bodymeasure.geodesic.contact.legs import Contact
 from bodymeasure.geodesic.elements.path import DEGREE
 from bodymeasure.geodesic.elements.pieces import Pieces, unit
@@ -100,11 +100,8 @@ def _system(pieces: Pieces) -> tuple[Array, Array, Array]:
 
 def _tangency(surface: Surface, place: Array, angle: float, longest: float) -> float:
     """The error because a path meets an edge, at a place (u, v), at an angle."""
-    curvatures = [
-        edge_curvature(surface, Contact(axis, float(place[axis])), place)
-        for axis in (0, 1)
-        if place[axis] in (0.0, 1.0)
-    ]
+    edges = [Contact(axis, float(place[axis])) for axis in (0, 1) if place[axis] in (0.0, 1.0)]
+    curvatures = [edge_curvatures(surface, [edge], place[None])[0] for edge in edges]
     least = min(curvatures, default=0.0)
     off = min(longest, angle / (3.0 * least)) if least > 0.0 else longest
     return TANGENCY_SAFETY * 0.5 * angle**2 * off
