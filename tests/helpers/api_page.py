@@ -8,6 +8,7 @@ import enum
 import inspect
 import re
 from collections.abc import Iterator
+from functools import cached_property
 from importlib import import_module
 from pathlib import Path
 
@@ -133,7 +134,7 @@ def _members(member: type) -> Iterator[str]:
         words = (inspect.getdoc(held) or "").partition("\n")[0]
         if name.startswith("_") or not words:
             continue
-        if isinstance(each, property):
+        if isinstance(each, property | cached_property):
             lines.append(f"- `.{name}`: {words}\n")
         elif inspect.isfunction(held):
             lines.append(
