@@ -14,8 +14,10 @@ namespace bodymeasure {
 
 namespace {
 
-constexpr int64_t JET = 30, FIRST = 3;  // The positions, which come first, are not needed.
-constexpr int SECOND = 10;              // The entries of a symmetric matrix of size 4.
+// The positions, which come first, are not needed, but with their last coordinate the rest of a row is
+// whole vectors.
+constexpr int64_t JET = 30, FIRST = 2;
+constexpr int SECOND = 10;  // The entries of a symmetric matrix of size 4.
 // The place of the entry of two components of z.
 constexpr int AT[4][4] = {{0, 1, 3, 4}, {1, 2, 5, 6}, {3, 5, 7, 8}, {4, 6, 8, 9}};
 // Points whose parts of the Hessian are added at once, since each addition reads and writes it.
@@ -126,7 +128,7 @@ double energy_of_path(const Paths &paths, int64_t number, const double *values, 
             }
             const double weight = paths.weights[point];
             double first[4];
-            whole += weight * density(jet, du, dv, flat, first, second[k]);
+            whole += weight * density(jet + 1, du, dv, flat, first, second[k]);
             for (double &entry : second[k]) entry *= weight;
             for (int a = 0; a < 2; ++a) {
                 const double by_place = weight * first[a], by_slope = weight * first[a + 2];

@@ -5,8 +5,6 @@ wrong side of a seam. Each such place costs the search for the smooth path anoth
 a mesh with edges a quarter as long ways are a sixteenth as far from that path.
 """
 
-from itertools import pairwise
-
 import numpy as np
 
 from bodymeasure._typing import Array
@@ -52,8 +50,7 @@ def _pulled_straight(mesh: RouteMesh, fine: RouteMesh, way: StraightWay) -> Stra
     vertices: list[int] = []
     for patch, here, there in zip(patches, begin.tolist(), finish.tolist(), strict=True):
         vertices += fine.between(patch, here, there)
-    different = [vertices[0], *(there for here, there in pairwise(vertices) if here != there)]
-    return straight_way(fine.surface, (ends[0], ends[1]), different)
+    return straight_way(fine.surface, (ends[0], ends[1]), vertices)
 
 
 def _on_patches(mesh: RouteMesh, way: StraightWay) -> tuple[Array, Array]:

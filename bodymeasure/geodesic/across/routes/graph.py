@@ -3,7 +3,6 @@
 from bisect import bisect_left
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -16,6 +15,7 @@ from bodymeasure.atlas.prepared import prepared
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.across.routes.mesh import RouteMesh, whole_mesh
 from bodymeasure.geodesic.numerics.grid_steps import SHORTEST, grid_steps
+from bodymeasure.native import is_compiled, shortest_ways
 
 # Steps along each patch edge: the first number that makes this many points, or else the last.
 SEGMENTS, ENOUGH = (2, 4, 6, 8, 12, 16), 1000
@@ -33,13 +33,16 @@ class Reach(NamedTuple):
     place : AtlasPoint
     distances : ndarray, shape (n,)
         Infinite on other parts.
-    before : ndarray of int, shape (n,)
+    before : list of int
         The vertex from which each one is reached; n where that is the point itself.
+    ways : dict
+        The vertices on the ways to those vertices to which `PatchGraph.way` was asked for one.
     """
 
     place: AtlasPoint
     distances: Array
-    before: Ints
+    before: list[int]
+    ways: dict[int, list[int]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,31 +88,27 @@ class PatchGraph:
         first = np.linalg.norm(self.vertices[joined] - position, axis=1)
         # The point is one more node, with steps to those beside it.
         count = len(self.vertices)
-        graph = scipy.sparse.csr_array(
-            (
-                np.concatenate([self.steps.data, np.maximum(first, SHORTEST)]),
-                np.concatenate([self.steps.indices, joined]),
-                np.append(self.steps.indptr, self.steps.nnz + len(joined)),
-            ),
-            shape=(count + 1, count + 1),
-        )
-        distances, before = scipy.sparse.csgraph.dijkstra(
-            graph, indices=count, return_predecessors=True
-        )
-        return Reach(place, distances[:count], before[:count].astype(np.int64))
+        lengths = np.concatenate([self.steps.data, np.maximum(first, SHORTEST)])
+        heads = np.concatenate([self.steps.indices, joined])
+        begins = np.append(self.steps.indptr, len(heads))
+        distances, before = _shortest_ways(begins, heads, lengths)
+        return Reach(place, distances[:count], before[:count].tolist(), {})
 
     def way(self, reach: Reach, vertex: int) -> list[int]:
         """Return the vertices of a shortest way from a point to a vertex, along the mesh's edges.
 
-        The first one is a corner of the face that holds the point.
+        The first one is a corner of the face that holds the point. Some follow on themselves.
         """
-        back = [vertex]
-        while reach.before[back[-1]] < len(self.vertices):
-            back.append(int(reach.before[back[-1]]))
-        result = self._to_first(reach.place, back[-1])
-        for here, there in pairwise(back[::-1]):
-            result += self.edges_between(here, there)
-        return result
+        ways, before, back = reach.ways, reach.before, [vertex]
+        while back[-1] not in ways and before[back[-1]] < len(before):
+            back.append(before[back[-1]])
+        here = back.pop()
+        if here not in ways:
+            ways[here] = self._to_first(reach.place, here)
+        for there in reversed(back):
+            ways[there] = ways[here] + self.edges_between(here, there)
+            here = there
+        return ways[vertex]
 
     def edges_between(self, vertex: int, other: int) -> list[int]:
         """Return the vertices along edges of the mesh on which a step leads to another vertex."""
@@ -141,6 +140,22 @@ class PatchGraph:
         grid = self.mesh.vertex[place.patch]
         here, there = (np.argwhere(grid == each)[0].tolist() for each in (corner, vertex))
         return self.mesh.between(place.patch, here, there)
+
+
+def _shortest_ways(begins: Ints, heads: Ints, lengths: Array) -> tuple[Array, Ints]:
+    """Return the distances from the last node of a graph, and the nodes before on shortest ways.
+
+    Where no way leads, these are infinity and a negative number.
+    """
+    if is_compiled():
+        distances, before = shortest_ways(np.diff(begins), heads[None], lengths[None])
+        return distances[0], before[0]
+    count = len(begins) - 1
+    graph = scipy.sparse.csr_array((lengths, heads, begins), shape=(count, count))
+    ways: tuple[Array, Ints] = scipy.sparse.csgraph.dijkstra(
+        graph, indices=count - 1, return_predecessors=True
+    )
+    return ways
 
 
 @prepared

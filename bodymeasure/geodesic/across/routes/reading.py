@@ -32,19 +32,22 @@ def route_of(
     along: list[float] = []
     strip, sides = np.array(way.strip), np.array(way.sides, np.int64)
     left = mesh.sides[strip[:-1], sides]
-    for number in np.flatnonzero(left >= 0).tolist():
-        (here, there), side, t = strip[number : number + 2], sides[number], way.along[number]
-        patch, beyond, leave = int(mesh.patch[here]), mesh.patch[there], int(left[number])
-        first, last = mesh.corners[here][[side, (side + 1) % 3]]
-        on = np.isin(mesh.corners[there], (first, last))
-        enter = mesh.sides[there, int(np.flatnonzero(on & np.roll(on, -1))[0])]
+    over = np.flatnonzero(left >= 0)
+    here, there, side, after = strip[over], strip[over + 1], sides[over], (sides[over] + 1) % 3
+    # The side by which the next face is entered is that whose corners are both on the one left.
+    ends_of_side = mesh.corners[here[:, None], np.stack([side, after], axis=1)]
+    shared = (mesh.corners[there][:, :, None] == ends_of_side[:, None]).any(axis=2)
+    entered = np.argmax(shared & np.roll(shared, -1, axis=1), axis=1)
+    t = np.array(way.along)[over, None]
+    first, last = mesh.parameters[here, side], mesh.parameters[here, after]
+    found = (mesh.patch[here], mesh.patch[there], left[over], mesh.sides[there, entered])
+    places = ((1.0 - t) * first + t * last).tolist()
+    for place, *passed in zip(places, *(each.tolist() for each in found), strict=True):
+        patch, beyond, leave, enter = passed
         for crossing in neighbors.over.get((patch, leave), ()):
             if (crossing.to_patch, crossing.to_side) == (beyond, enter):
-                axis = 1 - EDGES[leave].fixed_axis
-                first, last = mesh.parameters[here, [side, (side + 1) % 3], axis].tolist()
-                place = (0, (1.0 - t) * first + t * last, 0.0)
                 crossings.append(crossing)
-                along.append(snapped(*place).u)
+                along.append(snapped(0, place[1 - EDGES[leave].fixed_axis], 0.0).u)
     return _without_empty_ends(neighbors, Route((begin, finish), tuple(crossings), tuple(along)))
 
 

@@ -77,7 +77,7 @@ def straight_way(
     ends : pair of OnFace
     vertices : sequence of int
         From a corner of the face that holds the start to a corner of the one that holds the end,
-        each joined to the next by an edge.
+        each joined to the next by an edge, or the same.
 
     Returns
     -------

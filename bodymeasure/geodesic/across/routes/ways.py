@@ -7,7 +7,6 @@ parts in a hundred, that may be another one than the shortest of them.
 """
 
 from collections.abc import Iterator
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -95,7 +94,7 @@ def way_through(
         start = graph.places[vertex]
     whole += reversed(graph.way(graph.reach(atlas, ends[1]), vertices[-1]))
     first, last = (graph.mesh.holding(end) for end in ends)
-    return straight_way(graph.mesh.surface, (first, last), _once(whole))
+    return straight_way(graph.mesh.surface, (first, last), whole)
 
 
 def along_way(points: Array, parts: Array) -> Array:
@@ -105,15 +104,13 @@ def along_way(points: Array, parts: Array) -> Array:
     return np.stack([np.interp(parts * bounds[-1], bounds, axis) for axis in points.T], axis=-1)
 
 
-def _once(vertices: list[int]) -> list[int]:
-    """The vertices without those that are repeated at once."""
-    return [vertices[0], *(there for here, there in pairwise(vertices) if here != there)]
-
-
 def _rough_ways(
     graph: PatchGraph, begin: Reach, finish: Reach, scope: Scope
 ) -> Iterator[tuple[int, ...]]:
-    """Yield the vertices of rough ways along the edges of the mesh, the likeliest first."""
+    """Yield the vertices of rough ways along the edges of the mesh, the likeliest first.
+
+    Some follow on themselves.
+    """
     through = begin.distances + finish.distances
     if not np.isfinite(through).any():
         return
@@ -124,10 +121,8 @@ def _rough_ways(
         level = _over_level(graph, (begin, finish), part, most)
         ways += _spread(graph, level, scope.spread * float(through[only]))
     for _, first, last in sorted(ways):
-        vertices = graph.way(begin, first)
-        if first != last:
-            vertices += graph.edges_between(first, last)
-        yield tuple(_once([*vertices, *reversed(graph.way(finish, last))]))
+        between = graph.edges_between(first, last) if first != last else ()
+        yield (*graph.way(begin, first), *between, *reversed(graph.way(finish, last)))
 
 
 def _over_level(
