@@ -83,6 +83,8 @@ def refine(
     space: int | TrialSpace,
     size: float,
     before: RefinedPath | None = None,
+    *,
+    sharp: bool = True,
 ) -> RefinedPath:
     """Return the shortest path or loop along a route.
 
@@ -96,6 +98,8 @@ def refine(
         About the length of the path.
     before : RefinedPath, optional
         A path with this very route to start from; straight lines in (u, v) if not given.
+    sharp : bool
+        Whether tiny pieces are to count with their lengths. It takes longer.
     """
     space = polynomial_space(space) if isinstance(space, int) else space
     slides: Slides = (None, None)
@@ -107,6 +111,8 @@ def refine(
     guess = problem.unknowns() if before is None else resampled(before, problem)
     minimum = problem.minimized(guess)
     refined = measured(problem, minimum)
+    if not sharp:
+        return refined
     corners = _corners(refined)
     if not corners.any():
         return sharpened(refined, problem.idle)

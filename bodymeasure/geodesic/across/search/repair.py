@@ -15,6 +15,8 @@ from bodymeasure.geodesic.across.search.other_routes import detours, other_loops
 from bodymeasure.geodesic.across.search.simpler import ROUNDING, simplified
 from bodymeasure.geodesic.across.search.tried import TriedRoutes
 
+# The degree while a loop slides: its polynomials only have to show in which direction.
+SLIDING = 3
 # The relative error that is wanted for a length.
 TOLERANCE = 1e-9
 # Which edges hold a path is read off at degrees up to this: where it cannot be, it hardly can at
@@ -40,7 +42,8 @@ class Search(NamedTuple):
 
     def refined(self, route: Route, degree: int, before: RefinedPath | None = None) -> RefinedPath:
         """Return the path along a route; the work is counted."""
-        result = refine(self.atlas, route, degree, self.size, before)
+        sharp = not route.closed or degree > SLIDING
+        result = refine(self.atlas, route, degree, self.size, before, sharp=sharp)
         self.budget.spend(result)
         return result
 
@@ -70,6 +73,8 @@ def repaired(
     degree, missed, improved = best.problem.space.size, 0.0, True
     while improved:
         improved, best = False, simplified(best, search.budget)
+        if tried.joins(best):
+            break
         for route in _wanted(search, best):
             if isinstance(route, PathPart):
                 return best, missed, route

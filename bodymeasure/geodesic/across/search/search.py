@@ -17,15 +17,13 @@ from bodymeasure.geodesic.across.pieces.part import PathPart
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.off_saddle import beside_saddle
-from bodymeasure.geodesic.across.search.repair import NO_LOOP, TOLERANCE, Search, repaired
-from bodymeasure.geodesic.across.search.tried import TriedRoutes
+from bodymeasure.geodesic.across.search.repair import NO_LOOP, SLIDING, TOLERANCE, Search, repaired
+from bodymeasure.geodesic.across.search.tried import PassedPaths, TriedRoutes
 from bodymeasure.geodesic.status import Status
 from bodymeasure.trust import NEGLIGIBLE
 
 # Degrees of the polynomial on each patch, tried in turn.
 DEGREES = (8, 12, 16, 24, 32, 48, 72)
-# The degree while a loop slides: its polynomials only have to show in which direction.
-SLIDING = 3
 # The last degree at which a path is refined for which no budget is left.
 LAST_OVERDRAWN = 16
 # A path that has no good length at this degree, such as below a breast or through the crotch of a
@@ -105,11 +103,12 @@ def shortest_along(
         raise InputError(NO_LOOP)
     search = Search(atlas, neighbors, size, budget or Budget(LOOP if closed else PATH))
     begun: list[_Begun] = []
+    passed = PassedPaths()
     for route in routes:
         if begun and search.budget.has_run_out():
             break
         shortest = min((other.best.length for other in begun), default=np.inf)
-        first = _begun(search, route, shortest)
+        first = _begun(search, route, shortest, passed)
         if first is not None:
             begun.append(first)
     found: list[SearchResult] = []
@@ -131,14 +130,19 @@ class _Begun(NamedTuple):
     held: PathPart | None
 
 
-def _begun(search: Search, route: Route, shortest: float) -> _Begun | None:
-    """Begin a search along a route; None if its path is plainly longer than the shortest."""
+def _begun(search: Search, route: Route, shortest: float, passed: PassedPaths) -> _Begun | None:
+    """Begin a search along a route.
+
+    None if its path is plainly longer than the shortest, or comes to one that is passed already.
+    """
     best = search.refined(route, SLIDING if route.closed else DEGREES[0])
     if best.length > (1.0 + HOPELESS) * shortest:
         return None
-    tried = TriedRoutes((route, best.route))
+    tried = TriedRoutes((route, best.route), passed)
     best, missed, held = repaired(search, best, tried)
-    return _Begun(best, tried, missed, held)
+    # At higher degrees no search joins another.
+    tried.passed = None
+    return None if tried.has_joined else _Begun(best, tried, missed, held)
 
 
 def _rivals(begun: Sequence[_Begun]) -> list[_Begun]:
