@@ -95,7 +95,7 @@ def _step(space: TrialSpace, coefficients: Any, offset: Any, xp: Any) -> Any:
     times = space.nodes[1:-1]
     _, first, second = (constant(rows, offset, xp) for rows in inner_maps(space, times))
     left, by_offset, by_slope, by_bend = linearize(
-        coefficients, offset, first @ offset, second @ offset
+        coefficients, offset, first @ offset, second @ offset, xp
     )
     matrix = by_slope[:, None, :] * first[:, :, None]
     matrix += by_bend[:, None, :] * second[:, :, None]

@@ -6,12 +6,13 @@ Where a path does not turn back, one unknown function determines it: the offset 
 :math:`T_q q''`, the acceleration :math:`h = T_{tt} + 2 T_{tq} q' + T_{qq} q'^2`. Its geodesic
 curvature is zero where
 
-.. math:: F = W q'' + (x' \cdot T_t)(h \cdot T_q) - (x' \cdot T_q)(h \cdot T_t) = 0, \qquad
-   W = |T_t \times T_q|^2,
+.. math:: F = W q'' + (x' \times h) \cdot N = 0, \qquad N = T_t \times T_q, \quad W = |N|^2,
 
 one equation, while the form with u(t) and v(t) has two: half the unknowns, an eighth of the linear
-algebra. On a Bezier patch T_q, T_t and T_tt are at a fixed t polynomials in q. All arrays have the
-batch along their last axis.
+algebra. In scalar products W is E G - F^2, which would lose the width of patches that are 1e8 times
+as long as wide: there it is a difference of numbers that are equal but for rounding. On a Bezier
+patch T_q, T_t and T_tt are at a fixed t polynomials in q. All arrays have the batch along their
+last axis.
 """
 
 from typing import Any
@@ -56,7 +57,9 @@ def dot(a: Any, b: Any) -> Any:
     return result
 
 
-def linearize(coefficients: Any, offset: Any, slope: Any, bend: Any) -> tuple[Any, Any, Any, Any]:
+def linearize(
+    coefficients: Any, offset: Any, slope: Any, bend: Any, xp: Any
+) -> tuple[Any, Any, Any, Any]:
     """Return the equation's left side F and its derivatives by q, q' and q''.
 
     Parameters
@@ -76,22 +79,19 @@ def linearize(coefficients: Any, offset: Any, slope: Any, bend: Any) -> tuple[An
     )
     t_tt, t_ttq = (x[0, ...] for x in derivatives_by_offset(coefficients[:-1, 2:, ...], offset, 1))
     p = slope[:, None, :]
-    e, f, g = dot(t_t, t_t), dot(t_t, t_q), dot(t_q, t_q)
-    tq_q, tq_t, qq_q, qq_t = dot(t_tq, t_q), dot(t_tq, t_t), dot(t_qq, t_q), dot(t_qq, t_t)
-    e_q, f_q, g_q = 2.0 * tq_t, tq_q + qq_t, 2.0 * qq_q
-    # x' . T_t and x' . T_q, and h with its derivative by q.
-    along, across = e + f * slope, f + g * slope
+    # x', h, and their derivatives by q; that of h by q' is twice that of x' by q.
+    velocity, ahead = t_t + t_q * p, t_tq + t_qq * p
     h = t_tt + (2.0 * t_tq + t_qq * p) * p
     h_q = t_ttq + (2.0 * t_tqq + t_qqq * p) * p
-    by_q, by_t = dot(h, t_q), dot(h, t_t)
-    area = e * g - f * f
-    left = area * bend + along * by_q - across * by_t
-    left_q = (e_q * g + e * g_q - 2.0 * f * f_q) * bend
-    left_q += (e_q + f_q * slope) * by_q - (f_q + g_q * slope) * by_t
-    left_q += along * (dot(h_q, t_q) + dot(h, t_qq)) - across * (dot(h_q, t_t) + dot(h, t_tq))
-    # The derivative of h by q' is 2 T_tq + 2 T_qq q'.
-    left_p = f * by_q - g * by_t
-    left_p += 2.0 * (along * (tq_q + qq_q * slope) - across * (tq_t + qq_t * slope))
+    normal, turn = _cross(t_t, t_q, xp), _cross(velocity, h, xp)
+    normal_q = _cross(t_tq, t_q, xp) + _cross(t_t, t_qq, xp)
+    # (a x h) . n = a . (h x n), and (x' x b) . n = b . (n x x').
+    by_velocity, by_h = _cross(h, normal, xp), _cross(normal, velocity, xp)
+    area = dot(normal, normal)
+    left = area * bend + dot(turn, normal)
+    left_q = 2.0 * dot(normal, normal_q) * bend + dot(turn, normal_q)
+    left_q += dot(ahead, by_velocity) + dot(h_q, by_h)
+    left_p = dot(t_q, by_velocity) + 2.0 * dot(ahead, by_h)
     return left, left_q, left_p, area
 
 
@@ -107,7 +107,7 @@ def offset_geometry(coefficients: Any, offset: Any, slope: Any, bend: Any, xp: A
     area = dot(normal, normal)
     speed_squared = dot(velocity, velocity)
     speed = xp.sqrt(speed_squared)
-    bent = dot(velocity, t_t) * dot(acceleration, t_q) - dot(velocity, t_q) * dot(acceleration, t_t)
+    bent = dot(_cross(velocity, acceleration, xp), normal)
     twist = dot(t_tq, normal)
     return PathGeometry(
         speed=speed,

@@ -29,6 +29,14 @@ struct Point {
 INLINE Lanes dot(const Point &a, const Point &b) {
     return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2];
 }
+INLINE Point cross(const Point &p, const Point &q) {
+    Point result;
+    for (int c = 0; c < 3; ++c) {
+        const int a = (c + 1) % 3, b = (c + 2) % 3;
+        result.c[c] = p.c[a] * q.c[b] - p.c[b] * q.c[a];
+    }
+    return result;
+}
 
 // The patches, and their differences along v.
 struct Nets {
@@ -132,24 +140,22 @@ struct Row {
 };
 
 INLINE void linearize(const Jet &x, Lanes slope, Lanes bend, Row &row) {
-    const Lanes e = dot(x.t, x.t), f = dot(x.t, x.q), g = dot(x.q, x.q);
-    const Lanes tq_q = dot(x.tq, x.q), tq_t = dot(x.tq, x.t);
-    const Lanes qq_q = dot(x.qq, x.q), qq_t = dot(x.qq, x.t);
-    const Lanes e_q = 2.0 * tq_t, f_q = tq_q + qq_t, g_q = 2.0 * qq_q;
-    const Lanes along = e + f * slope, across = f + g * slope;
-    Point h, h_q;
+    // x', h, and their derivatives by q; that of h by q' is twice that of x' by q.
+    Point velocity, ahead, h, h_q;
     for (int c = 0; c < 3; ++c) {
+        velocity.c[c] = x.t.c[c] + x.q.c[c] * slope;
+        ahead.c[c] = x.tq.c[c] + x.qq.c[c] * slope;
         h.c[c] = x.tt.c[c] + (2.0 * x.tq.c[c] + x.qq.c[c] * slope) * slope;
         h_q.c[c] = x.ttq.c[c] + (2.0 * x.tqq.c[c] + x.qqq.c[c] * slope) * slope;
     }
-    const Lanes by_q = dot(h, x.q), by_t = dot(h, x.t), area = e * g - f * f;
-    row.left = area * bend + along * by_q - across * by_t;
-    row.by_offset = (e_q * g + e * g_q - 2.0 * f * f_q) * bend + (e_q + f_q * slope) * by_q -
-                    (f_q + g_q * slope) * by_t + along * (dot(h_q, x.q) + dot(h, x.qq)) -
-                    across * (dot(h_q, x.t) + dot(h, x.tq));
-    row.by_slope = f * by_q - g * by_t +
-                   2.0 * (along * (tq_q + qq_q * slope) - across * (tq_t + qq_t * slope));
-    row.by_bend = area;
+    const Point normal = cross(x.t, x.q), turn = cross(velocity, h);
+    const Point one = cross(x.tq, x.q), other = cross(x.t, x.qq);
+    const Point by_velocity = cross(h, normal), by_h = cross(normal, velocity);
+    row.by_bend = dot(normal, normal);
+    row.left = row.by_bend * bend + dot(turn, normal);
+    row.by_offset = 2.0 * (dot(normal, one) + dot(normal, other)) * bend + dot(turn, one) +
+                    dot(turn, other) + dot(ahead, by_velocity) + dot(h_q, by_h);
+    row.by_slope = dot(x.q, by_velocity) + 2.0 * dot(ahead, by_h);
 }
 
 INLINE Lanes mapped(const double *row, const Lanes *x, int64_t count) {
@@ -212,17 +218,15 @@ INLINE void follow(const DiagonalSpace &space, const Nets &nets, const Lanes *of
         const Lanes bend = mapped(space.bend + p * n, offset, n);
         Jet x;
         derive(nets, all(space.quadrature[p]), mapped(space.place + p * n, offset, n), false, x);
-        Point velocity, acceleration, normal;
+        Point velocity, acceleration;
         for (int c = 0; c < 3; ++c) {
             velocity.c[c] = x.t.c[c] + x.q.c[c] * slope;
             acceleration.c[c] = x.tt.c[c] + (2.0 * x.tq.c[c] + x.qq.c[c] * slope) * slope +
                                 x.q.c[c] * bend;
-            const int a = (c + 1) % 3, b = (c + 2) % 3;
-            normal.c[c] = x.t.c[a] * x.q.c[b] - x.t.c[b] * x.q.c[a];
         }
+        const Point normal = cross(x.t, x.q);
         const Lanes area = dot(normal, normal), square = dot(velocity, velocity);
-        const Lanes bent = dot(velocity, x.t) * dot(acceleration, x.q) -
-                           dot(velocity, x.q) * dot(acceleration, x.t);
+        const Lanes bent = dot(cross(velocity, acceleration), normal);
         const Lanes twist = dot(x.tq, normal);
         along.speed[p] = root(square);
         along.inverse[p] = 1.0 / along.speed[p];

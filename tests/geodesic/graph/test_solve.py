@@ -1,5 +1,7 @@
 """The form with one unknown function, compared with calculus and with the other form."""
 
+from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from itertools import pairwise
 from typing import Any
 
@@ -18,6 +20,7 @@ from bodymeasure.geodesic.graph.solve import solve_offsets
 from bodymeasure.geodesic.lengths.path_geometry import path_geometry
 from bodymeasure.geodesic.solving.protocol import MethodResult
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
+from bodymeasure.native import without_kernels
 
 METHOD = bm.RBFCollocation()
 SPACES = [lambda count=count: METHOD._space(count) for count in (8, 12, 16, 20)]
@@ -49,13 +52,17 @@ def test_fields_are_polynomials_in_the_offset(
 def test_the_derivatives_of_the_equation(rng: np.random.Generator) -> None:
     parts = coefficients(rng.normal(size=(5, 4, 4, 3)), (3, 3))
     path = [rng.uniform(-0.3, 0.3, (len(TIMES), 5)) for _ in range(3)]
-    _, *slopes = linearize(parts, *path)
+
+    def equation(offset: Array, slope: Array, bend: Array) -> tuple[Array, Array, Array, Array]:
+        return linearize(parts, offset, slope, bend, array_api_compat.numpy)
+
+    _, *slopes = equation(*path)
     step = 1e-5
     for number, slope in enumerate(slopes):
         ahead, behind = ([x.copy() for x in path] for _ in range(2))
         ahead[number] += step
         behind[number] -= step
-        difference = (linearize(parts, *ahead)[0] - linearize(parts, *behind)[0]) / (2.0 * step)
+        difference = (equation(*ahead)[0] - equation(*behind)[0]) / (2.0 * step)
         np.testing.assert_allclose(slope, difference, rtol=1e-6, atol=1e-6 * np.abs(slope).max())
 
 
@@ -129,6 +136,22 @@ def test_degenerate_patches_are_left(rng: np.random.Generator) -> None:
     corners = np.zeros((3, 2)), np.ones((3, 2))
     result = solved(nets, *corners)
     assert np.concatenate([batch.problems for batch in result.batches]).tolist() == [2]
+
+
+@pytest.mark.parametrize("form", [nullcontext, without_kernels], ids=["compiled", "NumPy"])
+@pytest.mark.parametrize("width", [1e-6, 1e-8, 1e-10])
+def test_needles_keep_their_width(
+    width: float, form: Callable[[], AbstractContextManager[None]], rng: np.random.Generator
+) -> None:
+    nets = np.zeros((100, 4, 4, 3))
+    nets[..., 0], nets[..., 1] = np.arange(4)[:, None] / 3, np.arange(4) / 3
+    nets[..., :2] += rng.uniform(-0.1, 0.1, (100, 4, 4, 2))
+    nets[..., 0] *= width
+    ends = np.array([[0.2, 0.3], [0.8, 0.6]])
+    straight = [np.linalg.norm(np.subtract(*evaluate(net, ends))) for net in nets]
+    with form():
+        found = bm.solve_geodesic(nets, *ends, search="straight", on_failure="status")
+    np.testing.assert_allclose(found.length, straight, rtol=5e-15)
 
 
 @pytest.mark.parametrize("surface", SURFACES, ids=lambda surface: surface.name)
