@@ -38,7 +38,7 @@ LAYERS = (
 ORDERS = {
     "atlas": "approximation, axes, normals, point, scan_fit, seams, size, units ·"
     " contents, faces, tessellation · atlas · prepared · topology · queries · check · summary",
-    "bench": "problems · entrants · size · records · timing · summary · figure",
+    "bench": "problems · entrants · bodies, size · records · timing · summary · figure",
     "chart": "accuracy, formula, landmarks/choice, landmarks/names, picks, tapes · entry,"
     " landmarks/paths, landmarks/places · body, input/slopes, sides · kinds, landmarks/rules ·"
     " approximated, landmarks · input · taken · definitions, sensitivity · needed, reading,"

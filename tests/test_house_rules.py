@@ -6,10 +6,10 @@ from helpers.modules import FOLDERS, ROOT, all_modules, loaded_by
 
 # Packages that are heavy, optional or talk to the user, with the layers that may import them.
 RESERVED = {
-    "igl": {"fit", "oracle"},
+    "igl": {"bench", "fit", "oracle"},
     "OCP": {"formats"},
     "rhino3dm": {"formats"},
-    "trimesh": {"atlas", "fit", "formats", "mesh", "oracle"},
+    "trimesh": {"atlas", "bench", "fit", "formats", "mesh", "oracle"},
     "pyvista": {"scene", "viewer", "plugin"},
     "vtk": {"scene", "viewer", "plugin"},
     "vtkmodules": {"scene", "viewer", "plugin"},

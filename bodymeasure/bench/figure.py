@@ -1,10 +1,13 @@
-"""The figure of error against time of all methods, as an SVG file."""
+"""Figures of error against time of all methods, on patches and on a body, as SVG files."""
 
 import io
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
+from bodymeasure.bench.bodies.kinds import EXACT, FLIPS, ISOLINE, PYGEODESIC, SECTION
+from bodymeasure.bench.bodies.sets import OURS, OURS_IN_NUMPY
 from bodymeasure.bench.entrants.entrants import DEFAULT, NUMPY
+from bodymeasure.bench.problems.sets import BODY, DIAGONALS
 from bodymeasure.bench.records import BenchDocument, Result, SetRecord
 from bodymeasure.scene.figures.chart_style import TEXT_SIZE, chart_style, power_of_ten
 
@@ -25,6 +28,7 @@ TICKS = {
     1e4: "10 ms",
     1e5: "100 ms",
     1e6: "1 s",
+    1e7: "10 s",
 }
 KEYS_A_COLUMN = 5
 METADATA: Any = {
@@ -78,24 +82,55 @@ LOOKS = {
     "straightest, normals [6]": Look("#7a7a7a", "D", size=5.0),
     "fast marching [7], potpourri3d": Look("#7B4EA3", "o"),
 }
+# On a body the same methods look the same.
+BODY_LOOKS = {
+    OURS: LOOKS[DEFAULT],
+    OURS_IN_NUMPY: LOOKS[NUMPY],
+    FLIPS: LOOKS["potpourri3d edge flips"],
+    EXACT: LOOKS["libigl exact"],
+    PYGEODESIC: LOOKS["pygeodesic exact"],
+    SECTION: Look("#D55E00", "s", size=5.5, layer=4),
+    ISOLINE: Look("#B8860B", "v"),
+}
+On = Literal["patches", "body"]
 # The part of failures from which on a method is drawn hollow.
 MANY_FAILURES = 0.1
-CAPTION = (
+COLUMNS = 3
+
+
+@dataclass(frozen=True)
+class Words:
+    """What a figure says: of what the time is, and what stands below it."""
+
+    each: str
+    caption: str
+
+
+ON_PATCHES = Words(
+    "a diagonal",
     "Bars: the middle 80 % of the diagonals. Hollow: no length for more than a tenth of the "
     "diagonals.\nLines: tolerances 1e-3, 1e-6 and 1e-8; meshes of 17, 33 and 65 points a side. "
-    "Errors under 1e-16 are drawn there."
+    "Errors under 1e-16 are drawn there.",
+)
+ON_A_BODY = Words(
+    "a measurement",
+    f"On {BODY}. Bars: the middle 80 % of the measurements. Lines: meshes of 4, 8 and 16 segments "
+    "along each edge of a patch.\nbodymeasure's errors are those that it states; the others' are "
+    "differences from its lengths, which an extrapolated peer confirms.",
 )
 
 
-def error_against_time(document: BenchDocument) -> bytes:
-    """Return the median error against the median time of a diagonal, with a panel for each set.
+def error_against_time(document: BenchDocument, *, on: On) -> bytes:
+    """Return the median error against the median time of a problem, with a panel for each set.
 
-    Bars span the errors of the middle 80 % of diagonals. The background is white, so that the
+    Bars span the errors of the middle 80 % of the problems. The background is white, so that the
     picture can be shown on dark pages, too.
 
     Parameters
     ----------
     document : BenchDocument
+    on : {"patches", "body"}
+        Which of the sets are shown.
 
     Returns
     -------
@@ -107,33 +142,44 @@ def error_against_time(document: BenchDocument) -> bytes:
         If matplotlib is not installed.
     """
     with chart_style("the figure", "bench"):
-        figure = draw(document)
+        figure = draw(document, on=on)
         file = io.BytesIO()
         figure.savefig(file, format="svg", metadata=METADATA)
     return file.getvalue()
 
 
-def draw(document: BenchDocument) -> Any:
+def draw(document: BenchDocument, *, on: On) -> Any:
     """Return the picture as a figure of matplotlib."""
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(10.4, 5.9), facecolor="white")
-    panels = figure.subplots(1, len(document.sets), sharex=True, sharey=True, squeeze=False)[0]
-    _scale(panels[0], document.results)
+    words, looks = (ON_PATCHES, LOOKS) if on == "patches" else (ON_A_BODY, BODY_LOOKS)
+    sets = [each for each in document.sets if (each.noun == DIAGONALS) == (on == "patches")]
+    rows = -(-len(sets) // COLUMNS)
+    # The keys take as much room below one row of panels as below two.
+    height = 5.9 + 3.1 * (rows - 1)
+    figure = Figure(figsize=(10.4, height), facecolor="white")
+    grid = figure.subplots(rows, COLUMNS, sharex=True, sharey=True, squeeze=False)
+    panels = grid.ravel()[: len(sets)]
+    names = {each.name for each in sets}
+    _scale(panels[0], [result for result in document.results if result.set in names])
     keys: dict[bool, dict[str, Any]] = {True: {}, False: {}}
-    for axes, record in zip(panels, document.sets, strict=True):
+    for axes, record in zip(panels, sets, strict=True):
         _dress(axes, record)
         chosen = [result for result in document.results if result.set == record.name]
         for method in dict.fromkeys(result.method for result in chosen):
             points = [result for result in chosen if result.method == method]
-            key = _plot(axes, LOOKS[method], points)
+            key = _plot(axes, looks[method], points)
             keys[points[0].family == "bodymeasure"].setdefault(method, key)
-    panels[0].set_ylabel("relative error of the length")
-    panels[len(panels) // 2].set_xlabel("processor time a diagonal, one thread")
-    _legend(figure, "bodymeasure", keys[True], 0.065)
-    _legend(figure, "others", keys[False], 0.53)
-    figure.text(0.065, 0.02, CAPTION, size=TEXT_SIZE - 1.0, color=CAPTION_INK)
-    figure.subplots_adjust(left=0.065, right=0.985, top=0.94, bottom=0.41, wspace=0.06)
+    for first in grid[:, 0]:
+        first.set_ylabel("relative error of the length")
+    grid[-1, COLUMNS // 2].set_xlabel(f"processor time of {words.each}, one thread")
+    below = 0.41 * 5.9 / height
+    _legend(figure, "bodymeasure", keys[True], (0.065, 0.2 * below))
+    _legend(figure, "others", keys[False], (0.53, 0.2 * below))
+    figure.text(0.065, 0.02, words.caption, size=TEXT_SIZE - 1.0, color=CAPTION_INK)
+    figure.subplots_adjust(
+        left=0.065, right=0.985, top=1.0 - 0.06 * 5.9 / height, bottom=below, wspace=0.06
+    )
     return figure
 
 
@@ -153,13 +199,13 @@ def _scale(axes: Any, results: list[Result]) -> None:
     axes.set_yticks([10.0**power for power in powers], [power_of_ten(power) for power in powers])
 
 
-def _legend(figure: Any, title: str, keys: dict[str, Any], left: float) -> None:
+def _legend(figure: Any, title: str, keys: dict[str, Any], place: tuple[float, float]) -> None:
     legend = figure.legend(
         keys.values(),
         keys,
         title=title,
         loc="lower left",
-        bbox_to_anchor=(left, 0.08),
+        bbox_to_anchor=place,
         ncols=-(-len(keys) // KEYS_A_COLUMN),
         frameon=False,
         borderpad=0.0,
@@ -191,7 +237,7 @@ def _plot(axes: Any, look: Look, points: list[Result]) -> Any:
     )
     axes.vlines(time, low, high, color=look.color, linewidth=1.6, alpha=0.35, zorder=2)
     failed = sum(point.failures for point in points)
-    hollow = failed > MANY_FAILURES * sum(point.diagonals for point in points)
+    hollow = failed > MANY_FAILURES * sum(point.problems for point in points)
     style = _style(look, joined=len(points) > 1)
     hollow_style = {
         "markeredgecolor": look.color,

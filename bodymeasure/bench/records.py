@@ -10,7 +10,7 @@ from msgspec import Struct
 from bodymeasure.report.serial import records_csv
 
 FORMAT: Final = "bodymeasure benchmark"
-VERSION: Final = 1
+VERSION: Final = 2
 
 
 class Machine(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -33,27 +33,34 @@ class ThreadsRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
 
 
 class SetRecord(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A set of problems: how many were drawn, and how many of them were used."""
+    """A set of problems: how many were drawn, and how many of them were used.
+
+    `noun` says what they are. On a body the truth is bodymeasure's own length where an independent
+    method confirms it; `confirmed_to` is the median of their relative differences.
+    """
 
     name: str
     title: str
+    noun: str
     drawn: int
     compared: int
     leaving_patch: int
     unresolved_truth: int
+    confirmed_to: float | None
 
 
 class Result(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """The result of a method on a set; times are microseconds a diagonal, errors are relative.
+    """The result of a method on a set; times are microseconds a problem, errors are relative.
 
-    Quartiles are taken over repeats, and errors over the diagonals that have a length.
+    Quartiles are taken over repeats, and errors over the problems that have a length. Where the
+    truth is bodymeasure's own length, its errors are those that it states.
     """
 
     set: str
     method: str
     setting: str
     family: str
-    diagonals: int
+    problems: int
     failures: int
     repeats: int
     time_median: float

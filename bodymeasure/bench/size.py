@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from bodymeasure.bench.entrants.entrants import Pace
+from bodymeasure.bench.entrants.entrant import Pace
 
 
 @dataclass(frozen=True)
@@ -20,6 +20,8 @@ class Size:
         How often each method is timed; those of pace "very slow" only in every second round.
     largest_exponent : int
         Growth is measured from 10 patches to this power of ten.
+    measurements : int
+        Measurements of each kind drawn on a body. They are timed half as often.
     """
 
     mild: int
@@ -28,9 +30,15 @@ class Size:
     limits: Mapping[Pace, int]
     rounds: int
     largest_exponent: int
+    measurements: int
+
+    @property
+    def body_rounds(self) -> int:
+        """How often measurements of a body are timed."""
+        return (self.rounds + 1) // 2
 
 
-# This takes some five minutes, half of them for libigl and pygeodesic.
+# This takes some twelve minutes, most of them for libigl and pygeodesic.
 FULL = Size(
     mild=2000,
     wild=500,
@@ -38,8 +46,10 @@ FULL = Size(
     limits={"fast": 200, "slow": 20, "very slow": 20},
     rounds=6,
     largest_exponent=6,
+    measurements=8,
 )
-# This takes some twenty seconds: enough to see that all works, but not for figures to quote.
+# This takes some two minutes, most of them for charts and loops: enough to see that all works, but
+# not for figures to quote.
 QUICK = Size(
     mild=200,
     wild=40,
@@ -47,4 +57,5 @@ QUICK = Size(
     limits={"fast": 20, "slow": 4, "very slow": 1},
     rounds=2,
     largest_exponent=4,
+    measurements=2,
 )

@@ -1,9 +1,11 @@
 """Times and lengths summed up to the numbers of the records."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
+from bodymeasure.bench.bodies.sets import OURS, OURS_IN_NUMPY, SEGMENTS, segments_setting
 from bodymeasure.bench.entrants.entrants import (
     BVP,
     DEFAULT,
@@ -19,31 +21,36 @@ from bodymeasure.bench.timing.growth import Growth
 from bodymeasure.bench.timing.timing import Trial
 
 MICRO = 1e6
+KILO = 1e3
 # The number of patches from which on a diagonal is to take the same time in any batch.
 FLAT_FROM = 1000
 
 
-def set_record(problem_set: ProblemSet) -> SetRecord:
+def set_record(problem_set: ProblemSet[Any]) -> SetRecord:
     """Return a set of problems in numbers."""
     return SetRecord(
         name=problem_set.name,
         title=problem_set.title,
+        noun=problem_set.noun,
         drawn=problem_set.drawn,
         compared=len(problem_set),
         leaving_patch=problem_set.leaving,
         unresolved_truth=problem_set.unresolved,
+        confirmed_to=problem_set.confirmed_to,
     )
 
 
-def results(problem_set: ProblemSet, trials: Sequence[Trial]) -> list[Result]:
+def results(problem_set: ProblemSet[Any], trials: Sequence[Trial]) -> list[Result]:
     """Return times and errors of all methods on a set, that of bodymeasure's default first."""
     ours = _quartiles(trials[0].seconds, trials[0].count)[1]
     return [_result(problem_set, trial, ours) for trial in trials]
 
 
-def _result(problem_set: ProblemSet, trial: Trial, ours: float) -> Result:
+def _result(problem_set: ProblemSet[Any], trial: Trial, ours: float) -> Result:
     lower, median, upper = _quartiles(trial.seconds, trial.count)
     error = np.abs(trial.length / problem_set.truth[: trial.count] - 1.0)
+    if problem_set.stated is not None and trial.entrant.family == "bodymeasure":
+        error = np.maximum(error, problem_set.stated[: trial.count])
     # An infinite distance is no length, either.
     known = error[np.isfinite(error)]
     parts: list[float] | list[None] = [None] * 4
@@ -54,7 +61,7 @@ def _result(problem_set: ProblemSet, trial: Trial, ours: float) -> Result:
         method=trial.entrant.method,
         setting=trial.entrant.setting,
         family=trial.entrant.family,
-        diagonals=trial.count,
+        problems=trial.count,
         failures=trial.count - len(known),
         repeats=len(trial.seconds),
         time_median=median,
@@ -88,12 +95,23 @@ def _quartiles(seconds: Sequence[float], count: int) -> tuple[float, float, floa
     return float(lower), float(median), float(upper)
 
 
-def orders(name: str, compared: Sequence[Result]) -> list[Figure]:
+def patch_meshes() -> dict[str, int]:
+    """Return the segments a side of the meshes of patches, by their settings."""
+    return {points_setting(points): points - 1 for points in POINTS_A_SIDE}
+
+
+def orders(name: str, compared: Sequence[Result], settings: Mapping[str, int]) -> list[Figure]:
     """Return the orders at which methods on meshes converge on a set, by their median errors.
 
     An order p means errors that fall as the power p of the distance of neighboring points.
+
+    Parameters
+    ----------
+    name : str
+    compared : sequence of Result
+    settings : mapping of str to int
+        The segments a side of each mesh.
     """
-    settings = {points_setting(points): points - 1 for points in POINTS_A_SIDE}
     rows = [r for r in compared if (r.set, r.family) == (name, "mesh") and r.error_median]
     found = []
     for method in dict.fromkeys(row.method for row in rows):
@@ -139,7 +157,7 @@ def figures(
                     unit="times as slow",
                 )
             )
-        found += orders(name, compared)
+        found += orders(name, compared, patch_meshes())
     large = [record for record in growth if record.patches >= FLAT_FROM]
     times = [record.time_median for record in large]
     found += [
@@ -156,4 +174,35 @@ def figures(
         ),
         *whole_body,
     ]
+    return found
+
+
+def body_figures(sets: Sequence[SetRecord], compared: Sequence[Result]) -> list[Figure]:
+    """Return the same for measurements of a body."""
+    meshes = {segments_setting(segments): segments for segments in SEGMENTS}
+    found = []
+    for record in sets:
+        by_method = {r.method: r for r in compared if r.set == record.name}
+        ours, plain = by_method[OURS], by_method[OURS_IN_NUMPY]
+        found += [
+            Figure(
+                name=f"{record.name}: one, with its error estimate",
+                value=ours.time_median / KILO,
+                unit="milliseconds",
+            ),
+            Figure(
+                name=f"{record.name}: without compiled kernels",
+                value=plain.times_ours,
+                unit="times as slow",
+            ),
+        ]
+        if record.confirmed_to is not None:
+            found.append(
+                Figure(
+                    name=f"{record.name}: difference from an extrapolated peer",
+                    value=record.confirmed_to,
+                    unit="",
+                )
+            )
+        found += orders(record.name, compared, meshes)
     return found

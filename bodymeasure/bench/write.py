@@ -9,7 +9,7 @@ from bodymeasure.report.serial import indented_json
 
 
 def write_benchmark(document: BenchDocument, folder: Path) -> tuple[Path, ...]:
-    """Write ``error_against_time.svg``, ``bench.json`` and ``bench.csv``, all or none.
+    """Write two pictures, ``bench.json`` and ``bench.csv``, all or none.
 
     Parameters
     ----------
@@ -20,7 +20,8 @@ def write_benchmark(document: BenchDocument, folder: Path) -> tuple[Path, ...]:
     Returns
     -------
     tuple of Path
-        The files, the picture first.
+        The files, the pictures first: ``error_against_time.svg`` of methods on patches, and
+        ``bodies.svg`` of measurements of a body.
 
     Raises
     ------
@@ -32,7 +33,8 @@ def write_benchmark(document: BenchDocument, folder: Path) -> tuple[Path, ...]:
     return write_files(
         folder,
         {
-            "error_against_time.svg": error_against_time(document),
+            "error_against_time.svg": error_against_time(document, on="patches"),
+            "bodies.svg": error_against_time(document, on="body"),
             "bench.json": indented_json(document),
             "bench.csv": to_csv(document),
         },

@@ -14,6 +14,7 @@ CHART_PICTURES = ("drawing (--no-pictures leaves it out)", "matplotlib", "matplo
 BENCHMARK = (
     ("the benchmark", "igl", "libigl", "bench"),
     ("the benchmark", "potpourri3d", "potpourri3d", "bench"),
+    ("the benchmark", "trimesh", "trimesh", "bench"),
 )
 BENCHMARK_FIGURE = ("the benchmark's figure", "matplotlib", "matplotlib", "bench")
 VIEWER = ("the viewer", "pyvista", "pyvista", "viewer")

@@ -20,8 +20,10 @@ from bodymeasure.bench import (
     to_csv,
     write_benchmark,
 )
+from bodymeasure.bench.bodies.kinds import KINDS
+from bodymeasure.bench.bodies.sets import OURS, body_entrants
 from bodymeasure.bench.entrants.entrants import DEFAULT, entrants
-from bodymeasure.bench.figure import draw
+from bodymeasure.bench.figure import On, draw
 from bodymeasure.bench.records import Result
 from bodymeasure.errors import InputError
 from bodymeasure.report.serial import indented_json
@@ -54,19 +56,19 @@ def test_json_holds_all_and_is_finite() -> None:
 @pytest.mark.slow
 def test_every_method_is_on_every_set() -> None:
     document = small_benchmark()
-    assert [record.name for record in document.sets] == ["mild", "wild", "body"]
-    assert Counter(result.set for result in document.results) == dict.fromkeys(
-        ("mild", "wild", "body"), len(entrants())
-    )
+    on_patches = dict.fromkeys(("mild", "wild", "body"), len(entrants()))
+    on_a_body = {kind.name: len(body_entrants(kind)) for kind in KINDS}
+    assert [record.name for record in document.sets] == [*on_patches, *on_a_body]
+    assert Counter(result.set for result in document.results) == on_patches | on_a_body
     for result in document.results:
-        assert 0 <= result.failures <= result.diagonals
+        assert 0 <= result.failures <= result.problems
         assert 0.0 < result.time_lower_quartile <= result.time_median <= result.time_upper_quartile
         errors = (result.error_tenth, result.error_median, result.error_ninetieth)
-        if result.failures < result.diagonals:
+        if result.failures < result.problems:
             known = [error for error in errors if error is not None]
             assert len(known) == 3
             assert known == sorted(known)
-        if result.method == DEFAULT:
+        if result.method in (DEFAULT, OURS):
             assert result.times_ours == 1.0
 
 
@@ -113,14 +115,21 @@ def test_csv_has_a_row_for_each_result() -> None:
 @pytest.mark.slow
 def test_the_picture_names_all_methods_and_is_reproducible() -> None:
     document = small_benchmark()
-    picture = error_against_time(document)
-    root = ET.fromstring(picture)
-    assert root.tag == "{http://www.w3.org/2000/svg}svg"
-    words = {text.text for text in root.iter("{http://www.w3.org/2000/svg}text")}
-    assert words >= {entrant.method for entrant in entrants()}
-    assert words >= {record.title for record in document.sets}
-    assert len(picture) < 150_000
-    assert error_against_time(document) == picture
+    on_a_body = {entrant.method for kind in KINDS for entrant in body_entrants(kind)}
+    methods = {entrant.method for entrant in entrants()}
+    shown: tuple[tuple[On, set[str], slice], ...] = (
+        ("patches", methods, slice(3)),
+        ("body", on_a_body, slice(3, None)),
+    )
+    for on, names, sets in shown:
+        picture = error_against_time(document, on=on)
+        root = ET.fromstring(picture)
+        assert root.tag == "{http://www.w3.org/2000/svg}svg"
+        words = {text.text for text in root.iter("{http://www.w3.org/2000/svg}text")}
+        assert words >= names
+        assert words >= {record.title for record in document.sets[sets]}
+        assert len(picture) < 150_000
+        assert error_against_time(document, on=on) == picture
 
 
 @pytest.mark.slow
@@ -132,9 +141,9 @@ def test_the_picture_shows_who_fails() -> None:
         return msgspec.structs.replace(result, failures=failures)
 
     good = [failing(result, 0) for result in document.results]
-    bad = [failing(r, r.diagonals - 1 if r.method == "Ritz" else 0) for r in document.results]
+    bad = [failing(r, r.problems - 1 if r.method == "Ritz" else 0) for r in document.results]
     pictures = [
-        error_against_time(msgspec.structs.replace(document, results=results))
+        error_against_time(msgspec.structs.replace(document, results=results), on="patches")
         for results in (good, bad)
     ]
     hollow = [picture.count(b"fill: #ffffff; stroke: #3a9bd1") for picture in pictures]
@@ -147,12 +156,12 @@ def test_a_method_without_any_length_can_be_drawn() -> None:
     document = small_benchmark()
     nothing = dict.fromkeys(("error_tenth", "error_median", "error_ninetieth", "error_worst"))
     results = [
-        msgspec.structs.replace(result, failures=result.diagonals, **nothing)
+        msgspec.structs.replace(result, failures=result.problems, **nothing)
         if result.method == "Ritz"
         else result
         for result in document.results
     ]
-    picture = error_against_time(msgspec.structs.replace(document, results=results))
+    picture = error_against_time(msgspec.structs.replace(document, results=results), on="patches")
     assert b"Ritz" in picture
 
 
@@ -163,9 +172,10 @@ def test_files_are_written_together_or_not_at_all(tmp_path: Path) -> None:
     assert sorted(path.name for path in files) == [
         "bench.csv",
         "bench.json",
+        "bodies.svg",
         "error_against_time.svg",
     ]
-    assert files[1].read_bytes() == indented_json(document)
+    assert files[2].read_bytes() == indented_json(document)
     (tmp_path / "other" / "bench.csv").mkdir(parents=True)
     with pytest.raises(InputError, match=r"bench\.csv: cannot be written"):
         write_benchmark(document, tmp_path / "other")
@@ -173,12 +183,13 @@ def test_files_are_written_together_or_not_at_all(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_the_keys_fit_into_the_picture() -> None:
+@pytest.mark.parametrize("on", ["patches", "body"])
+def test_the_keys_fit_into_the_picture(on: On) -> None:
     pytest.importorskip("matplotlib")
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     with chart_style("the figure", "bench"):
-        figure = draw(small_benchmark())
+        figure = draw(small_benchmark(), on=on)
         canvas: Any = FigureCanvasAgg(figure)
         renderer = canvas.get_renderer()
         boxes = [legend.get_window_extent(renderer) for legend in figure.legends]

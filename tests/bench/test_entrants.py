@@ -7,7 +7,8 @@ from helpers.surfaces.surfaces import PLANE, SURFACES, plane_length
 
 from bodymeasure.bench.entrants import mesh_paths
 from bodymeasure.bench.entrants.boundary_value import BoundaryValueProblem
-from bodymeasure.bench.entrants.entrants import Entrant, entrants
+from bodymeasure.bench.entrants.entrant import Entrant
+from bodymeasure.bench.entrants.entrants import entrants
 from bodymeasure.bench.entrants.mesh_paths import igl_exact
 from bodymeasure.bench.entrants.meshed_patch import MeshedPatch
 from bodymeasure.bench.figure import LOOKS
@@ -40,7 +41,7 @@ BVP_ERRORS = {"tol 1e-3": 1e-5, "tol 1e-6": 1e-8, "tol 1e-8": 1e-10}
 MESH_ERRORS = {"17 points a side": 3e-3, "33 points a side": 8e-4, "65 points a side": 2e-4}
 
 
-def limit(entrant: Entrant) -> float:
+def limit(entrant: Entrant[Problems]) -> float:
     if entrant.method == "libigl heat":
         return HEAT_ERROR
     if entrant.method.startswith("fast marching"):
@@ -57,7 +58,7 @@ def limit(entrant: Entrant) -> float:
         for name, each in ENTRANTS.items()
     ],
 )
-def test_lengths_in_closed_form(entrant: Entrant) -> None:
+def test_lengths_in_closed_form(entrant: Entrant[Problems]) -> None:
     known = [s for s in SURFACES if (s.start, s.end) == ((0.0, 0.0), (1.0, 1.0))]
     problems = Problems(
         np.stack([s.control_points for s in known]),

@@ -7,7 +7,7 @@ import pytest
 from helpers.charts.small_benchmark import SMALL
 from threadpoolctl import threadpool_info, threadpool_limits
 
-from bodymeasure.bench.entrants.entrants import Entrant, Pace
+from bodymeasure.bench.entrants.entrant import Entrant, Pace
 from bodymeasure.bench.problems.patches import Problems, first_diagonals
 from bodymeasure.bench.problems.sets import ProblemSet
 from bodymeasure.bench.size import FULL, Size
@@ -19,12 +19,12 @@ COUNT = 5
 
 
 @pytest.fixture
-def problem_set() -> ProblemSet:
+def problem_set() -> ProblemSet[Problems]:
     problems = first_diagonals(np.zeros((COUNT, 4, 4, 3)))
     return ProblemSet("made", "made up", problems, np.full(COUNT, 2.0), COUNT, 0, 0)
 
 
-def recorder(name: str, pace: Pace, calls: list[str], answer: float) -> Entrant:
+def recorder(name: str, pace: Pace, calls: list[str], answer: float) -> Entrant[Problems]:
     """A method that records when it is called."""
 
     def prepare(problems: Problems) -> object:
@@ -39,10 +39,10 @@ def recorder(name: str, pace: Pace, calls: list[str], answer: float) -> Entrant:
     return Entrant(name, "", "mesh", pace, prepare)  # type: ignore[arg-type]
 
 
-def test_methods_take_turns_and_slow_ones_are_spared(problem_set: ProblemSet) -> None:
+def test_methods_take_turns_and_slow_ones_are_spared(problem_set: ProblemSet[Problems]) -> None:
     calls: list[str] = []
     rounds = 4
-    size = Size(1, 1, 1, {"very slow": 3}, rounds, 1)
+    size = Size(1, 1, 1, {"very slow": 3}, rounds, 1, 1)
     methods = [recorder("a", "batch", calls, 2.0), recorder("b", "very slow", calls, 2.0)]
     steps: list[None] = []
     trials = take_turns(methods, problem_set, size, lambda: steps.append(None))
@@ -52,7 +52,7 @@ def test_methods_take_turns_and_slow_ones_are_spared(problem_set: ProblemSet) ->
     assert len(steps) == rounds + 1
 
 
-def test_failures_are_counted_and_left_out_of_errors(problem_set: ProblemSet) -> None:
+def test_failures_are_counted_and_left_out_of_errors(problem_set: ProblemSet[Problems]) -> None:
     calls: list[str] = []
     methods = [
         recorder("good", "batch", calls, 2.0),

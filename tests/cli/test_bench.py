@@ -40,7 +40,7 @@ def test_all_is_printed_and_nothing_written(
     for result in document.results:
         assert f"{result.method}, {result.setting}".removesuffix(", ") in ran.out
     for record in document.sets:
-        assert f"{record.title}: {record.compared} of {record.drawn} diagonals" in ran.out
+        assert f"{record.title}: {record.compared} of {record.drawn} {record.noun}" in ran.out
     for figure in document.figures:
         assert figure.name in ran.out
     assert "1,000" in ran.out
@@ -59,7 +59,7 @@ def test_failures_and_problems_left_out_are_told(run: Run, monkeypatch: pytest.M
     results = [
         msgspec.structs.replace(
             result,
-            failures=result.diagonals,
+            failures=result.problems,
             error_tenth=None,
             error_median=None,
             error_ninetieth=None,
@@ -82,7 +82,7 @@ def test_the_real_thing(tmp_path: Path) -> None:
     ran = run_apart("bench", "--quick", "-o", tmp_path / "out")
     assert ran.code == 0
     assert ran.err in ("", WITHOUT)
-    assert len(list((tmp_path / "out").iterdir())) == 3
+    assert len(list((tmp_path / "out").iterdir())) == 4
     assert "1,000" in ran.out
 
 
@@ -90,7 +90,7 @@ def test_files_are_named_and_written(run: Run, tmp_path: Path) -> None:
     ran = run("bench", "--quick", "-o", tmp_path / "out")
     assert (ran.code, ran.err) == (0, "")
     names = sorted(path.name for path in (tmp_path / "out").iterdir())
-    assert names == ["bench.csv", "bench.json", "error_against_time.svg"]
+    assert names == ["bench.csv", "bench.json", "bodies.svg", "error_against_time.svg"]
     for name in names:
         assert str(tmp_path / "out" / name) in ran.out
 
@@ -110,6 +110,7 @@ def test_a_folder_that_cannot_be_is_told_before_any_work(
     [
         ("igl", "libigl", ()),
         ("potpourri3d", "potpourri3d", ()),
+        ("trimesh", "trimesh", ()),
         ("matplotlib", "matplotlib", ("-o", "out")),
     ],
 )

@@ -1,15 +1,14 @@
 """The entrants of the benchmark: bodymeasure's methods, a general solver, and mesh libraries."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
 from importlib.util import find_spec
-from typing import Literal
 
 import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.bench.entrants.boundary_value import BoundaryValueProblem
+from bodymeasure.bench.entrants.entrant import Entrant, Pace, Solve, in_numpy, lengths
 from bodymeasure.bench.entrants.mesh_paths import (
     edge_flips,
     fast_marching,
@@ -32,13 +31,9 @@ from bodymeasure.geodesic import (
     Shooting,
     solve_geodesic,
 )
-from bodymeasure.native import without_kernels
 
-Solve = Callable[[], Array]
 Prepare = Callable[[Problems], Solve]
-Family = Literal["bodymeasure", "scipy", "mesh"]
-# Determines how many problems a method is given, and how often; see `bodymeasure.bench.size`.
-Pace = Literal["batch", "fast", "slow", "very slow"]
+PatchEntrant = Entrant[Problems]
 
 DEFAULT = "RBF, fast form"
 # The same without compiled kernels.
@@ -58,38 +53,6 @@ MESH_METHODS = {
     "fast marching [7], potpourri3d": fast_marching,
     "libigl heat": igl_heat,
 }
-# The errors by which a library reports that it cannot measure a problem, which is counted.
-FAILURES = (ArithmeticError, RuntimeError, ValueError)
-
-
-@dataclass(frozen=True)
-class Entrant:
-    """A method with its settings.
-
-    Parameters
-    ----------
-    method : str
-        Its name.
-    setting : str
-        The setting that is varied, in words; may be empty.
-    family : {"bodymeasure", "scipy", "mesh"}
-    pace : {"batch", "fast", "slow", "very slow"}
-        Determines how many problems the method is given.
-    prepare : callable
-        Takes problems and returns the call that is timed, which returns their lengths, shape (p,),
-        with NaN where there is none.
-    """
-
-    method: str
-    setting: str
-    family: Family
-    pace: Pace
-    prepare: Prepare
-
-    @property
-    def label(self) -> str:
-        """The method and its setting."""
-        return f"{self.method}, {self.setting}" if self.setting else self.method
 
 
 def tolerance_setting(tolerance: float) -> str:
@@ -102,7 +65,7 @@ def points_setting(points: int) -> str:
     return f"{points} points a side"
 
 
-def entrants() -> tuple[Entrant, ...]:
+def entrants() -> tuple[PatchEntrant, ...]:
     """Return all entrants, bodymeasure's default first; pygeodesic only if it is installed."""
     ours: tuple[tuple[str, Method, Pace], ...] = (
         (DEFAULT, RBFCollocation(), "batch"),
@@ -118,7 +81,9 @@ def entrants() -> tuple[Entrant, ...]:
         Entrant(name, "", "bodymeasure", pace, _solver(method)) for name, method, pace in ours
     ]
     pace: Pace
-    result.insert(1, Entrant(NUMPY, "", "bodymeasure", "batch", _in_numpy(RBFCollocation())))
+    result.insert(
+        1, Entrant(NUMPY, "", "bodymeasure", "batch", in_numpy(_solver(RBFCollocation())))
+    )
     for tolerance in TOLERANCES:
         one = partial(BoundaryValueProblem, tolerance=tolerance)
         prepare = _one_by_one(one)
@@ -153,37 +118,14 @@ def _solver(method: Method) -> Prepare:
     return prepare
 
 
-def _in_numpy(method: Method) -> Prepare:
-    """Return what prepares one of bodymeasure's own methods in its NumPy form."""
-    prepare = _solver(method)
-
-    def prepare_in_numpy(problems: Problems) -> Solve:
-        solve = prepare(problems)
-
-        def solve_in_numpy() -> Array:
-            with without_kernels():
-                return solve()
-
-        return solve_in_numpy
-
-    return prepare_in_numpy
-
-
 def _one_by_one(make: Callable[[Array, Array, Array], Callable[[], float]]) -> Prepare:
     """Return what prepares a method that takes one problem at a time."""
 
     def prepare(problems: Problems) -> Solve:
         calls = [make(*one) for one in zip(*problems, strict=True)]
-        return lambda: np.array([_length_or_nan(call) for call in calls])
+        return lambda: lengths(calls)
 
     return prepare
-
-
-def _length_or_nan(call: Callable[[], float]) -> float:
-    try:
-        return call()
-    except FAILURES:
-        return np.nan
 
 
 def _on_mesh(

@@ -5,6 +5,7 @@ import pstats
 from collections.abc import Mapping
 from typing import Any
 
+from bodymeasure.bench.problems.patches import Problems
 from bodymeasure.bench.problems.sets import ProblemSet
 from bodymeasure.geodesic import RBFCollocation, solve_geodesic
 
@@ -23,7 +24,7 @@ REST = "checks, scaling, sharing out, gathering"
 CALLS = 5
 
 
-def stage_shares(problem_set: ProblemSet) -> dict[str, float]:
+def stage_shares(problem_set: ProblemSet[Problems]) -> dict[str, float]:
     """Return the part of the time of `solve_geodesic` that each stage takes; the sum is 1.
 
     Parameters

@@ -3,10 +3,11 @@
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from bodymeasure._typing import Array
-from bodymeasure.bench.entrants.entrants import Entrant
-from bodymeasure.bench.problems.sets import ProblemSet
+from bodymeasure.bench.entrants.entrant import Entrant
+from bodymeasure.bench.problems.sets import Batch, ProblemSet
 from bodymeasure.bench.size import Size
 
 
@@ -25,7 +26,7 @@ class Trial:
         Processor time of all problems together, for each round.
     """
 
-    entrant: Entrant
+    entrant: Entrant[Any]
     count: int
     length: Array
     seconds: list[float] = field(default_factory=list)
@@ -39,7 +40,10 @@ def processor_seconds(call: Callable[[], object]) -> float:
 
 
 def take_turns(
-    entrants: Sequence[Entrant], problem_set: ProblemSet, size: Size, advance: Callable[[], object]
+    entrants: Sequence[Entrant[Batch]],
+    problem_set: ProblemSet[Batch],
+    size: Size,
+    advance: Callable[[], object],
 ) -> list[Trial]:
     """Time every method on a set of problems, once in each round.
 
@@ -59,7 +63,8 @@ def take_turns(
         limit = size.limits.get(entrant.pace, len(problem_set))
         problems = problem_set.problems.take(slice(limit))
         call = entrant.prepare(problems)
-        trials.append(Trial(entrant, len(problems.nets), call()))
+        length = call()
+        trials.append(Trial(entrant, len(length), length))
         calls.append(call)
     advance()
     for number in range(size.rounds):

@@ -22,21 +22,22 @@ if TYPE_CHECKING:
 
 @click.command(epilog=EXIT_CODES)
 @folder_option(
-    help="Folder for bench.json, bench.csv and error_against_time.svg; made if it is not there. "
+    help="Folder for bench.json, bench.csv and two pictures; made if it is not there. "
     "Without it, the tables are printed and nothing is written.",
 )
 @click.option(
     "--quick",
     is_flag=True,
-    help="Take few problems and repeats: half a minute, not five.",
+    help="Take few problems and repeats: two minutes, not twelve.",
 )
 def bench(output: Path | None, quick: bool) -> None:
     """Compare methods side by side, in processor time on one thread.
 
     bodymeasure's methods, scipy's solve_bvp, libigl, potpourri3d and pygeodesic measure diagonals
     of mild and wild random patches and of a body; errors are against an independent method.
-    Further tables show how time and memory grow with the number of patches, and where the time
-    goes.
+    Paths, girths, loops, tapes and a chart of a body stand beside what libraries measure on its
+    triangle meshes. Further tables show how time and memory grow with the number of patches, and
+    where the time goes.
     """
     require(*BENCHMARK, *((BENCHMARK_FIGURE,) if output else ()))
     with output_folder(output) if output else nullcontext():
@@ -81,10 +82,14 @@ def _comparison(document: "BenchDocument", record: "SetRecord") -> "Table":
         )
         if count
     ]
-    title = f"{record.title}: {record.compared} of {record.drawn} diagonals"
+    on_patches = record.noun == "diagonals"
+    title = f"{record.title}: {record.compared} of {record.drawn} {record.noun}"
     if left_out:
         title += f" (left out: {', '.join(left_out)})"
-    times, errors = ("µs each", "quartiles", "times ours"), ("error", "10-90 %", "worst")
+    if record.confirmed_to is not None:
+        title += f", confirmed to {record.confirmed_to:.0e} by an extrapolated peer"
+    unit, scale = ("µs", 1.0) if on_patches else ("ms", 1e-3)
+    times, errors = (f"{unit} each", "quartiles", "times ours"), ("error", "10-90 %", "worst")
     table = new_table("method", "tried", "failed", *times, *errors, title=f"\n{title}")
     for result in document.results:
         if result.set != record.name:
@@ -92,10 +97,11 @@ def _comparison(document: "BenchDocument", record: "SetRecord") -> "Table":
         name = f"{result.method}, {result.setting}" if result.setting else result.method
         table.add_row(
             Text(name),
-            str(result.diagonals),
+            str(result.problems),
             Text(str(result.failures), "yellow" if result.failures else ""),
-            _time(result.time_median),
-            f"{_time(result.time_lower_quartile)}-{_time(result.time_upper_quartile)}",
+            _time(scale * result.time_median),
+            f"{_time(scale * result.time_lower_quartile)}-"
+            f"{_time(scale * result.time_upper_quartile)}",
             _time(result.times_ours),
             _error(result.error_median),
             f"{_error(result.error_tenth)} {_error(result.error_ninetieth)}",

@@ -12,10 +12,12 @@ SMALL = Size(
     limits={"fast": 2, "slow": 1, "very slow": 1},
     rounds=1,
     largest_exponent=3,
+    measurements=2,
 )
 
 
 POINTS_A_SIDE = (5, 9, 17)
+SEGMENTS = (4, 8, 12)
 # The counts that were reported while it ran.
 PROGRESS: list[int] = []
 
@@ -26,5 +28,7 @@ def small_benchmark() -> BenchDocument:
     with (
         patch("bodymeasure.bench.entrants.entrants.POINTS_A_SIDE", POINTS_A_SIDE),
         patch("bodymeasure.bench.summary.POINTS_A_SIDE", POINTS_A_SIDE),
+        patch("bodymeasure.bench.bodies.sets.SEGMENTS", SEGMENTS),
+        patch("bodymeasure.bench.summary.SEGMENTS", SEGMENTS),
     ):
         return run_benchmark(SMALL, progress=PROGRESS.append)
