@@ -253,7 +253,7 @@ class GeodesicSolution:
             rows = place[chosen]
             inside = np.flatnonzero(rows >= 0)
             if len(inside):
-                batches.append(batch.take(rows[inside]).renumbered(inside))
+                batches.append(batch.take(rows[inside]).renumbered(inside).alone())
         start, end = (ends.reshape(-1, 2)[numbers] for ends in (self.start, self.end))
         patches = None if self.patches is None else self.patches.take(chosen)
         part = replace(self, start=start, end=end, batches=tuple(batches), patches=patches)

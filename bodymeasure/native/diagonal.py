@@ -55,7 +55,7 @@ class _Paths(ctypes.Structure):
     """`DiagonalPaths` of ``diagonal.h``."""
 
     _fields_ = (
-        *((name, ctypes.c_void_p) for name in ("problem", "values", "speed", "raw", "correction")),
+        *((name, ctypes.c_void_p) for name in ("problem", "values", "raw", "correction")),
         *((name, ctypes.c_void_p) for name in ("error", "residual", "reach", "chord", "index")),
         *((name, ctypes.c_void_p) for name in ("trusted", "good", "left", "offset")),
         ("counts", ctypes.c_int64 * 2),
@@ -194,7 +194,6 @@ class DiagonalPaths:
         The places of their problems in the rows that were given.
     values : ndarray, shape (k, 2, inner + 2)
         u and v at all nodes.
-    speed : ndarray, shape (k, points)
     raw, correction, error, residual : ndarray, shape (k,)
         See `geodesic.lengths.length.Length`.
     reach : ndarray, shape (k,)
@@ -211,7 +210,6 @@ class DiagonalPaths:
 
     problem: Ints
     values: Array
-    speed: Array
     raw: Array
     correction: Array
     error: Array
@@ -253,14 +251,13 @@ def diagonal_paths(
     # Pages of memory that are not written to are not taken.
     numbers, reals = np.empty((3, count), np.int64), np.empty((6, count))
     answers = np.empty((2, count), bool)
-    values, speed = np.empty((count, 2, inner + 2)), np.empty((count, space.points))
-    offset = np.empty((count, inner))
+    values, offset = np.empty((count, 2, inner + 2)), np.empty((count, inner))
     given = _Problems(count, *map(address, (rows, nets, start, end)), problems.are_corners)
     # An address takes a microsecond, so that those of rows follow from one.
     number, real, answer = map(address, (numbers, reals, answers))
     found = _Paths(
         number,
-        *map(address, (values, speed)),
+        address(values),
         *(real + 8 * count * row for row in range(6)),
         number + 8 * count,
         *(answer, answer + count),
@@ -281,7 +278,6 @@ def diagonal_paths(
     return DiagonalPaths(
         problem=numbers[0, :done],
         values=values[:done],
-        speed=speed[:done],
         raw=raw,
         correction=correction,
         error=error,

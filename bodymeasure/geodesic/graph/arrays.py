@@ -126,7 +126,6 @@ def _measured(
         length,
         good,
         np.zeros(count, bool),
-        speed=to_numpy(geometry.speed).T,
     )
 
 

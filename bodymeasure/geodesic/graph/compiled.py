@@ -61,7 +61,6 @@ def climb(problems: OffsetProblems, rest: Any, rung: Rung, offset: Any) -> Climb
         length,
         found.good,
         np.zeros(len(found.good), bool),
-        speed=found.speed,
         reach=found.reach,
         chord=found.chord,
     )

@@ -6,6 +6,7 @@ enough are kept. All others are left to the form with two unknown functions.
 """
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from bodymeasure.geodesic.graph import arrays, compiled
 from bodymeasure.geodesic.graph.problems import OffsetProblems, are_corners, slices
 from bodymeasure.geodesic.graph.rung import GUESS_STEPS, Climbed, Rung, guess_space
 from bodymeasure.geodesic.lengths.length import Length
+from bodymeasure.geodesic.lengths.varying_speed import VaryingSpeed
 from bodymeasure.geodesic.solving.protocol import MethodResult, PathBatch
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
@@ -79,7 +81,11 @@ def solve_offsets(
                 parts = batches.setdefault(batch.space, [])
                 same = is_whole and rows.start == 0
                 parts.append(batch if same else batch.renumbered(block[batch.problems]))
-    return MethodResult(tuple(_joined(parts) for parts in batches.values()), iterations)
+    joined = (_joined(parts) for parts in batches.values())
+    return MethodResult(
+        tuple(replace(each, speed=VaryingSpeed(surface, each.problems)) for each in joined),
+        iterations,
+    )
 
 
 def _taken(surface: BezierSurfaces, rows: Ints) -> Any:
@@ -128,9 +134,7 @@ def _joined(batches: Sequence[PathBatch]) -> PathBatch:
     """One batch made of several on the same space."""
     if len(batches) == 1:
         return batches[0]
-    speed, reach, chord = (
-        [getattr(batch, name) for batch in batches] for name in ("speed", "reach", "chord")
-    )
+    reach, chord = ([getattr(batch, name) for batch in batches] for name in ("reach", "chord"))
     is_known = all(each is not None for each in reach)
     return PathBatch(
         np.concatenate([batch.problems for batch in batches]),
@@ -139,7 +143,6 @@ def _joined(batches: Sequence[PathBatch]) -> PathBatch:
         Length.concatenated([batch.length for batch in batches]),
         np.concatenate([batch.converged for batch in batches]),
         np.concatenate([batch.singular for batch in batches]),
-        speed=np.concatenate(speed),
         reach=np.concatenate(reach) if is_known else None,
         chord=np.concatenate(chord) if is_known else None,
     )

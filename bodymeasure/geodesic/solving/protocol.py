@@ -8,6 +8,7 @@ import numpy as np
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.geodesic.lengths.arc_length_times import times_at
 from bodymeasure.geodesic.lengths.length import Length
+from bodymeasure.geodesic.lengths.varying_speed import VaryingSpeed
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
@@ -51,9 +52,9 @@ class PathBatch:
     converged, singular : ndarray of bool, shape (k,)
     contacts : tuple of EdgeContact
         The edges of its patch that the path runs along; only a batch of one path has any.
-    speed : ndarray, shape (k, points), optional
-        The speed at the points of the space's quadrature, if it is not constant: then t is not the
-        part of the length that has been covered.
+    speed : VaryingSpeed, optional
+        The speed, if it is not constant: then t is not the part of the length that has been
+        covered.
     reach : ndarray, shape (k,), optional
         How far the paths go outside their patch in u or v, below 0 inside, if that is known.
     chord : ndarray, shape (k,), optional
@@ -67,7 +68,7 @@ class PathBatch:
     converged: Bools
     singular: Bools
     contacts: tuple[EdgeContact, ...] = ()
-    speed: Array | None = None
+    speed: VaryingSpeed | None = None
     reach: Array | None = None
     chord: Array | None = None
 
@@ -81,7 +82,7 @@ class PathBatch:
             self.converged[rows],
             self.singular[rows],
             self.contacts,
-            None if self.speed is None else self.speed[rows],
+            None if self.speed is None else self.speed.take(rows),
             None if self.reach is None else self.reach[rows],
             None if self.chord is None else self.chord[rows],
         )
@@ -99,7 +100,8 @@ class PathBatch:
             places = self.values @ self.space.matrices(parts)[0].T
             points = np.ascontiguousarray(places.transpose(0, 2, 1))
         else:
-            times = times_at(self.space.quadrature, self.speed, parts)
+            speed = self.speed.at_quadrature(self.space, self.values)
+            times = times_at(self.space.quadrature, speed, parts)
             points = self.space.functions.combined(self.values, times)
         if self.contacts:
             # A path along an edge stays in the patch; polynomials may leave it by a little.
@@ -107,6 +109,10 @@ class PathBatch:
         points[:, parts == 0.0] = self.values[:, None, :, 0]
         points[:, parts == 1.0] = self.values[:, None, :, -1]
         return points
+
+    def alone(self) -> "PathBatch":
+        """Return the same paths without what belongs to others of their problems' batch."""
+        return self if self.speed is None else replace(self, speed=self.speed.alone())
 
     def renumbered(self, problems: Ints) -> "PathBatch":
         """Return the same paths under other problem numbers."""

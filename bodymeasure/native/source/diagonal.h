@@ -55,7 +55,6 @@ struct DiagonalSettings {
 struct DiagonalPaths {
     int64_t *problem;   // (done), the place of each path's problem in `rows`
     double *values;     // (done, 2, inner + 2), u and v at all nodes
-    double *speed;      // (done, points)
     double *raw, *correction, *error, *residual, *reach, *chord;
     int64_t *index;
     uint8_t *trusted, *good;

@@ -414,10 +414,9 @@ INLINE void leave(const Lanes *offset, int64_t inner, int i, int64_t problem, Di
 
 // A path is done where Newton's method came to rest, and its length is good, or it runs far outside.
 INLINE void write(const DiagonalSpace &space, const DiagonalSettings &settings, const Nets &nets,
-                  const Lanes *offset, const Lanes &last_step, const Along &along,
-                  const Measured &measured, Lanes *room, int64_t begin, int count,
-                  DiagonalPaths &paths) {
-    const int64_t n = space.inner, points = space.points, nodes = 2 * (n + 2);
+                  const Lanes *offset, const Lanes &last_step, const Measured &measured, Lanes *room,
+                  int64_t begin, int count, DiagonalPaths &paths) {
+    const int64_t n = space.inner, nodes = 2 * (n + 2);
     Lanes way{}, most{};
     for (int axis = 0; axis < 2; ++axis) {
         Lanes *line = room + axis * (n + 2);
@@ -450,7 +449,6 @@ INLINE void write(const DiagonalSpace &space, const DiagonalSettings &settings, 
         const int64_t row = paths.counts[0]++;
         paths.problem[row] = begin + i;
         for (int64_t k = 0; k < nodes; ++k) paths.values[row * nodes + k] = lane(room[k], i);
-        for (int64_t p = 0; p < points; ++p) paths.speed[row * points + p] = lane(along.speed[p], i);
         paths.raw[row] = raw, paths.correction[row] = correction;
         paths.error[row] = error, paths.residual[row] = residual;
         paths.index[row] = int64_t(lane(measured.index, i));
@@ -499,6 +497,6 @@ static void solve(const DiagonalProblems &problems, const DiagonalSpace &guess,
             measure(space, settings, along, room, 12, 16, measured);
         else
             measure(space, settings, along, room, points / 2, modes, measured);
-        write(space, settings, nets, offset, step, along, measured, room, begin, count, paths);
+        write(space, settings, nets, offset, step, measured, room, begin, count, paths);
     }
 }
