@@ -161,7 +161,8 @@ class Skin:
 
     def _round_poles(self, positions: Array, patch: Ints, x: Array, squared: Array) -> None:
         """Search again for the feet that lie near poles, from other sides of these, in place."""
-        self._also(positions, self.poles.starts(positions, patch, x), (patch, x, squared))
+        if len(self.poles.patch):
+            self._also(positions, self.poles.starts(positions, patch, x), (patch, x, squared))
 
     def _also(
         self, positions: Array, starts: tuple[Ints, Ints, Array], best: tuple[Ints, Array, Array]
@@ -195,11 +196,11 @@ class Skin:
         # Where the patches meet at an acute angle, it may even make an obtuse one with either.
         ridge = at_side & ~beyond & (distance > self.touching)
         row = np.flatnonzero(ridge)
-        out = np.einsum(
-            "kc,kc->k", offset[row], self._mean_normals(patch[row], x[row], normal[row])
-        )
-        ridge[row[out <= 0.0]] = False
-        gap[row[out <= 0.0]] = np.minimum(gap[row[out <= 0.0]], 0.0)
+        if len(row):
+            mean = self._mean_normals(patch[row], x[row], normal[row])
+            inside = row[np.einsum("kc,kc->k", offset[row], mean) <= 0.0]
+            ridge[inside] = False
+            gap[inside] = np.minimum(gap[inside], 0.0)
         # Over a smooth seam or pole they are the same, and the skin bends there as beside it.
         turned = ridge & (gap < distance * (1.0 - SMOOTH))
         gap[ridge] = distance[ridge]

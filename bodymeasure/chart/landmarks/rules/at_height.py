@@ -5,6 +5,7 @@ from typing import ClassVar
 import numpy as np
 import scipy
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.bezier import evaluate
 from bodymeasure.chart.entry import Landmark
@@ -53,7 +54,7 @@ class AtHeight(LandmarkRule, frozen=True, kw_only=True, tag="at height"):
         least = ROUNDING * float(np.abs(atlas.points[..., :3]).max())
         for number in range(len(path.pieces)):
             grid = np.arange(STEPS + 1) / STEPS
-            above = np.array([_above(path, number, t, height) for t in grid.tolist()])
+            above = _heights(path, number, grid) - height
             level = np.abs(above) <= least
             passed = np.flatnonzero((above[:-1] * above[1:] < 0.0) | level[:-1] | level[1:])
             if len(passed):
@@ -62,7 +63,7 @@ class AtHeight(LandmarkRule, frozen=True, kw_only=True, tag="at height"):
                     return _point(path, number, grid[ends[0]])
                 low, high = grid[passed[0]], grid[passed[0] + 1]
                 fraction = scipy.optimize.brentq(
-                    lambda t, number=number: _above(path, number, t, height),
+                    lambda t, number=number: _heights(path, number, np.array([t]))[0] - height,
                     low,
                     high,
                     xtol=ROOT_TOLERANCE,
@@ -74,13 +75,18 @@ class AtHeight(LandmarkRule, frozen=True, kw_only=True, tag="at height"):
 
 
 def _point(path: AtlasPath, number: int, fraction: float) -> AtlasPoint:
+    u, v = _parameters(path, number, np.array([fraction]))[0].tolist()
+    return AtlasPoint(path.pieces[number].patch, u, v)
+
+
+def _parameters(path: AtlasPath, number: int, fraction: Array) -> Array:
+    """Return (u, v) at fractions (k,) of a piece, shape (k, 2)."""
     piece = path.pieces[number]
-    values = piece.space.functions.values(np.array([fraction]))[0] @ piece.values.T
-    u, v = np.clip(values, 0.0, 1.0).tolist()
-    return AtlasPoint(piece.patch, u, v)
+    return np.clip(piece.space.functions.values(fraction) @ piece.values.T, 0.0, 1.0)
 
 
-def _above(path: AtlasPath, number: int, fraction: float, height: float) -> float:
-    point = _point(path, number, fraction)
-    position = evaluate(path.atlas.control_points[point.patch], (point.u, point.v))
-    return float(position @ path.atlas.axes.up_vector) - height
+def _heights(path: AtlasPath, number: int, fraction: Array) -> Array:
+    """Return the heights at fractions (k,) of a piece, shape (k,)."""
+    net = path.atlas.control_points[path.pieces[number].patch]
+    positions = evaluate(net, _parameters(path, number, fraction))
+    return np.asarray(positions @ path.atlas.axes.up_vector)

@@ -68,10 +68,12 @@ class Hollow(LandmarkRule, frozen=True, kw_only=True, tag="hollow"):
         found: list[tuple[float, AtlasPoint]] = []
         sign = outward_sign(atlas)
         for number, fraction in _turns(path, ends[0], axis):
-            point, offset, _, normal = _state(path, number, fraction, ends[0], axis)
+            place, offset, _, normal = (
+                each[0] for each in _state(path, number, np.array([fraction]), ends[0], axis)
+            )
             depth = float(np.linalg.norm(offset))
             if depth > max(self.least, STRAIGHT) * length and sign * float(offset @ normal) < 0.0:
-                found.append((depth, point))
+                found.append((depth, AtlasPoint(path.pieces[number].patch, *place.tolist())))
         if found:
             return on_the_left(path, max(found, key=lambda candidate: candidate[0])[1])
         if self.otherwise is None:
@@ -93,10 +95,10 @@ def _turns(path: AtlasPath, start: Array, axis: Array) -> list[tuple[int, float]
             continue
 
         def slope(fraction: float, number: int = number) -> float:
-            return _state(path, number, fraction, start, axis)[2]
+            return float(_state(path, number, np.array([fraction]), start, axis)[2][0])
 
         grid = np.arange(STEPS + 1) / STEPS
-        values = np.array([slope(float(t)) for t in grid])
+        values = _state(path, number, grid, start, axis)[2]
         for k in np.flatnonzero(values[:-1] * values[1:] < 0.0):
             root = scipy.optimize.brentq(slope, grid[k], grid[k + 1], xtol=ROOT_TOLERANCE)
             result.append((number, float(root)))
@@ -106,17 +108,19 @@ def _turns(path: AtlasPath, start: Array, axis: Array) -> list[tuple[int, float]
 
 
 def _state(
-    path: AtlasPath, number: int, fraction: float, start: Array, axis: Array
-) -> tuple[AtlasPoint, Array, float, Array]:
-    """Return point, offset from the chord, half the slope of the offset's square, and normal."""
+    path: AtlasPath, number: int, fraction: Array, start: Array, axis: Array
+) -> tuple[Array, Array, Array, Array]:
+    """Return (u, v), offsets from the chord, half the slopes of their squares, and normals.
+
+    They are those at fractions (k,) of a piece, one each a row.
+    """
     piece = path.pieces[number]
-    matrices = piece.space.matrices(fraction)[:2, 0]
-    (u, v), (u_slope, v_slope) = (matrices @ piece.values.T).tolist()
-    u, v = min(max(u, 0.0), 1.0), min(max(v, 0.0), 1.0)
+    place, slope = piece.space.matrices(fraction)[:2] @ piece.values.T
+    place = np.clip(place, 0.0, 1.0)
     net = path.atlas.control_points[piece.patch]
-    jet = derivatives(net, (u, v), order=1)
-    offset = jet[0, 0] - start
-    offset -= (offset @ axis) * axis
-    velocity = u_slope * jet[1, 0] + v_slope * jet[0, 1]
-    normal = np.cross(jet[1, 0], jet[0, 1])
-    return AtlasPoint(piece.patch, u, v), offset, float(offset @ velocity), normal
+    jet = derivatives(net, place, order=1)
+    by_u, by_v = jet[:, 1, 0], jet[:, 0, 1]
+    offset = jet[:, 0, 0] - start
+    offset -= (offset @ axis)[:, None] * axis
+    velocity = slope[:, :1] * by_u + slope[:, 1:] * by_v
+    return place, offset, (offset * velocity).sum(axis=1), np.cross(by_u, by_v)
