@@ -25,6 +25,8 @@ from bodymeasure.scene.tapes.text import column_texts, leaders
 # Pictures are shown at half their size in pixels, for displays with twice the usual resolution.
 BODY_PIXELS = 1400
 LABEL_PIXELS = 26
+# Pictures for paper are drawn at this part of it: 80 mm high, they have 320 pixels to the inch.
+PAPER = 0.72
 # Room beside the body for the labels and their leaders, as a fraction of the body's height.
 LABEL_ROOM = 0.065
 # Distance of the labels from the silhouette, in heights of a label.
@@ -45,7 +47,7 @@ class TapePictures:
         WebP files by group of measurements and side: ``front``, ``back``, and the wearer's ``left``
         and ``right``. The groups with a tape follow in the order of the chart; sides on which none
         of a group's measurements is numbered are left out. All are equally high and to one scale.
-        They are to be shown at half their size in pixels, where the widest are 560 wide.
+        They are to be shown 630 to 700 pixels high, where the widest are 560 wide.
     closeups : mapping of str to bytes
         WebP files, all of one size, by the key of a measurement with a tape; to be shown at half
         their size in pixels.
@@ -79,7 +81,8 @@ def tape_pictures(
     chart : Chart
     few : bool
         Whether only what paper needs is drawn, beside a scene that can be turned: the body from
-        the fewest sides on which all measurements of a group are numbered, and none from near.
+        the fewest sides on which all measurements of a group are numbered, with fewer pixels, and
+        none from near.
     renderer : str, optional
         ``pyvista`` or ``software``; by default as `choose_renderer` says.
     advance : callable, optional
@@ -161,11 +164,12 @@ def _body_pictures(
     seen = _seen(scene, axes)
     shown = shown_sides(scene, seen)
     groups = _groups(scene)
+    scale = PAPER if few else 1.0
     sides = {group: _fewest(lines, shown) if few else SIDES for group, lines in groups.items()}
     for side in SIDES:
         for group, lines in groups.items():
             if side in sides[group] and (numbers := _numbers(lines, shown, side)):
-                yield (group, side), body_picture(scene, lines, numbers, seen[side])
+                yield (group, side), body_picture(scene, lines, numbers, seen[side], scale)
 
 
 def _fewest(lines: Sequence[TapeLine], shown: Mapping[str, set[str]]) -> list[str]:
@@ -221,7 +225,11 @@ def shown_sides(scene: TapeScene, seen: Mapping[str, Sight]) -> dict[str, set[st
 
 
 def body_picture(
-    scene: TapeScene, lines: Sequence[TapeLine], numbers: Sequence[int], side: Sight
+    scene: TapeScene,
+    lines: Sequence[TapeLine],
+    numbers: Sequence[int],
+    side: Sight,
+    scale: float = 1.0,
 ) -> Picture:
     """Describe the picture of one side of a body with some tapes.
 
@@ -233,13 +241,14 @@ def body_picture(
     numbers : sequence of int
         Numbers of the measurements that are numbered.
     side : Sight
+    scale : float
+        Part of the usual number of pixels in each direction.
     """
-    view = side.view
-    size = view.size(BODY_PIXELS)
+    view, label = side.view, scale * LABEL_PIXELS
+    size = view.size(round(scale * BODY_PIXELS))
     drawn = [line for line in lines if not line.through_body or line.number in numbers]
     low, high = (size[0] * end for end in side.columns)
-    gap = GAP * LABEL_PIXELS
-    columns = Columns(low - gap, high + gap, 0.0, size[1], LABEL_PIXELS)
+    columns = Columns(low - GAP * label, high + GAP * label, 0.0, size[1], label)
     found, layout = numbered(drawn, numbers, side, size, columns)
     return Picture(
         side.surface,
