@@ -86,14 +86,17 @@ def crossings(skin: Skin, nodes: Array) -> tuple[Ints, Array, Pins]:
     start, way = nodes[differ], np.diff(nodes, axis=0)[differ]
     t = np.arange(SAMPLES + 1) / SAMPLES
     inside = (start[:, None] + t[:, None] * way[:, None]).reshape(-1, 3)
-    feet = skin.feet(inside)
-    patch = feet.patch.reshape(-1, SAMPLES + 1)
-    low_in = (feet.gap <= skin.touching).reshape(-1, SAMPLES + 1)
-    row, step = np.nonzero((patch[:, 1:] != patch[:, :-1]) & (low_in[:, 1:] | low_in[:, :-1]))
-    low, high = t[step], t[step + 1]
-    before = patch[row, step]
-    if not len(row):
-        return row, np.empty((0, 3)), no_pins(0)
+    patch, x = skin.closest(inside)
+    step = np.flatnonzero((patch[1:] != patch[:-1]) & (np.arange(1, len(patch)) % len(t) > 0))
+    # Most seams are so smooth that they are no ridges.
+    step = step[_may_be_ridge(skin, patch[step], patch[step + 1])]
+    both = np.concatenate([step, step + 1])
+    gap = skin.read(inside[both], patch[both], x[both]).gap
+    step = step[(gap <= skin.touching).reshape(2, -1).any(axis=0)]
+    if not len(step):
+        return step, np.empty((0, 3)), no_pins(0)
+    row, first = np.divmod(step, len(t))
+    low, high, before = t[first], t[first + 1], patch[step]
     for _ in range(ROUNDS):
         low, high = _narrowed(skin, (start[row], way[row]), before, (low, high))
     position = start[row] + high[:, None] * way[row]
@@ -108,6 +111,14 @@ def crossings(skin: Skin, nodes: Array) -> tuple[Ints, Array, Pins]:
     row, before, side, along = row[sharp], before[sharp], side[sharp], along[sharp]
     place = _curve(skin, before, side, along)[0]
     return differ[row], place, Pins(before, side)
+
+
+def _may_be_ridge(skin: Skin, patch: Ints, other: Ints) -> Bools:
+    """Return whether the way from some patches to others may lead over a ridge."""
+    between = skin.to_patch[patch] == other[:, None]
+    # Where patches share no seam, the way leads over a corner of a third one.
+    over = np.where(between.any(axis=1)[:, None], between, True)
+    return np.asarray((over & skin.ridge[patch]).any(axis=1))
 
 
 def _narrowed(

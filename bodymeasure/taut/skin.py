@@ -26,8 +26,9 @@ SAMPLES = 12
 # After a step of this size in (u, v), the error that is left is about its square, as in Newton's
 # method.
 LAST_STEP = 1e-6
-# Degrees by which the skin turns over a seam, beyond which both patches are searched for a foot.
-SHARP = 30.0
+# Degrees by which the skin turns over a seam, beyond which both patches are searched for a foot,
+# and below which, at all the places where it is compared, the seam nowhere holds a pin.
+SHARP, BLUNT = 30.0, 1.4
 # Positions closer to the skin than this part of the atlas's size have no direction from their foot
 # but rounding.
 TOUCHING = 1e-9
@@ -99,9 +100,10 @@ class Skin:
         self.samples = flat.reshape(len(atlas), -1, 3)
         seams = seams_of(table, collapsed)
         angle = kink_angles(atlas.control_points, seams)
-        self.sharp = np.zeros(collapsed.shape, dtype=np.bool_)
+        self.sharp, self.ridge = np.zeros((2, *collapsed.shape), dtype=np.bool_)
         for one in (0, 1):
             self.sharp[seams.patch[:, one], seams.side[:, one]] = angle > SHARP
+            self.ridge[seams.patch[:, one], seams.side[:, one]] = angle > BLUNT
         self.open = (self.to_patch < 0) & ~collapsed
         self.poles = Poles(self.coefficients, collapsed, self.size)
         self.pole_normals = self._pole_normals()
@@ -116,7 +118,7 @@ class Skin:
 
     def feet(self, positions: Array) -> Feet:
         """Return the closest points of the skin to positions (k, 3)."""
-        return self._read(positions, *self.closest(positions))
+        return self.read(positions, *self.closest(positions))
 
     def closest(self, positions: Array) -> tuple[Ints, Array]:
         """Return the patches (k,) of these points, and the parameters there (k, 2), alone."""
@@ -183,7 +185,8 @@ class Skin:
         to_patch, to_side = self.to_patch[patch, side], self.to_side[patch, side]
         return to_patch, entered(x, side, to_side, self.flipped[patch, side])
 
-    def _read(self, positions: Array, patch: Ints, x: Array) -> Feet:
+    def read(self, positions: Array, patch: Ints, x: Array) -> Feet:
+        """Return feet whose patches (k,) and parameters (k, 2) are known."""
         foot, normal, bend = self.frame(patch, x)
         offset = positions - foot
         gap = np.einsum("kc,kc->k", offset, normal)
