@@ -38,10 +38,9 @@ bool solve_free(const BoxModel &model, const double *bound, double *factor, doub
         const bool is_free = std::isnan(bound[j]);
         const int64_t below = bands < n - j ? bands : n - j;
         column[0] = is_free ? model.matrix[j] : 1.0;
-        for (int64_t row = 1; row < stride; ++row) {
-            const bool both = is_free && row < below && std::isnan(bound[j + row]);
-            column[row] = both ? model.matrix[row * n + j] : 0.0;
-        }
+        for (int64_t row = 1; row < stride; ++row) column[row] = 0.0;
+        for (int64_t row = 1; row < below && is_free; ++row)
+            if (std::isnan(bound[j + row])) column[row] = model.matrix[row * n + j];
     }
     for (int64_t j = 0; j < n; ++j) {
         double *__restrict column = factor + j * stride;
