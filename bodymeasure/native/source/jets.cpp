@@ -12,10 +12,9 @@ constexpr int64_t MOST_COLUMNS = 40;
 
 // One patch, at points (points, 2), from nets of shape (functions, width), of which the first
 // columns are wanted: (columns, stride), where the points of this patch stand side by side.
-FOR_EACH_PROCESSOR
-void jets_of_patch(int64_t degree_u, int64_t degree_v, int64_t width, int64_t columns,
-                   const double *net, int64_t points, const double *parameters, int64_t stride,
-                   double *jets) {
+inline void jets_at(int64_t degree_u, int64_t degree_v, int64_t width, int64_t columns,
+                    const double *net, int64_t points, const double *parameters, int64_t stride,
+                    double *jets) {
     for (int64_t k = 0; k < points; ++k) {
         double by_u[MOST_SIDE], by_v[MOST_SIDE], sums[MOST_COLUMNS];
         bernstein(degree_u, parameters[2 * k], by_u);
@@ -30,6 +29,19 @@ void jets_of_patch(int64_t degree_u, int64_t degree_v, int64_t width, int64_t co
         }
         for (int64_t c = 0; c < columns; ++c) jets[c * stride + k] = sums[c];
     }
+}
+
+// The same; for points of bicubic patches, and for their derivatives up to the second and the third,
+// the compiler knows how long the loops are.
+FOR_EACH_PROCESSOR
+void jets_of_patch(int64_t degree_u, int64_t degree_v, int64_t width, int64_t columns,
+                   const double *net, int64_t points, const double *parameters, int64_t stride,
+                   double *jets) {
+    const int64_t known = degree_u == 3 && degree_v == 3 ? columns : 0;
+    if (known == 3) return jets_at(3, 3, width, 3, net, points, parameters, stride, jets);
+    if (known == 18) return jets_at(3, 3, width, 18, net, points, parameters, stride, jets);
+    if (known == 30) return jets_at(3, 3, width, 30, net, points, parameters, stride, jets);
+    jets_at(degree_u, degree_v, width, columns, net, points, parameters, stride, jets);
 }
 
 }  // namespace bodymeasure
