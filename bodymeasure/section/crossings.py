@@ -87,11 +87,14 @@ def _lines_of_sides(
     edge_count = len(table.sides)
     row = np.where(on_edge, table.edge[patch, side], -1)
     inner = ~on_edge
-    keys = np.stack([patch[inner], axis[inner], value[inner]], axis=-1)
-    lines, place = np.unique(keys, axis=0, return_inverse=True)
-    row[inner] = edge_count + place.ravel()
+    lines = np.stack([patch[inner], axis[inner], value[inner]], axis=-1)
+    # One number for each line: those of a patch lie much farther apart than its rounding.
+    number = 2.0 * (2.0 * lines[:, 0] + lines[:, 1]) + lines[:, 2]
+    _, first, place = np.unique(number, return_index=True, return_inverse=True)
+    row[inner] = edge_count + place
 
-    coefficients = np.concatenate([_along_edges(distance, table), _along_lines(distance, lines)])
+    lines = _along_lines(distance, lines[first])
+    coefficients = np.concatenate([_along_edges(distance, table), lines])
     sides = np.concatenate([table.sides, np.zeros(len(lines), dtype=np.int64)])
     return (coefficients, row, sides), flipped, low, high
 

@@ -16,13 +16,13 @@ from bodymeasure.section.loop import SectionLoop
 # The number of samples on each piece to begin with: they have to separate hollows, not to measure
 # them.
 SAMPLES = 12
-# The number of parts into which the steps beside a bridge's ends are cut in each round: four rounds
-# lead from 1/12 of a piece to the finest steps. More are needed where hollows show late.
-CUTS = 17
+# The number of parts into which the steps beside a bridge's ends are cut in each round, and the
+# most rounds: three lead from 1/12 of a piece to the finest steps, but some hollows show late.
+CUTS = 21
 ROUNDS = 12
 # Where the ends of bridges are known to within this part of a piece, their lengths are exact except
 # for rounding, since an error e of a tangent's foot changes the perimeter by some e^3.
-FINEST = 1e-6
+FINEST = 1e-5
 # Hollows that save less than this part of the length are not worth a closer look.
 NEGLIGIBLE = 1e-14
 # Angles with a smaller sine are straight: the rounding of the finest steps stays below, and hollows

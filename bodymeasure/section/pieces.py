@@ -1,6 +1,6 @@
 """Pieces of a section: points on them, and their lengths."""
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from functools import cached_property, lru_cache
 
 import numpy as np
@@ -49,14 +49,21 @@ class Pieces:
 
     def take(self, rows: Ints | Bools | slice) -> "Pieces":
         """Return some of the pieces."""
-        return Pieces(*(getattr(self, field.name)[rows] for field in fields(self)))
+        return Pieces(
+            self.patch[rows],
+            self.axis[rows],
+            self.start[rows],
+            self.stop[rows],
+            self.low[rows],
+            self.high[rows],
+        )
 
     def between(self, first: Array, last: Array) -> "Pieces":
         """Return the part of each piece from one fraction of its range to another."""
         span = self.stop - self.start
         # Fractions 0 and 1 give a piece's own ends to the last bit.
         start, stop = (np.where(t == 1.0, self.stop, self.start + t * span) for t in (first, last))
-        return replace(self, start=start, stop=stop)
+        return Pieces(self.patch, self.axis, start, stop, self.low, self.high)
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,9 +143,10 @@ class CutSurface:
         fraction = np.broadcast_to(at, (len(pieces), len(at)))
         _, position, velocity = self.points(pieces, fraction)
         speed = np.sqrt(np.einsum("knc,knc->nk", velocity, velocity))
+        a, b, c = self.plane.normal.tolist()
         # The normal times the cross product of two vectors is a product with a skew matrix.
-        across = np.cross(self.plane.normal, np.eye(3))
-        sweep = np.einsum("knc,knc->nk", (position - self.plane.point) @ across, velocity)
+        skew = np.array([[0.0, c, -b], [-c, 0.0, a], [b, -a, 0.0]])
+        sweep = np.einsum("knc,knc->nk", (position - self.plane.point) @ skew, velocity)
         return np.concatenate([weights @ speed, weights[:1] @ sweep])
 
 
