@@ -59,11 +59,7 @@ class BezierSurfaces:
 
     def jet(self, parameters: Array, order: int) -> Array:
         """Return the derivatives in the order of `JET`, shape (derivatives, c, problems, k)."""
-        columns = self.coordinates * JET_SIZE[order]
-        if is_compiled() and max(self.degrees) <= MOST_DEGREE and columns <= MOST_COLUMNS:
-            jets = bezier_jets(self.nets, self.degrees, columns, parameters)
-            return jets.reshape(JET_SIZE[order], self.coordinates, *parameters.shape[:2])
-        return self._evaluated(self.nets[:, :, :columns], parameters)
+        return self._combined(self.nets, self.coordinates * JET_SIZE[order], parameters)
 
     def positions(self, parameters: Array) -> Array:
         """Return points, shape (problems, k, 3), without preparing any derivatives."""
@@ -72,10 +68,18 @@ class BezierSurfaces:
     def magnitude(self, parameters: Array) -> Array:
         """Return the size of the terms of S_u and S_v, shape (2, problems, k)."""
         columns = slice(self.coordinates, self.coordinates * JET_SIZE[2])
-        terms = self._evaluated(np.abs(self.nets[:, :, columns]), parameters)
+        sizes = np.abs(self.nets[:, :, columns])
+        terms = self._combined(sizes, sizes.shape[2], parameters)
         s_u, s_v, s_uu, s_uv, s_vv = np.linalg.norm(terms, axis=1)
         u, v = np.abs(np.moveaxis(parameters, -1, 0))
         return np.stack([s_u + s_uu * u + s_uv * v, s_v + s_uv * u + s_vv * v])
+
+    def _combined(self, nets: Array, columns: int, parameters: Array) -> Array:
+        """The first columns of nets at points, shape (columns / c, c, problems, k)."""
+        if is_compiled() and max(self.degrees) <= MOST_DEGREE and columns <= MOST_COLUMNS:
+            found = bezier_jets(nets, self.degrees, columns, parameters)
+            return found.reshape(-1, self.coordinates, *parameters.shape[:2])
+        return self._evaluated(nets[:, :, :columns], parameters)
 
     def _evaluated(self, nets: Array, parameters: Array) -> Array:
         problems, count = parameters.shape[:2]

@@ -268,21 +268,20 @@ def _of_loop(refined: RefinedPath, crossings: _Crossings) -> tuple[float, float,
 def _stiffness(loop: RefinedPath) -> Array | None:
     """The Hessian of a loop's length by its crossings; None if a piece is not the shortest."""
     _, _, bend = loop.problem.by_piece(loop.minimum.unknowns)
+    # What is held stays where it is: its row and column are those of the identity.
+    free = ~loop.minimum.held[loop.problem.rows[:, 1:-1]]
+    within = np.where(free[:, :, None] & free[:, None, :], bend[:, 1:-1, 1:-1], 0.0)
+    diagonal = np.arange(free.shape[1])
+    within[:, diagonal, diagonal] += ~free
+    beside = np.where(free[:, :, None], bend[:, 1:-1, [0, -1]], 0.0)
+    try:
+        np.linalg.cholesky(within)
+    except np.linalg.LinAlgError:
+        return None
+    condensed = bend[:, [[0], [-1]], [0, -1]]
+    condensed = condensed - beside.transpose(0, 2, 1) @ np.linalg.solve(within, beside)
     pieces = len(bend)
     result = np.zeros((pieces, pieces))
-    held = loop.minimum.held[loop.problem.rows]
-    ends = np.array([0, -1])
-    for piece in range(pieces):
-        inner = 1 + np.flatnonzero(~held[piece, 1:-1])
-        condensed = bend[piece][np.ix_(ends, ends)]
-        if len(inner):
-            within = bend[piece][np.ix_(inner, inner)]
-            try:
-                factor = scipy.linalg.cho_factor(within, lower=True)
-            except scipy.linalg.LinAlgError:
-                return None
-            beside = bend[piece][np.ix_(inner, ends)]
-            condensed = condensed - beside.T @ scipy.linalg.cho_solve(factor, beside)
-        at = np.array([piece, (piece + 1) % pieces])
-        np.add.at(result, (at[:, None], at), condensed)
+    at = (np.arange(pieces)[:, None] + (0, 1)) % pieces
+    np.add.at(result, (at[:, :, None], at[:, None, :]), condensed)
     return result

@@ -17,6 +17,8 @@ from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.sides import one_sided, seam_runs
 
+# The degree while a loop slides: its polynomials only have to show in which direction.
+SLIDING = 3
 # A piece below this part of the path's length may be one too many.
 SHORT = 1e-3
 # A path that crosses a seam this near to a corner, in the parameter of the seam, may have to pass
@@ -25,6 +27,8 @@ NEAR_CORNER = 1e-2
 # A piece that could be shorter by no more than this part of the path needs no neighbor. That is so
 # where a piece runs along a seam from which the surface falls equally on both sides.
 WORTHWHILE = 1e-10
+# While a loop slides, such small ones are only those of its degree.
+WORTHWHILE_SLIDING = 1e-7
 # A path that is farther outside its patch than this, between its nodes, lacks a neighbor.
 OUTSIDE = 1e-9
 
@@ -58,7 +62,8 @@ def other_loops(neighbors: Neighbors, loop: RefinedPath) -> Iterator[Route]:
     corners = list(_round_corners(neighbors, route))
     yield from _all_at_once(route, [change for change in corners if held[slice(*change[:2])].any()])
     yield from _without_returns(loop)
-    changes = list(detours(neighbors, loop))
+    worthwhile = WORTHWHILE_SLIDING if loop.problem.space.size <= SLIDING else WORTHWHILE
+    changes = list(detours(neighbors, loop, worthwhile))
     yield from _all_at_once(loop.route, changes)
     yield from (loop.route.replaced(*change) for change in changes)
     yield from (route.replaced(*change) for change in corners)
@@ -151,10 +156,13 @@ def _corners(route: Route) -> list[tuple[AtlasPoint | None, AtlasPoint | None]]:
     return result
 
 
-def detours(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Change]:
+def detours(
+    neighbors: Neighbors, refined: RefinedPath, worthwhile: float = WORTHWHILE
+) -> Iterator[Change]:
     """Yield ways over the neighbor behind an edge.
 
-    The edge holds the path, or the path passes it between its nodes.
+    The edge holds the path, or the path passes it between its nodes. A piece that could be shorter
+    by no more than `worthwhile` parts of the path is left out.
     """
     route, space, values = refined.route, refined.problem.space, refined.values
     times = np.concatenate([space.nodes[1:-1], space.times_between])
@@ -163,7 +171,7 @@ def detours(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Change]:
     held = refined.held_nodes
     # The gain is how much shorter each piece could be if nothing held it.
     gain = np.abs(refined.by_piece.correction)
-    for piece in np.flatnonzero(~(gain < WORTHWHILE * refined.lengths.sum())).tolist():
+    for piece in np.flatnonzero(~(gain < worthwhile * refined.lengths.sum())).tolist():
         patch = route.patches[piece]
         # The number of the crossing that leaves the piece.
         leaving = piece + route.closed

@@ -11,12 +11,15 @@ from bodymeasure.geodesic.across.pieces.budget import Budget
 from bodymeasure.geodesic.across.pieces.part import PathPart
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
 from bodymeasure.geodesic.across.routes.route import Route
-from bodymeasure.geodesic.across.search.other_routes import detours, other_loops, other_routes
+from bodymeasure.geodesic.across.search.other_routes import (
+    SLIDING,
+    detours,
+    other_loops,
+    other_routes,
+)
 from bodymeasure.geodesic.across.search.simpler import ROUNDING, simplified
 from bodymeasure.geodesic.across.search.tried import TriedRoutes
 
-# The degree while a loop slides: its polynomials only have to show in which direction.
-SLIDING = 3
 # The relative error that is wanted for a length.
 TOLERANCE = 1e-9
 # Which edges hold a path is read off at degrees up to this: where it cannot be, it hardly can at

@@ -17,7 +17,8 @@ from bodymeasure.geodesic.across.pieces.part import PathPart
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.off_saddle import beside_saddle
-from bodymeasure.geodesic.across.search.repair import NO_LOOP, SLIDING, TOLERANCE, Search, repaired
+from bodymeasure.geodesic.across.search.other_routes import SLIDING
+from bodymeasure.geodesic.across.search.repair import NO_LOOP, TOLERANCE, Search, repaired
 from bodymeasure.geodesic.across.search.tried import PassedPaths, TriedRoutes
 from bodymeasure.geodesic.status import Status
 from bodymeasure.trust import NEGLIGIBLE
