@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from bodymeasure.bench.entrants.entrants import POINTS_A_SIDE
 from bodymeasure.measure import package_versions
 from bodymeasure.paper.analysis.forms import COUNTS as FORM_COUNTS
 from bodymeasure.paper.analysis.forms import forms_table, quadrature_table
@@ -28,11 +29,13 @@ from bodymeasure.paper.tables.aims import accuracy_bars, speed_bars
 from bodymeasure.paper.tables.beyond import (
     COUNTS,
     FEW_COUNTS,
+    Known,
     beyond_table,
     families,
     known_diagonals,
 )
 from bodymeasure.paper.tables.medians import medians_table
+from bodymeasure.paper.tables.named_methods import named_methods_table
 from bodymeasure.paper.tables.readings import closest_table, events_table
 from bodymeasure.paper.tables.scaling import measure_scaling, scaling_table
 from bodymeasure.paper.tables.speed import BATCH, speed_table
@@ -63,7 +66,9 @@ FUTURE_PATCHES, QUICK_FUTURE_PATCHES = 100, 20
 # Numbers of patches of the chosen reading for what lies beyond the paper, and for the scaling.
 BEYOND_PATCHES, QUICK_BEYOND_PATCHES = 200, 20
 SCALING_PATCHES, QUICK_SCALING_PATCHES = 600, 40
-PACKAGES = ("bodymeasure", "numpy", "scipy", "libigl", "matplotlib")
+# Numbers of diagonals for the methods on meshes.
+NAMED_DIAGONALS, QUICK_NAMED_DIAGONALS = 12, 2
+PACKAGES = ("bodymeasure", "numpy", "scipy", "libigl", "matplotlib", "potpourri3d", "pygeodesic")
 
 FEW_FORM_COUNTS = (4, 8)
 
@@ -208,6 +213,24 @@ def _beyond(study: _Study) -> None:
     study.tables += [medians_table(table), table]
 
 
+def _named(study: _Study) -> None:
+    """The methods on meshes that the paper's introduction names."""
+    quick = study.settings.quick
+    count = QUICK_NAMED_DIAGONALS if quick else NAMED_DIAGONALS
+    nets = study.chosen.data.control_points.reshape(-1, 4, 4, 3)
+    problems = [
+        _first(known_diagonals(f"random, {CHOSEN}", nets[: 2 * count]), count),
+        _first(known_diagonals(BODY_PATCHES.name, study.body.data.control_points[0]), count),
+    ]
+    points = POINTS_A_SIDE[:2] if quick else POINTS_A_SIDE
+    with study.bar("the methods that the paper names", len(problems)) as progress:
+        study.tables.append(named_methods_table(problems, points, progress))
+
+
+def _first(known: Known, count: int) -> Known:
+    return Known(known.name, known.control_points[:count], known.length[:count])
+
+
 def _future(study: _Study) -> None:
     """The weak form, orders, proofs and bounds."""
     quick = study.settings.quick
@@ -234,5 +257,6 @@ PARTS: tuple[tuple[str, Callable[[_Study], None]], ...] = (
     ("speed", _speed),
     ("distributed collocation", _scaling),
     ("beyond 2007", _beyond),
+    ("the methods that the paper names", _named),
     ("future work of 2007", _future),
 )

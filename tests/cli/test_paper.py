@@ -82,7 +82,7 @@ def test_every_table_and_the_page(
     tables = content["tables"]
     for start, count in (("table_3_", 2), ("table_4_", 4), ("truth_", 3), ("speed_", 3)):
         assert sum(name.startswith(start) for name in tables) == count
-    assert {"closest", "events", "table_5", "scaling", "beyond"} <= set(tables)
+    assert {"closest", "events", "table_5", "scaling", "beyond", "named_methods"} <= set(tables)
     assert all(row["identical"] for row in tables["scaling"]["rows"])
     with (folder / "tables.csv").open(encoding="utf-8", newline="") as file:
         lines = list(csv.DictReader(file))
@@ -143,7 +143,13 @@ def test_bad_options_are_bad_input(
 
 
 @pytest.mark.parametrize(
-    ("module", "package"), [("igl", "libigl"), ("jinja2", "jinja2"), ("matplotlib", "matplotlib")]
+    ("module", "package"),
+    [
+        ("igl", "libigl"),
+        ("jinja2", "jinja2"),
+        ("matplotlib", "matplotlib"),
+        ("potpourri3d", "potpourri3d"),
+    ],
 )
 def test_a_missing_package_is_told_before_any_work(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, module: str, package: str

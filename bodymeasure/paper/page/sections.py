@@ -73,6 +73,14 @@ SECTIONS: tuple[tuple[str, str, tuple[str, ...], str], ...] = (
         "line, in place of a search for all solutions, they are not.",
     ),
     (
+        "named",
+        "The methods that the paper names",
+        ("named_",),
+        "The paper's introduction names methods on triangle meshes: straightest paths [4], "
+        "subdivision and unfolding [5], straightest paths with normals [6], and fast marching [7]. "
+        "Here they are beside exact paths, edge flips and the heat method.",
+    ),
+    (
         "future",
         "Future work of 2007",
         ("future_",),
