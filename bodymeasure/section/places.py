@@ -21,8 +21,8 @@ SAMPLES = 24
 # The number of parts into which the steps about a place are cut in each round.
 CUTS = 8
 # The rounds after which 1/24 of a piece has shrunk to rounding, and those after which it has shrunk
-# to 1e-7: at a maximum, heights differ by the square of that.
-ROUNDS, ROUNDS_OF_HEIGHTS = 15, 6
+# to 1e-7: at a maximum, heights differ by the square of that. After two, slopes take over.
+ROUNDS, ROUNDS_OF_HEIGHTS, ROUNDS_TO_SLOPES = 15, 6, 2
 # The most steps to a change of sign, each of which at least halves its bracket. Some five are
 # usual.
 STEPS = 54
@@ -61,6 +61,20 @@ def nearest_place(loop: Curve, position: ArrayLike) -> float:
 
     place = _sampled(loop)
     center = place[[np.argmax(nearness(place))]]
+    near = _highest(loop, nearness, center, ROUNDS_TO_SLOPES)
+    # Distances are the same for a way of the square root of their rounding; their slope is not.
+    row = np.minimum(near.astype(np.int64), loop.count - 1)
+    away = np.array([[-1.0], [1.0]]) / (SAMPLES * CUTS**ROUNDS_TO_SLOPES)
+    low, high = np.clip(near - row + away, 0.0, 1.0)
+
+    def slope(fraction: Array, _rows: Ints) -> Array:
+        positions, velocities = loop.motion(row, fraction[:, None])
+        return np.asarray(((positions - target) * velocities).sum(axis=(1, 2)))
+
+    at_low, at_high = slope(low, row), slope(high, row)
+    if at_low[0] < 0.0 < at_high[0]:
+        return float((row + _roots(slope, low, high, at_low, at_high, FINEST))[0])
+    # It is a kink between two pieces, or an end.
     return float(_highest(loop, nearness, center, ROUNDS)[0])
 
 
