@@ -78,7 +78,9 @@ class BezierSurfaces:
         """The first columns of nets at points, shape (columns / c, c, problems, k)."""
         if is_compiled() and max(self.degrees) <= MOST_DEGREE and columns <= MOST_COLUMNS:
             found = bezier_jets(nets, self.degrees, columns, parameters)
-            return found.reshape(-1, self.coordinates, *parameters.shape[:2])
+            return found.reshape(
+                columns // self.coordinates, self.coordinates, *parameters.shape[:2]
+            )
         return self._evaluated(nets[:, :, :columns], parameters)
 
     def _evaluated(self, nets: Array, parameters: Array) -> Array:
