@@ -88,6 +88,11 @@ def test_the_energy_of_paths_to_the_second_order(
         assert_near(getattr(compiled, name), getattr(plain, name))
 
 
+def test_no_points_have_derivatives_of_the_same_shape() -> None:
+    surface = BezierSurfaces(np.zeros((0, 4, 4, 3)))
+    assert surface.jet(np.zeros((0, 5, 2)), 2).shape == (6, 3, 0, 5)
+
+
 @given(seeds, st.integers(1, 40), st.integers(1, 9), st.floats(-0.5, 2.0))
 def test_steps_to_the_minima_of_models_in_a_box(
     seed: int, size: int, width: int, definiteness: float
