@@ -75,6 +75,10 @@ def solve_on_spaces(
             part = surface.take(chunk)
             found = solver(part, space, values[chunk], max_iterations=limit)
             iterations[chunk] += found.iterations
+            if not (is_last or found.converged.any()):
+                # All go on to the next space, from the straight line; no length is asked for.
+                values[chunk] = np.nan
+                continue
             batch = _measured(part, space, chunk, found, tolerance)
             done = batch.converged | (is_last or is_far_outside(batch, found.converged))
             values[chunk] = np.where(found.converged[:, None, None], found.values, np.nan)
