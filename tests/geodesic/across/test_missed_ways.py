@@ -82,6 +82,17 @@ def test_the_shorter_one_of_two_paths_along_one_route_is_found(
         assert path.error_estimate < 1e-9
 
 
+def test_a_path_leaves_a_seam_that_holds_it_to_the_better_side() -> None:
+    body = body_of(np.random.default_rng(1001).standard_normal(60))
+    # The end is a corner on the seam of two patches, along which the path comes.
+    ends = AtlasPoint(74, 0.8, 0.25), AtlasPoint(360, 1.0, 1.0)
+    for start, end in (ends, ends[::-1]):
+        path = bm.geodesic_between(body, start, end)
+        # On the other patch it is 0.4519315311.
+        assert path.length <= 0.4519310044 + 2e-10
+        assert path.error_estimate < 1e-9
+
+
 @pytest.mark.slow
 def test_a_path_is_not_held_by_changing_sides_of_a_seam_back_and_forth() -> None:
     body = bm.load_sample("female_average")

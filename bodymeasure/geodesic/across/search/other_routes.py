@@ -41,7 +41,7 @@ def other_routes(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
     Those over further patches are `detours`.
     """
     route = refined.route
-    yield from _without_empty_ends(neighbors, refined)
+    yield from _without_ends(neighbors, refined)
     yield from _without_returns(refined)
     runs = seam_runs(neighbors, refined)
     yield from one_sided(neighbors, route, runs)
@@ -69,20 +69,23 @@ def other_loops(neighbors: Neighbors, loop: RefinedPath) -> Iterator[Route]:
     yield from (route.replaced(*change) for change in corners)
 
 
-def _without_empty_ends(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
-    """Routes without a first or last piece that has no length, since its end lies on the seam."""
-    route, total = refined.route, refined.lengths.sum()
+def _without_ends(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
+    """Routes without a first or last piece that only leads over the seam on which its end lies.
+
+    It has no length, or the seam holds it: a path may leave that to either side.
+    """
+    route = refined.route
     if route.ends is None or not route.crossings:
         return
     start, end = route.ends
-    if refined.lengths[0] < SHORT * total:
-        for step in neighbors.steps(start):
-            if step.crossing == route.crossings[0]:
-                yield Route((step.place, end), route.crossings[1:], route.along[1:])
-    if refined.lengths[-1] < SHORT * total:
-        for step in neighbors.steps(end):
-            if step.crossing == _back(route.crossings[-1], route.patches[-2]):
-                yield Route((start, step.place), route.crossings[:-1], route.along[:-1])
+    may_go = refined.lengths < SHORT * refined.lengths.sum()
+    may_go |= refined.held_nodes.any(axis=(1, 2))
+    for step in neighbors.steps(start) if may_go[0] else ():
+        if step.crossing == route.crossings[0]:
+            yield Route((step.place, end), route.crossings[1:], route.along[1:])
+    for step in neighbors.steps(end) if may_go[-1] else ():
+        if step.crossing == _back(route.crossings[-1], route.patches[-2]):
+            yield Route((start, step.place), route.crossings[:-1], route.along[:-1])
 
 
 def _back(crossing: Crossing, patch: int) -> Crossing:
