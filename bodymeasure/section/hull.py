@@ -28,6 +28,9 @@ NEGLIGIBLE = 1e-14
 # Angles with a smaller sine are straight: the rounding of the finest steps stays below, and hollows
 # so shallow save 1e-12 of the length.
 STRAIGHT = 1e-6
+# Which of the samples are corners is left to rounding where they are closer together than this part
+# of the length, as on the tiny pieces beside a corner of patches.
+CLOSE = 1e-11
 # The way round corners may be longer by this part in the loop's order than in the hull's.
 ORDER_TOLERANCE = 1e-9
 # An arc that crosses its line within this part of the chord from its end starts there, except for
@@ -214,7 +217,8 @@ def _refined(loop: Curve, corners_of: _Corners, turn: float) -> Hull:
         worth |= np.floor(place[first]) != np.floor(place[last])
         ends = np.concatenate([first[worth], last[worth]])
         steps = np.concatenate([ends - 1, ends, _concave_steps(samples, corners, turn)])
-        new = _between(place, np.unique(steps % len(place)), float(loop.count))
+        steps = _passed_on(flat, steps % len(place), CLOSE * loop.length)
+        new = _between(place, steps, float(loop.count))
         if not len(new):
             break
         samples, number = samples.joined(_Samples.at(loop, to_frame, new))
@@ -226,6 +230,18 @@ def _refined(loop: Curve, corners_of: _Corners, turn: float) -> Hull:
     spans = chords[-1].ends[saved > NEGLIGIBLE * loop.length]
     bridges = loop.positions_at(spans.ravel()).reshape(-1, 2, 3)
     return Hull(total, loop.error_estimate + abs(before - total), bridges, spans)
+
+
+def _passed_on(flat: Array, steps: Ints, close: float) -> Ints:
+    """Return steps, but in place of those no longer than `close` the ones on both sides of them."""
+    short = _sizes(np.roll(flat, -1, axis=0) - flat) <= close
+    # Samples that short steps join have one number; the last ones may be joined to the first.
+    number = np.cumsum(~np.roll(short, 1), dtype=np.int64)
+    number %= number[-1]
+    touched = np.isin(number, number[steps[short[steps]]])
+    chosen = touched | np.roll(touched, -1)
+    chosen[steps] = True
+    return np.flatnonzero(chosen & ~short)
 
 
 def _polygon_arcs(flat: Array, first: Ints, last: Ints) -> Array:
@@ -305,9 +321,9 @@ def _concave_steps(samples: _Samples, corners: Ints, turn: float) -> Ints:
     anticlockwise = np.sign(turn)
     into, out_of = (anticlockwise * _sine(*pair) for pair in ((leaving, chord), (chord, arriving)))
     concave = (into < -STRAIGHT) | (out_of < -STRAIGHT)
-    following = np.roll(steps, -1) == there
-    kink = anticlockwise * _sine(arriving, np.roll(leaving, -1, axis=0))
-    concave |= following & (kink < -STRAIGHT)
+    # The next sample may be no corner: rounding alone tells which of a tiny piece's samples are.
+    kink = anticlockwise * _sine(arriving, samples.leaving[there])
+    concave |= kink < -STRAIGHT
     # The hollow of a kink reaches into the step after it, too.
     return np.concatenate([steps[concave], steps[concave] + 1])
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from helpers.oracles.mesh_sections import richardson_length
+from scipy.spatial import ConvexHull
 
 from bodymeasure.errors import InputError
 from bodymeasure.samples import load_sample
@@ -66,3 +67,23 @@ def test_the_center_plane_lies_in_the_seams() -> None:
         atlas, Plane(1e-7 * atlas.axes.left_vector, atlas.axes.left_vector)
     )
     assert loop.length == pytest.approx(known, abs=1e-6 + move)
+
+
+@pytest.mark.parametrize(("name", "corner"), [("female_average", 182), ("male_average", 1229)])
+def test_hollows_beside_corners_of_patches(name: str, corner: int) -> None:
+    atlas = load_sample(name)
+    corners = atlas.control_points[:, ::3, ::3].reshape(-1, 3)
+    plane = Plane(corners[corner], atlas.axes.up_vector)
+    loops = [loop for loop in plane_section(atlas, plane).loops if loop.closed]
+    # The plane is moved off the corner, and cuts pieces from the patches there that are tiny.
+    assert min(loop.piece_length.min() for loop in loops) < 1e-9
+    for loop in loops:
+        coarse, fine = (
+            ConvexHull(
+                loop.positions_at(np.arange(count * loop.count) / count) @ plane.frame().T
+            ).area
+            for count in (500, 1000)
+        )
+        # Polygons of samples are too short by the square of their steps.
+        known = fine + (fine - coarse) / 3.0
+        assert convex_hull(loop).length == pytest.approx(known, abs=1e-11)
