@@ -5,6 +5,7 @@ import pytest
 from helpers.surfaces.cut_atlases import cut
 from helpers.surfaces.grids import grid_atlas
 
+from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors
@@ -12,6 +13,7 @@ from bodymeasure.geodesic.across.contact.pattern import FreePart, HeldPart, read
 from bodymeasure.geodesic.across.contact.solve import held_path
 from bodymeasure.geodesic.across.pieces.refine import refine
 from bodymeasure.geodesic.across.routes.route import Route
+from bodymeasure.geodesic.across.search.search import shortest_along
 from bodymeasure.geodesic.across.search.sides import one_sided, seam_runs
 from bodymeasure.geodesic.spaces.polygons import polygon_space
 
@@ -92,3 +94,27 @@ def test_routes_along_seams_are_put_on_either_side() -> None:
     assert sum(run.last - run.first for run in runs) >= 2
     found = one_sided(neighbors, refined.route, runs)
     assert {way.patches for way in found} == {(0, 1, 2), (3, 4, 5)}
+
+
+def test_a_path_beside_a_ridge_is_the_shorter_of_those_on_its_sides() -> None:
+    # The surface rises a little more on one side of the ridge over x = 1: there are shortest paths
+    # from end to end on both sides, of nearly one length, and a search may begin on either.
+    def place(x: Array, y: Array) -> Array:
+        ridge = np.where(np.isclose(x, 1.0), 0.1 * np.sin(np.pi * y / 3.0), 0.0)
+        return np.stack([x, y, ridge + 0.1 * x], axis=-1)
+
+    atlas = grid_atlas(2, 3, place)
+    neighbors = Neighbors(atlas)
+    found = []
+    for first, u in ((0, 1.0), (3, 0.0)):
+        ends = AtlasPoint(first, u, 0.0), AtlasPoint(first + 2, u, 1.0)
+        crossings = [
+            crossing
+            for patch in (first, first + 1)
+            for side in range(4)
+            for crossing in neighbors.over.get((patch, side), ())
+            if crossing.to_patch == patch + 1
+        ]
+        route = Route(ends, tuple(crossings), (abs(u - 0.05),) * 2)
+        found.append(shortest_along(atlas, neighbors, [route], 3.0).part.length.corrected)
+    np.testing.assert_allclose(found[0], found[1], rtol=1e-9)

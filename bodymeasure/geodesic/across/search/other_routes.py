@@ -15,7 +15,7 @@ from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.across.routes.route import Route
-from bodymeasure.geodesic.across.search.sides import one_sided, seam_runs
+from bodymeasure.geodesic.across.search.sides import one_sided, seam_runs, sides_of_middle
 
 # The degree while a loop slides: its polynomials only have to show in which direction.
 SLIDING = 3
@@ -45,6 +45,7 @@ def other_routes(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
     yield from _without_returns(refined)
     runs = seam_runs(neighbors, refined)
     yield from one_sided(neighbors, route, runs)
+    yield from sides_of_middle(neighbors, refined)
     # The path passes the corners between the seams along which it runs.
     passed = {number for run in runs for number in range(run.first, run.last)}
     yield from (route.replaced(*change) for change in _round_corners(neighbors, route, passed))

@@ -3,6 +3,9 @@
 The first route of a path that runs along several seams, as down the middle of a back, may change
 sides anywhere. Where the seams hold the path, that makes no difference. Where it leaves them by a
 little, it is the shortest if it stays on either side, but not if it has to change between them.
+
+On a body whose halves are alike, such a path has nearly its like on the other side of the seams in
+the middle. Which of the two is shorter shows only once both are refined.
 """
 
 from collections.abc import Iterator, Sequence
@@ -19,6 +22,11 @@ from bodymeasure.geodesic.across.routes.route import Route
 
 # A piece runs along a seam if it is nowhere farther from it, in u or v of its patch.
 ALONG_SEAM = 1e-2
+# A piece runs beside a seam if it is nowhere farther from it.
+BESIDE_SEAM = 0.1
+# The other side is tried of seams beside which this part of a path runs, or more. To try it of all
+# took nearly as many steps again on 200 pairs of points of a body, and made no other path shorter.
+MOSTLY = 0.8
 
 
 class _Side(NamedTuple):
@@ -39,16 +47,30 @@ class SeamRun(NamedTuple):
     sides: list[_Side]
 
 
-def seam_runs(neighbors: Neighbors, refined: RefinedPath) -> list[SeamRun]:
-    """Return all runs of several pieces; pieces that stay in a corner do not end a run."""
+def sides_of_middle(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
+    """Yield routes on either side of the seams beside which most of a path runs."""
+    least = MOSTLY * refined.lengths.sum()
+    for run in seam_runs(neighbors, refined, BESIDE_SEAM):
+        if refined.lengths[run.first : run.last + 1].sum() >= least:
+            yield from one_sided(neighbors, refined.route, [run])
+
+
+def seam_runs(
+    neighbors: Neighbors, refined: RefinedPath, near: float = ALONG_SEAM
+) -> list[SeamRun]:
+    """Return all runs of several pieces that are nowhere farther than `near` from their seams.
+
+    Pieces that stay in a corner do not end a run.
+    """
     runs: list[SeamRun] = []
     goes_on = False
     # Within a corner a piece is beside two seams, whichever it runs along.
     moved = np.ptp(refined.values, axis=2).max(axis=1)
     apart = np.abs(refined.values[:, AXIS] - VALUE[:, None]).max(axis=2)
-    beside = apart <= ALONG_SEAM
+    nearest = np.argsort(apart, axis=1, kind="stable")
+    beside = np.count_nonzero(apart <= near, axis=1)
     for piece in np.flatnonzero((refined.lengths > 0.0) & (moved > ALONG_SEAM)).tolist():
-        side = _seam(neighbors, refined, piece, np.flatnonzero(beside[piece]).tolist())
+        side = _seam(neighbors, refined, piece, nearest[piece, : beside[piece]].tolist())
         if side is not None:
             first, sides = runs.pop()[::2] if goes_on else (piece, [])
             runs.append(SeamRun(first, piece, [*sides, side]))
