@@ -142,11 +142,12 @@ def sharpened(refined: RefinedPath, idle: Bools) -> RefinedPath:
         problem = copy(problem)
         problem.epsilon *= SHARPER**2
         minimum = problem.minimized(refined.minimum.unknowns, idle)
+        steps = refined.steps + minimum.iterations
         if not minimum.converged:
             # The estimate of the error knows of pieces that are still smoothed.
-            break
+            return replace(refined, steps=steps)
         sharper = measured(problem, replace(minimum, held=minimum.held | (held & idle)))
-        refined = replace(sharper, steps=refined.steps + sharper.steps)
+        refined = replace(sharper, steps=steps)
     return refined
 
 

@@ -27,6 +27,9 @@ from bodymeasure.trust import NEGLIGIBLE
 DEGREES = (8, 12, 16, 24, 32, 48, 72)
 # The last degree at which a path is refined for which no budget is left.
 LAST_OVERDRAWN = 16
+# Routes of loops and round corners are tried again up to this degree: beyond it the few steps that
+# so many unknowns are given do not bring a path that starts as straight lines to rest.
+LAST_TRIED_AGAIN = 16
 # A path that has no good length at this degree, such as below a breast or through the crotch of a
 # body, where patches bend sharply, is cut. Higher degrees are only for those that this does not
 # help either.
@@ -196,7 +199,8 @@ def _along(search: Search, begun: _Begun) -> SearchResult:
             # polynomials there, and a path through a corner as short as those that pass it. So
             # routes of loops and round corners are tried again at the next degree.
             through_corner = bool((best.lengths[1:-1] == 0.0).any())
-            tried = TriedRoutes((best.route,)) if closed or through_corner else tried
+            if degree <= LAST_TRIED_AGAIN and (closed or through_corner):
+                tried = TriedRoutes((best.route,))
             best, missed, held = repaired(search, best, tried)
         if closed and best.length < COLLAPSED * search.size:
             raise InputError(NO_LOOP)
