@@ -1,4 +1,4 @@
-"""The calls into libigl; no other module imports it."""
+"""The calls into libigl; only the benchmark, for sections of meshes, imports it besides."""
 
 from importlib.util import find_spec
 from typing import Any
