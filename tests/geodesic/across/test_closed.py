@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import potpourri3d
 import pytest
+from helpers.body_space import body_of
 from helpers.speed import quick
 from helpers.surfaces.quadrics import joined, line, revolved, torus_nets
 from helpers.surfaces.tubes import ring_length, tube
@@ -17,9 +18,11 @@ from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.bezier import restrict
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic import ClosedPath, LoopKind, Status, contracted_loop
+from bodymeasure.geodesic.across.pieces.budget import Budget
 from bodymeasure.geodesic.across.pieces.error import route_length
-from bodymeasure.geodesic.across.pieces.refine import refine
+from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
 from bodymeasure.geodesic.across.routes.through import route_through
+from bodymeasure.measure import closed_geodesic
 from bodymeasure.section import Plane, plane_section
 
 WAISTED = (2.0, 1.0, 1.0, 2.0)
@@ -275,3 +278,25 @@ def test_cylinders_of_lines() -> None:
     path: ClosedPath = contracted_loop(atlas, section(atlas, at(0.0, 0.0, 0.0), at(0.4, 0.0, 1.0)))
     assert path.length == pytest.approx(2.0 * math.pi, rel=1e-10)
     assert path.kind is LoopKind.FLAT
+
+
+@pytest.mark.slow
+def test_a_loop_that_has_no_length_takes_no_more_work_than_others(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Where a body is folded at the waist, each detour at each degree once took seconds."""
+    work: list[float] = []
+
+    def spend(budget: Budget, refined: RefinedPath) -> None:
+        before = budget.left
+        counted(budget, refined)
+        work.append(before - budget.left)
+
+    counted = Budget.spend
+    monkeypatch.setattr(Budget, "spend", spend)
+    body = body_of(np.random.default_rng(101).standard_normal(40))
+    place = "side waist point left"
+    loop = closed_geodesic(body, place, on_failure="status")
+    assert loop.status is Status.NOT_CONVERGED
+    assert math.isnan(loop.length)
+    assert sum(work) < 1.2e7
