@@ -292,7 +292,7 @@ def _hull_corners(flat: Array, rows: Ints) -> Ints:
 
 
 def _planar_hull(flat: Array) -> Ints:
-    """Return the corners of the convex hull of points, in order round it; none of a line."""
+    """Return the corners of the convex hull of points, in order round it; of a line two or none."""
     if is_compiled():
         return planar_hull(flat)
     try:

@@ -27,7 +27,7 @@ SAMPLES = 12
 # method.
 LAST_STEP = 1e-6
 # Degrees by which the skin turns over a seam, beyond which both patches are searched for a foot,
-# and below which, at all the places where it is compared, the seam nowhere holds a pin.
+# and below which, at all the places where it is compared, no seam has been seen to hold a pin.
 SHARP, BLUNT = 30.0, 1.4
 # Positions closer to the skin than this part of the atlas's size have no direction from their foot
 # but rounding.

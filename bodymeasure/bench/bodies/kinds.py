@@ -1,5 +1,6 @@
 """The kinds of measurements: how bodymeasure takes them, and what else can."""
 
+import math
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
@@ -100,7 +101,7 @@ def _chart(atlas: Atlas, _: None) -> tuple[float, float]:
     known = [
         (each.value, each.error_estimate)
         for each in measure_chart(atlas).measured
-        if each.tapes and each.value is not None and each.error_estimate is not None
+        if each.tapes and math.isfinite(each.value)
     ]
     whole = sum(value for value, _ in known)
     return whole, whole * max(error / value for value, error in known)
