@@ -48,17 +48,20 @@ def solve_with_moving_ends(
     ndarray, shape (problems, 2, n + 1)
         u and v at the nodes; not numbers where Newton's method failed.
     """
-    values = guesses.copy()
-    for own, pair in zip(values, ends, strict=True):
+    values, fixed = guesses.copy(), np.zeros(guesses.shape, bool)
+    fixed[:, :, [0, -1]] = True
+    for own, held, pair in zip(values, fixed, ends, strict=True):
         for node, end in zip((0, -1), pair, strict=True):
             if end is not None:
                 own[end.axis, node] = end.value
+                held[1 - end.axis, node] = False
 
     def system(rows: Ints, values: Array) -> tuple[Array, Array]:
         residual, matrix = _system(surface.take(rows), space, values, [ends[row] for row in rows])
         size = residual[0].size
         direction = solved(matrix.reshape(-1, size, size), -residual.reshape(-1, size))
-        return residual, direction.reshape(values.shape)
+        # Elimination leaves rounding where nothing is to move.
+        return residual, np.where(fixed[rows], 0.0, direction.reshape(values.shape))
 
     spans = np.ptp(values, axis=2).max(axis=1)
     for own, found in zip(values, damped_newton_of_many(system, values, spans), strict=True):
