@@ -86,6 +86,7 @@ def test_the_real_thing(tmp_path: Path) -> None:
     assert "1,000" in ran.out
 
 
+@pytest.mark.slow
 def test_files_are_named_and_written(run: Run, tmp_path: Path) -> None:
     ran = run("bench", "--quick", "-o", tmp_path / "out")
     assert (ran.code, ran.err) == (0, "")

@@ -13,8 +13,7 @@ from bodymeasure.geodesic import RBFCollocation, solve_geodesic
 # None of these functions calls another one of the table.
 _Function = tuple[str, str]
 STAGES: Mapping[str, tuple[_Function, ...]] = {
-    "first guess": (("graph/compiled", "guess"), ("graph/arrays", "guess")),
-    "Newton's method, length, error and certificate": (
+    "first guess, Newton's method, length, error and certificate": (
         ("graph/compiled", "climb"),
         ("graph/arrays", "climb"),
     ),
