@@ -24,7 +24,7 @@ from bodymeasure.native.points import (
 from bodymeasure.native.route import NewtonSettings, RouteArrays, route_newton
 from bodymeasure.native.section import CutPatches, Graphs, section_points
 from bodymeasure.native.string import StringForces, string_equilibrium
-from bodymeasure.native.trees import shortest_ways
+from bodymeasure.native.trees import compiled_shortest_ways
 from bodymeasure.native.ways import MeshArrays, WayFound, way_straightened
 
 __all__ = [
@@ -47,6 +47,7 @@ __all__ = [
     "bezier_jets",
     "box_steps",
     "closest_in_powers",
+    "compiled_shortest_ways",
     "diagonal_paths",
     "energies",
     "extremes",
@@ -57,7 +58,6 @@ __all__ = [
     "roots_in_brackets",
     "route_newton",
     "section_points",
-    "shortest_ways",
     "string_equilibrium",
     "way_straightened",
     "without_kernels",

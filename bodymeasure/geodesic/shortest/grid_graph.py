@@ -4,13 +4,12 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-import scipy
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.lengths.equations import dot
 from bodymeasure.geodesic.numerics.grid_steps import SHORTEST, grid_steps
+from bodymeasure.geodesic.numerics.shortest_ways import shortest_ways
 from bodymeasure.geodesic.surfaces.protocol import Surface
-from bodymeasure.native import is_compiled, shortest_ways
 
 # Grid lines a side. Coarser grids missed paths round a bump that finer ones found.
 LINES = 13
@@ -64,36 +63,14 @@ def shortest_trees(surface: Surface, ends: Array) -> Trees:
     weights = np.concatenate([np.broadcast_to(steps, both), joints], axis=2)
     heads = np.concatenate([np.broadcast_to(grid.heads, both), joined], axis=2)
     roughness = _roughness(length, np.sqrt(dot(last - begin, last - begin)))
-    if is_compiled():
-        distance, before = shortest_ways(
-            np.append(grid.degrees, WINDOW * WINDOW),
-            heads.reshape(2 * problems, -1),
-            weights.reshape(2 * problems, -1),
-        )
-        shape = (2, problems, nodes + 1)
-        return Trees(
-            distance.reshape(shape)[..., :nodes], before.reshape(shape)[..., :nodes], roughness
-        )
-    # Each tree has its own part of one great graph: the grid's points and then the end.
-    first = np.arange(2 * problems).reshape(2, problems, 1) * (nodes + 1)
-    degrees = np.tile(np.append(grid.degrees, WINDOW * WINDOW), 2 * problems)
-    graph = scipy.sparse.csr_array(
-        (
-            np.maximum(weights, SHORTEST).ravel(),
-            (heads + first).astype(np.int32).ravel(),
-            np.concatenate([[0], np.cumsum(degrees)]).astype(np.int32),
-        ),
-        shape=2 * (len(degrees),),
-    )
-    # The parts are not connected, so that the end nearest to a point is its own.
-    distance, before, _ = scipy.sparse.csgraph.dijkstra(
-        graph, indices=(first + nodes).ravel(), min_only=True, return_predecessors=True
+    distance, before = shortest_ways(
+        np.append(grid.degrees, WINDOW * WINDOW),
+        heads.reshape(2 * problems, -1),
+        weights.reshape(2 * problems, -1),
     )
     shape = (2, problems, nodes + 1)
     return Trees(
-        distance.reshape(shape)[..., :nodes],
-        (before.reshape(shape) - first)[..., :nodes],
-        roughness,
+        distance.reshape(shape)[..., :nodes], before.reshape(shape)[..., :nodes], roughness
     )
 
 

@@ -15,7 +15,7 @@ from bodymeasure.atlas.prepared import prepared
 from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.across.routes.mesh import RouteMesh, whole_mesh
 from bodymeasure.geodesic.numerics.grid_steps import SHORTEST, grid_steps
-from bodymeasure.native import is_compiled, shortest_ways
+from bodymeasure.geodesic.numerics.shortest_ways import shortest_ways
 
 # Steps along each patch edge: the first number that makes this many points, or else the last.
 SEGMENTS, ENOUGH = (2, 4, 6, 8, 12, 16), 1000
@@ -90,9 +90,9 @@ class PatchGraph:
         count = len(self.vertices)
         lengths = np.concatenate([self.steps.data, np.maximum(first, SHORTEST)])
         heads = np.concatenate([self.steps.indices, joined])
-        begins = np.append(self.steps.indptr, len(heads))
-        distances, before = _shortest_ways(begins, heads, lengths)
-        return Reach(place, distances[:count], before[:count].tolist(), {})
+        degrees = np.append(np.diff(self.steps.indptr), len(joined))
+        distances, before = shortest_ways(degrees, heads[None], lengths[None])
+        return Reach(place, distances[0, :count], before[0, :count].tolist(), {})
 
     def way(self, reach: Reach, vertex: int) -> list[int]:
         """Return the vertices of a shortest way from a point to a vertex, along the mesh's edges.
@@ -140,22 +140,6 @@ class PatchGraph:
         grid = self.mesh.vertex[place.patch]
         here, there = (np.argwhere(grid == each)[0].tolist() for each in (corner, vertex))
         return self.mesh.between(place.patch, here, there)
-
-
-def _shortest_ways(begins: Ints, heads: Ints, lengths: Array) -> tuple[Array, Ints]:
-    """Return the distances from the last node of a graph, and the nodes before on shortest ways.
-
-    Where no way leads, these are infinity and a negative number.
-    """
-    if is_compiled():
-        distances, before = shortest_ways(np.diff(begins), heads[None], lengths[None])
-        return distances[0], before[0]
-    count = len(begins) - 1
-    graph = scipy.sparse.csr_array((lengths, heads, begins), shape=(count, count))
-    ways: tuple[Array, Ints] = scipy.sparse.csgraph.dijkstra(
-        graph, indices=count - 1, return_predecessors=True
-    )
-    return ways
 
 
 @prepared
