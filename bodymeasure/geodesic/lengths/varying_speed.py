@@ -13,6 +13,25 @@ from bodymeasure.geodesic.surfaces.protocol import Surface
 CHUNK = 4096
 
 
+def speeds(surface: Surface, space: TrialSpace, values: Array) -> Array:
+    """Return the speeds of paths at the points of the quadrature, shape (paths, points).
+
+    Parameters
+    ----------
+    surface : Surface
+        That of each path.
+    space : TrialSpace
+    values : ndarray, shape (paths, 2, n + 1)
+        The values of u and v at the space's nodes.
+    """
+    place, slopes, _ = space.at_quadrature
+    # Differences from the start, so that rounding errors of derivatives do not grow with (u, v).
+    du, dv = ((values - values[:, :, :1]) @ slopes.T).transpose(1, 0, 2)
+    _, s_u, s_v = surface.jet((values @ place.T).transpose(0, 2, 1), 1)
+    tangent = s_u * du + s_v * dv
+    return np.sqrt(dot(tangent, tangent))
+
+
 class VaryingSpeed(NamedTuple):
     """What the speed of paths is calculated from when it is asked for.
 
@@ -45,14 +64,8 @@ class VaryingSpeed(NamedTuple):
         values : ndarray, shape (paths, 2, n + 1)
             The values of u and v at the space's nodes.
         """
-        place, slopes, _ = space.at_quadrature
-        speed = np.empty((len(values), len(place)))
+        speed = np.empty((len(values), len(space.quadrature.points)))
         for first in range(0, len(values), CHUNK):
-            some = values[first : first + CHUNK]
-            jet = self.surface.take(self.rows[first : first + CHUNK]).jet(
-                (some @ place.T).transpose(0, 2, 1), 1
-            )
-            du, dv = ((some - some[:, :, :1]) @ slopes.T).transpose(1, 0, 2)
-            tangent = jet[1] * du + jet[2] * dv
-            speed[first : first + CHUNK] = np.sqrt(dot(tangent, tangent))
+            some = slice(first, first + CHUNK)
+            speed[some] = speeds(self.surface.take(self.rows[some]), space, values[some])
         return speed

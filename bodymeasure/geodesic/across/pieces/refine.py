@@ -13,6 +13,7 @@ from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.routes.topology import topology
 from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.lengths.measure import measure_length
+from bodymeasure.geodesic.lengths.varying_speed import speeds
 from bodymeasure.geodesic.numerics.box_newton import BoxMinimum
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
@@ -154,10 +155,7 @@ def sharpened(refined: RefinedPath, idle: Bools) -> RefinedPath:
 def measured(problem: RouteProblem, minimum: BoxMinimum) -> RefinedPath:
     """Return a path with its nodal values and the lengths of its pieces."""
     values = problem.values(minimum.unknowns)
-    place, slopes, _ = problem.space.at_quadrature
-    du, dv = ((values - values[:, :, :1]) @ slopes.T).transpose(1, 0, 2)
-    _, s_u, s_v = problem.surface.jet((values @ place.T).transpose(0, 2, 1), 1)
-    speed = np.linalg.norm(s_u * du + s_v * dv, axis=0)
+    speed = speeds(problem.surface, problem.space, values)
     lengths = speed @ problem.space.quadrature.weights
     route, steps = problem.at(minimum.unknowns), minimum.iterations
     return RefinedPath(problem, minimum, route, values, lengths, steps)
