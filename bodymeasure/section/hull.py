@@ -93,9 +93,7 @@ def convex_hull(loop: Curve) -> Hull:
     def corners(samples: _Samples, rows: Ints) -> Ints:
         return _hull_corners(samples.flat, rows)
 
-    frame = loop.plane.frame()
-    flat = loop.positions_at(np.arange(SAMPLES * loop.count) / SAMPLES) @ frame.T
-    return _refined(loop, corners, signed_area(flat))
+    return _refined(loop, corners)
 
 
 def outer_hull(arc: SectionLoop, turn: float) -> Hull:
@@ -188,7 +186,7 @@ class _Chords(NamedTuple):
         return np.maximum(arc - self.length, 0.0)
 
 
-def _refined(loop: Curve, corners_of: _Corners, turn: float) -> Hull:
+def _refined(loop: Curve, corners_of: _Corners, turn: float | None = None) -> Hull:
     """Return a hull from its corners among samples, refined where it leaves the curve.
 
     Parameters
@@ -197,11 +195,13 @@ def _refined(loop: Curve, corners_of: _Corners, turn: float) -> Hull:
     corners_of : callable
         Takes samples and the rows of some of them, and returns the rows of the corners among these,
         in order.
-    turn : float
-        Positive if the curve goes counterclockwise round what it encloses.
+    turn : float, optional
+        Positive if the curve goes counterclockwise round what it encloses; that of its samples if
+        not given.
     """
     to_frame = loop.plane.frame().T
     samples = _Samples.at(loop, to_frame, np.arange(SAMPLES * loop.count) / SAMPLES)
+    turn = signed_area(samples.flat) if turn is None else turn
     rows = np.arange(len(samples.place))
     chords: list[_Chords] = []
     for _ in range(ROUNDS):

@@ -134,7 +134,9 @@ def of_size_one(nets: Any, known: Extremes | None = None) -> tuple[Any, Array]:
         size = math.prod(nets.shape[1:])
         if nets.shape[-1] == 4:
             # Weights have no unit.
-            factor = np.tile(np.append(np.repeat(factor, 3, axis=1), factor**0, axis=1), size // 4)
+            factor = np.tile(
+                np.append(np.repeat(factor, 3, axis=1), np.ones_like(factor), axis=1), size // 4
+            )
         flat = xp.reshape(nets, (nets.shape[0], size)) * constant(factor, nets, xp)
         nets = xp.reshape(flat, nets.shape)
         exponents += power
