@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from helpers.body_space import body_of
 from helpers.surfaces.cut_atlases import cut
 from helpers.surfaces.grids import grid_atlas
 
@@ -9,13 +10,19 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors
+from bodymeasure.geodesic.across.contact import free_leg
 from bodymeasure.geodesic.across.contact.pattern import FreePart, HeldPart, read_pattern
+from bodymeasure.geodesic.across.contact.sliding_leg import solve_leg
 from bodymeasure.geodesic.across.contact.solve import held_path
-from bodymeasure.geodesic.across.pieces.refine import refine
+from bodymeasure.geodesic.across.pieces.budget import PATH, Budget
+from bodymeasure.geodesic.across.pieces.problem import RouteProblem
+from bodymeasure.geodesic.across.pieces.refine import RefinedPath, refine
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.search.search import shortest_along
 from bodymeasure.geodesic.across.search.sides import one_sided, seam_runs
+from bodymeasure.geodesic.between import geodesic_between
 from bodymeasure.geodesic.spaces.polygons import polygon_space
+from bodymeasure.geodesic.status import Status
 
 
 def test_polygons_are_straight_between_their_nodes() -> None:
@@ -51,7 +58,7 @@ def test_free_and_held_parts_are_read_off_a_polygon() -> None:
     assert isinstance(last, FreePart)
     # On the side v = 0, the third of them.
     assert (first.slides, last.slides) == ((None, 2), (2, None))
-    found = held_path(atlas, neighbors, refine(atlas, route, 8, 3.0), 1e-9)
+    found = held_path(atlas, neighbors, refine(atlas, route, 8, 3.0), 1e-9, Budget(PATH))
     assert found is not None
     assert [piece.patch for piece in found.pieces] == [0, 0, 1, 1]
     assert len(found.crossings) == 1
@@ -73,7 +80,42 @@ def test_nothing_holds_a_path_that_would_rather_take_a_neighbor() -> None:
     alone = Route((AtlasPoint(0, 0.95, 0.05), AtlasPoint(0, 0.95, 0.95)))
     refined = refine(atlas, alone, 8, 1.0)
     assert refined.held_nodes.any()
-    assert held_path(atlas, Neighbors(atlas), refined, 1e-9) is None
+    assert held_path(atlas, Neighbors(atlas), refined, 1e-9, Budget(PATH)) is None
+
+
+def test_an_exhausted_budget_leaves_held_paths_unsolved() -> None:
+    atlas, neighbors, route = over_the_bulge()
+    budget = Budget(0.0)
+    assert held_path(atlas, neighbors, refine(atlas, route, 8, 3.0), 1e-9, budget) is None
+    assert budget.cut_short
+    budget = Budget(PATH)
+    assert held_path(atlas, neighbors, refine(atlas, route, 8, 3.0), 1e-9, budget) is not None
+    # Two legs on one patch each, of a few steps at the lowest degrees.
+    assert 10_000.0 < PATH - budget.left < 1_000_000.0
+
+
+@pytest.mark.slow
+def test_legs_over_sharply_bent_patches_are_given_up_soon(monkeypatch: pytest.MonkeyPatch) -> None:
+    # The error of a leg over 15 patches of this wild body falls as a low power of the degree, so
+    # that no degree is enough; the last one has 4,786 unknowns and took ten seconds.
+    body = body_of(2.5 * np.random.default_rng(4).standard_normal(60))
+    degrees: list[int] = []
+
+    def noted(problem: RouteProblem, guess: Array, budget: Budget) -> RefinedPath | None:
+        degrees.append(problem.space.size)
+        return solve_leg(problem, guess, budget)
+
+    monkeypatch.setattr(free_leg, "solve_leg", noted)
+    path = geodesic_between(
+        body,
+        AtlasPoint(254, 0.7857538492437716, 0.9700710402217617),
+        AtlasPoint(237, 0.6597066845311899, 0.08463262633371194),
+    )
+    assert path.status is Status.CONVERGED
+    # The path that the search took before it gave such legs up.
+    assert path.length == pytest.approx(0.6164704517328105, abs=1e-9)
+    assert 32 in degrees
+    assert max(degrees) == 32
 
 
 def test_routes_along_seams_are_put_on_either_side() -> None:

@@ -13,26 +13,29 @@ import scipy
 
 from bodymeasure._typing import Array, Bools
 from bodymeasure.atlas.seams import EDGES
+from bodymeasure.geodesic.across.pieces.budget import Budget
 from bodymeasure.geodesic.across.pieces.problem import RouteProblem
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, measured
 from bodymeasure.geodesic.numerics.box_newton import BoxMinimum
 from bodymeasure.geodesic.numerics.damped_newton import damped_newton
 
 
-def solve_leg(problem: RouteProblem, guess: Array) -> RefinedPath | None:
+def solve_leg(problem: RouteProblem, guess: Array, budget: Budget) -> RefinedPath | None:
     """Return the geodesic along a route that is tangential to the edges along which its ends slide.
 
     Parameters
     ----------
     problem : RouteProblem
     guess : ndarray, shape (unknowns,)
+    budget : Budget
+        The work is counted.
 
     Returns
     -------
     RefinedPath or None
         The path with its ends fixed, which may leave its patches. None if Newton's method failed.
     """
-    system = _System(problem)
+    system = _System(problem, budget)
     solved = damped_newton(system.at, system.direction, guess)
     return None if solved is None else _in_place(problem, *solved)
 
@@ -40,6 +43,7 @@ def solve_leg(problem: RouteProblem, guess: Array) -> RefinedPath | None:
 @dataclass(frozen=True)
 class _System:
     problem: RouteProblem
+    budget: Budget
 
     @cached_property
     def _tangencies(self) -> list[tuple[int, Array, float]]:
@@ -69,6 +73,7 @@ class _System:
         Entry (b + i - j, j) is the derivative of equation i by the unknown j, where b is the number
         of diagonals on either side: the form of `scipy.linalg.solve_banded`.
         """
+        self.budget.spend_steps(self.problem, 1)
         here = self.problem.expand(unknowns)
         beside, count = min(len(here.bands), self.problem.count) - 1, self.problem.count
         diagonals = np.zeros((2 * beside + 1, count))

@@ -19,6 +19,7 @@ from bodymeasure.geodesic.across.contact.pattern import (
     place_at,
     read_pattern,
 )
+from bodymeasure.geodesic.across.pieces.budget import Budget
 from bodymeasure.geodesic.across.pieces.part import PathPart, PathPiece
 from bodymeasure.geodesic.across.pieces.problem import RouteProblem
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath, measured, resampled
@@ -35,7 +36,7 @@ ROUNDING = 1e-12
 
 
 def held_path(
-    atlas: Atlas, neighbors: Neighbors, refined: RefinedPath, tolerance: float
+    atlas: Atlas, neighbors: Neighbors, refined: RefinedPath, tolerance: float, budget: Budget
 ) -> PathPart | None:
     """Return the path along a route that edges hold for a part.
 
@@ -47,12 +48,15 @@ def held_path(
         The best path of polynomials on whole patches.
     tolerance : float
         The relative error that is wanted for the length of each leg.
+    budget : Budget
+        The work is counted, and not begun once nothing is left.
 
     Returns
     -------
     PathPart or None
         None if a leg has no solution or leaves its patches, or an edge does not hold its arc.
     """
+    budget.spend_on_pattern(refined)
     if not _held_from_all_sides(atlas, neighbors, refined):
         return None
     polygon = _polygon(refined)
@@ -60,7 +64,7 @@ def held_path(
     legs: dict[int, PathPart] = {}
     for number, part in enumerate(parts):
         if isinstance(part, FreePart):
-            leg = free_leg(atlas, polygon, part, tolerance)
+            leg = free_leg(atlas, polygon, part, tolerance, budget)
             if leg is None:
                 return None
             legs[number] = leg

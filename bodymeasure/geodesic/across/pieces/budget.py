@@ -1,11 +1,12 @@
 """The budget of a search: work that is counted, so that its end does not depend on the machine."""
 
+from bodymeasure.geodesic.across.pieces.problem import RouteProblem
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 
 # The work of one of Newton's steps: a part of its own, and one for each entry of the Hessian's
-# blocks; that of a path of legs and arcs, for each piece; and that of first routes. A unit takes
-# some 0.4 microseconds.
-STEP, HELD, ROUTES = 3000.0, 40_000.0, 200_000.0
+# blocks; that of reading off which edges hold a path, for each piece; and that of first routes. A
+# unit takes some 0.4 microseconds.
+STEP, HELD, ROUTES = 3000.0, 10_000.0, 200_000.0
 # What a search for a path may take in all, some 5 s: a path down a body may need nearly all of it
 # until no route is left to try. And what one for a loop may: from the hip to the waist it takes a
 # quarter of that.
@@ -32,11 +33,14 @@ class Budget:
 
     def spend(self, refined: RefinedPath) -> None:
         """Count the work that a refinement took."""
-        degree, pieces = refined.problem.space.size, len(refined.lengths)
-        self.left -= refined.steps * (STEP + pieces * degree**2)
+        self.spend_steps(refined.problem, refined.steps)
 
-    def spend_held(self, refined: RefinedPath) -> None:
-        """Count the work of solving a path as legs and arcs."""
+    def spend_steps(self, problem: RouteProblem, steps: int) -> None:
+        """Count the work of some of Newton's steps."""
+        self.left -= steps * (STEP + len(problem.route.patches) * problem.space.size**2)
+
+    def spend_on_pattern(self, refined: RefinedPath) -> None:
+        """Count the work of reading off which edges hold a path."""
         self.left -= HELD * len(refined.lengths)
 
     def spend_on_routes(self) -> None:

@@ -107,8 +107,7 @@ def _wanted(search: Search, best: RefinedPath) -> Iterator[Route | PathPart]:
         return
     yield from other_routes(neighbors, best)
     if best.held_nodes.any() and best.problem.space.size <= HIGHEST_READ:
-        search.budget.spend_held(best)
-        held = held_path(atlas, neighbors, best, TOLERANCE)
+        held = held_path(atlas, neighbors, best, TOLERANCE, search.budget)
         if held is not None:
             yield held
     yield from (best.route.replaced(*change) for change in detours(neighbors, best))
