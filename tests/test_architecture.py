@@ -69,7 +69,7 @@ ORDERS = {
     " body · population",
     "scene": "model · camera, colors · lighting · figures · drawing · diagonals · tapes",
     "section": "cells, plane, roots, through/quotient · crossings, pieces ·"
-    " arcs, loop, through/poles · curve, part · bridged, places, section · hull",
+    " arcs, loop, through/poles · curve, part, sensitivity · bridged, places, section · hull",
     "surveys": "bodies · records · engine, folder · run, statistics · page · sizes, take",
     "taut": "poles, starts, status · skin · ridges, takeoffs, valleys · equilibrium · string ·"
     " refine · solve",

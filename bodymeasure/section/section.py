@@ -18,6 +18,7 @@ from bodymeasure.section.crossings import find_crossings
 from bodymeasure.section.loop import SectionLoop
 from bodymeasure.section.pieces import CutSurface, measured_pieces
 from bodymeasure.section.plane import Plane
+from bodymeasure.section.sensitivity import length_per_move
 from bodymeasure.section.through.poles import joined_at_poles, opened, poles_in, turned_about
 
 # Rounding decides on which side of the plane a corner within this part of the atlas's size lies.
@@ -30,6 +31,10 @@ MOVES = (0.0, 1.0e-11, -1.0e-11, 2.7e-11, -3.1e-11)
 FLAT = 1e-12
 # Lengths change by about as much as the plane moves; the factor is for slanting surfaces.
 SAFETY = 10.0
+# Curves shorter than this part of the size may run round a cap that the plane hardly cuts off.
+# Their lengths change much faster than the plane moves, and rounding moves it by so much, in parts
+# of the size.
+SMALL, DISTANCE_ROUNDING = 1e-2, 1e-15
 # Curves shorter than this multiple of the move come from the move alone.
 TRACE = 100.0
 # Closed curves that enclose less than this part of the size, times their length, run there and
@@ -221,18 +226,20 @@ def _loops(
     ends = np.searchsorted(origin, np.cumsum([len(chain.arc) for chain in chains]))
     for chain, first, last in zip(chains, [0, *ends.tolist()], ends.tolist(), strict=False):
         rounding = np.finfo(np.float64).eps * size * (last - first)
-        yield (
-            SectionLoop(
-                surface,
-                pieces.take(slice(first, last)),
-                length[first:last],
-                float(error[first:last].sum() + rounding + SAFETY * moved),
-                chain.closed,
-                atlas.unit,
-                atlas.regions,
-            ),
-            abs(float(swept[first:last].sum())),
+        loop = SectionLoop(
+            surface,
+            pieces.take(slice(first, last)),
+            length[first:last],
+            float(error[first:last].sum() + rounding + SAFETY * moved),
+            chain.closed,
+            atlas.unit,
+            atlas.regions,
         )
+        if moved > 0.0 or loop.length < SMALL * size:
+            shift = moved + DISTANCE_ROUNDING * size
+            error_of_shift = length_per_move(loop) * shift
+            loop = replace(loop, error_estimate=loop.error_estimate + error_of_shift)
+        yield loop, abs(float(swept[first:last].sum()))
 
 
 def _is_slit(loop: SectionLoop, area: float, size: float) -> bool:

@@ -61,7 +61,8 @@ def test_circles_on_a_paraboloid(rows: int, height: float) -> None:
     known = 2.0 * math.pi * math.sqrt(height)
     # This is the effect on a small circle of moving the plane by 1e-14 of the size.
     rounding = 1e-15 / height * known
-    assert abs(loop.length - known) <= 1e-12 * known + rounding + loop.error_estimate
+    assert abs(loop.length - known) <= 1e-12 * known + loop.error_estimate
+    assert loop.error_estimate <= 1e-9 + 10.0 * rounding
     hull = convex_hull(loop)
     assert hull.length <= loop.length
     assert abs(hull.length - known) <= 1e-11 * known + rounding + hull.error_estimate
@@ -69,6 +70,29 @@ def test_circles_on_a_paraboloid(rows: int, height: float) -> None:
         assert extent(loop, direction) == pytest.approx(
             2.0 * math.sqrt(height), rel=1e-12 + 1e-15 / height, abs=loop.error_estimate
         )
+
+
+def test_estimates_hold_for_caps_that_the_plane_hardly_cuts_off() -> None:
+    # The length of such a loop is proportional to the root of its height, so that rounding, and
+    # moving the plane off corners, change it by far more than the plane moves.
+    rng = np.random.default_rng(3)
+    worst = 0.0
+    for _ in range(40):
+        a, b = np.exp(rng.uniform(-1.0, 1.0, 2))
+        place = rng.uniform(-0.4, 0.4, 2)
+        # The surface z = -a x^2 - b y^2, sheared so that its top lies anywhere on its patches.
+        atlas = quadric(2, -a, -b)
+        slope = np.array([2.0 * a, 2.0 * b]) * place
+        top = float(slope @ place) / 2.0
+        points = atlas.points + atlas.points[:, :2] @ slope[:, None] * np.array(UP)
+        atlas = Atlas(points, atlas.index, atlas.unit)
+        height = 10.0 ** rng.uniform(-11.5, -2.0)
+        plane = plane_at((0.0, 0.0, top - height), UP)
+        known = ellipse(*sorted(np.sqrt(height / np.array([a, b])), reverse=True))
+        (loop,) = plane_section(atlas, plane).loops
+        assert abs(loop.length - known) <= loop.error_estimate + 1e-14
+        worst = max(worst, abs(loop.length - known) / known)
+    assert worst > 1e-8
 
 
 def test_points_lie_on_the_surface_and_in_the_plane() -> None:
