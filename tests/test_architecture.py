@@ -60,8 +60,8 @@ ORDERS = {
     " body/extreme_girth, body/girth_arcs",
     "mesh": "arrays, path, tubes · curved, exact, points · coarseness, curves, glb, lines ·"
     " measure",
-    "native": "library · points · energy · box, closest, diagonal, normals, route, section, string,"
-    " trees, ways",
+    "native": "library · points · energy · lengths · box, closest, diagonal, normals, route,"
+    " section, string, trees, ways",
     "paper": "method · data · surface · tables · analysis · reproduction · page",
     "pattern": "grid, planar · cloth, patches · curves, definitions · cutting · flat · hollows ·"
     " pieces · files",

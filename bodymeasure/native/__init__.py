@@ -6,10 +6,10 @@ from bodymeasure.native.diagonal import (
     DiagonalProblems,
     DiagonalSettings,
     DiagonalSpace,
-    QuadratureTables,
     diagonal_paths,
 )
 from bodymeasure.native.energy import PathTables, energies
+from bodymeasure.native.lengths import LengthSettings, LengthTables, path_lengths
 from bodymeasure.native.library import is_compiled, without_kernels
 from bodymeasure.native.normals import normals_in_powers
 from bodymeasure.native.points import (
@@ -36,11 +36,12 @@ __all__ = [
     "DiagonalSettings",
     "DiagonalSpace",
     "Graphs",
+    "LengthSettings",
+    "LengthTables",
     "MeshArrays",
     "NewtonSettings",
     "PatchSeams",
     "PathTables",
-    "QuadratureTables",
     "RouteArrays",
     "StringForces",
     "WayFound",
@@ -53,6 +54,7 @@ __all__ = [
     "extremes",
     "is_compiled",
     "normals_in_powers",
+    "path_lengths",
     "planar_hull",
     "power_jets",
     "roots_in_brackets",

@@ -8,10 +8,9 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
+from bodymeasure.native import lengths
+from bodymeasure.native.lengths import LengthSettings, LengthStructure, LengthTables
 from bodymeasure.native.library import address, doubles, kernels
-
-# The most problems that one vector of the processor holds; fewer where it has no such vectors.
-MOST_LANES = 8
 
 
 class _Problems(ctypes.Structure):
@@ -24,30 +23,23 @@ class _Problems(ctypes.Structure):
     )
 
 
-class _Space(ctypes.Structure):
+class _Space(LengthStructure):
     """`DiagonalSpace` of ``diagonal.h``."""
 
     _fields_ = (
-        *((name, ctypes.c_int64) for name in ("before", "inner", "points", "modes", "blocks")),
-        *((name, ctypes.c_int64) for name in ("between", "second", "third", "last")),
+        *((name, ctypes.c_int64) for name in ("before", "inner", "between")),
         *((name, ctypes.c_void_p) for name in ("times", "carry", "first", "second_map")),
-        *((name, ctypes.c_void_p) for name in ("quadrature", "weights", "place", "slope", "bend")),
-        *((name, ctypes.c_void_p) for name in ("gaps", "values", "slopes", "products", "is_even")),
-        *((name, ctypes.c_void_p) for name in ("places", "coefficients", "beside", "across")),
+        *((name, ctypes.c_void_p) for name in ("quadrature", "beside", "across")),
     )
 
 
-class DiagonalSettings(ctypes.Structure):
+class DiagonalSettings(LengthSettings):
     """`DiagonalSettings` of ``diagonal.h``: the constants of `geodesic.graph` and its lengths."""
 
     _fields_ = (
-        *((name, ctypes.c_int64) for name in ("guess_steps", "steps", "twice_falls")),
+        *((name, ctypes.c_int64) for name in ("guess_steps", "steps")),
         *((name, ctypes.c_double) for name in ("longest_step", "small", "most_offset")),
-        *((name, ctypes.c_double) for name in ("far_outside", "tolerance", "steep", "rounding")),
-        *((name, ctypes.c_double) for name in ("noise", "safety", "quadrature_safety")),
-        *((name, ctypes.c_double) for name in ("curvature_variation", "path_rounding", "lyapunov")),
-        *((name, ctypes.c_double) for name in ("eigenvalue_rounding", "trusted_correction")),
-        ("trusted_residual", ctypes.c_double),
+        *((name, ctypes.c_double) for name in ("far_outside", "tolerance", "rounding")),
     )
 
 
@@ -62,37 +54,6 @@ class _Paths(ctypes.Structure):
     )
 
 
-class QuadratureTables(NamedTuple):
-    """What a trial space measures lengths by; see ``diagonal.h``.
-
-    Parameters
-    ----------
-    times, weights : ndarray, shape (points,)
-        A quadrature that is symmetric about the middle, of an even number of points.
-    maps : ndarray, shape (3, points, inner)
-        To values and two derivatives there.
-    modes : ndarray, shape (2, points, modes)
-        The modes and their slopes.
-    coefficients : ndarray, shape (points - quarters[0], points)
-        The map to Legendre coefficients beyond the first quarter.
-    quarters : tuple of int
-        The degrees at which the second, third and last quarters begin.
-    beside : ndarray, shape (between,)
-        Times close together.
-    across : ndarray, shape (between, inner)
-        The map to values there.
-    """
-
-    times: Array
-    weights: Array
-    maps: Array
-    modes: Array
-    coefficients: Array
-    quarters: tuple[int, int, int]
-    beside: Array
-    across: Array
-
-
 class DiagonalSpace:
     """A trial space, as the kernel takes it.
 
@@ -104,65 +65,33 @@ class DiagonalSpace:
         The map from offsets at the inner nodes of the space before; none before the guess.
     slopes : ndarray, shape (2, inner, inner)
         The maps to two derivatives at the nodes.
-    quadrature : QuadratureTables, optional
-        Without them the space only serves to make a guess.
+    tables : LengthTables, optional
+        Those of lengths, from offsets. Without them the space only serves to make a guess.
+    between : tuple of ndarray, shapes (between,) and (between, inner)
+        Times close together, and the map to values there.
     """
 
     def __init__(
-        self, times: Array, carry: Array, slopes: Array, quadrature: QuadratureTables | None
+        self,
+        times: Array,
+        carry: Array,
+        slopes: Array,
+        tables: LengthTables | None = None,
+        between: tuple[Array, Array] = (np.zeros(0), np.zeros(0)),
     ) -> None:
         self.inner, self.before = carry.shape
-        self.points = 0 if quadrature is None else len(quadrature.times)
-        self._nodes = doubles(times, carry, *slopes)
-        self._quadrature = quadrature
+        self._tables, self._beside = tables, between[0]
+        quadrature = between[0] if tables is None else tables.times
+        self._arrays = doubles(times, carry, *slopes, quadrature, *between)
 
     @cached_property
     def structure(self) -> _Space:
         """The tables as a structure."""
-        tables = self._quadrature
-        if tables is None:
-            return _Space(self.before, self.inner, *[0] * 7, *map(address, self._nodes))
-        half = self.points // 2
-        values, slopes = doubles(*tables.modes[:, :half])
-        places, is_even, products = _blocks(values, slopes)
-        self._measuring = [
-            *doubles(tables.times, tables.weights, *tables.maps, 1.0 / np.diff(tables.times)),
-            *(values, slopes, products, is_even, places),
-            *doubles(tables.coefficients[:, :half], tables.beside, tables.across),
-        ]
-        return _Space(
-            *(self.before, self.inner, self.points, values.shape[1], len(places)),
-            len(tables.beside),
-            *tables.quarters,
-            *map(address, (*self._nodes, *self._measuring)),
-        )
-
-
-def _blocks(values: Array, slopes: Array) -> tuple[Ints, Ints, Array]:
-    """The entries of the Galerkin system by fours: places, which are even, and products.
-
-    All products of two even modes, or of two odd ones, are even about the middle.
-    """
-    half, modes = values.shape
-    columns, rows = np.triu_indices(modes)
-    same = (columns + rows) % 2 == 0
-    places, is_even, products = [], [], []
-    for even in (1, 0):
-        group = np.flatnonzero(same == even)
-        padded = np.concatenate([group, np.zeros(-len(group) % 4, np.int64)])
-        place = np.where(np.arange(len(padded)) < len(group), padded, len(rows))
-        pairs = [
-            (each[:, rows[padded]] * each[:, columns[padded]]).reshape(half, -1, 4)
-            for each in (slopes, values)
-        ]
-        places.append(place.reshape(-1, 4))
-        is_even.append(np.full(len(padded) // 4, even))
-        products.append(np.stack(pairs, axis=2).transpose(1, 0, 2, 3))
-    return (
-        np.ascontiguousarray(np.concatenate(places), np.int64),
-        np.ascontiguousarray(np.concatenate(is_even), np.int64),
-        np.ascontiguousarray(np.concatenate(products)),
-    )
+        result = _Space() if self._tables is None else _Space(*self._tables.fields)
+        own = self.before, self.inner, len(self._beside), *map(address, self._arrays)
+        for field, value in zip(_Space._fields_, own, strict=True):
+            setattr(result, field[0], value)
+        return result
 
 
 class DiagonalProblems(NamedTuple):
@@ -271,7 +200,7 @@ def diagonal_paths(
         ctypes.byref(settings),
         None if known is None else address(known),
         ctypes.byref(found),
-        MOST_LANES,
+        lengths.MOST_LANES,
     )
     done, left = found.counts
     raw, correction, error, residual, reach, chord = (row[:done] for row in reals)

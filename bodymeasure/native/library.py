@@ -31,6 +31,7 @@ KERNELS = {
     "bodymeasure_extremes": [ctypes.c_int64] * 2 + [_POINTER] * 3,
     "bodymeasure_equilibrium": [_POINTER] * 4,
     "bodymeasure_jets": [*[ctypes.c_int64] * 5, _POINTER, ctypes.c_int64, *[_POINTER] * 2],
+    "bodymeasure_lengths": [*[_POINTER] * 5, ctypes.c_int64],
     "bodymeasure_normals": [*[ctypes.c_int64] * 2, *[_POINTER] * 8],
     "bodymeasure_planar_hull": [ctypes.c_int64, *[_POINTER] * 2],
     "bodymeasure_power_jets": [ctypes.c_int64] * 3 + [_POINTER] * 3,

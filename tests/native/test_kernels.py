@@ -24,6 +24,7 @@ from bodymeasure.bezier.power_form import jets, power_coefficients
 from bodymeasure.geodesic.across.routes.graph import patch_graph
 from bodymeasure.geodesic.across.routes.ways import COURSE, along_way, first_ways
 from bodymeasure.geodesic.lengths.functionals import energy, energy_of_a_flat_surface
+from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.numerics.banded import BoxModels
 from bodymeasure.geodesic.shortest.grid_graph import shortest_trees
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
@@ -33,8 +34,8 @@ from bodymeasure.native import (
     MeshArrays,
     PatchSeams,
     WayFound,
-    diagonal,
     is_compiled,
+    lengths,
     planar_hull,
     way_straightened,
 )
@@ -86,6 +87,42 @@ def test_the_energy_of_paths_to_the_second_order(
     for name in ("value", "gradient", "hessian"):
         assert getattr(compiled, name).shape == getattr(plain, name).shape
         assert_near(getattr(compiled, name), getattr(plain, name))
+
+
+@given(
+    seeds,
+    st.tuples(st.integers(1, 4), st.integers(1, 4)),
+    st.integers(2, 20),
+    st.integers(0, 20),
+    st.sampled_from([2, 4, 8]),
+)
+def test_lengths_with_their_errors(
+    seed: int, degrees: tuple[int, int], degree: int, count: int, lanes: int
+) -> None:
+    rng = np.random.default_rng(seed)
+    nets = rng.normal(size=(count, degrees[0] + 1, degrees[1] + 1, 3))
+    # Some are so flat that rounding errors of derivatives count.
+    surface = BezierSurfaces(nets * (1.0, 0.2 ** rng.integers(0, 9), 0.1))
+    space, ends = polynomial_space(degree), rng.random((2, count, 2, 1))
+    bows = 0.1 * rng.normal(size=(count, 2, 1)) * np.sin(np.pi * space.nodes)
+    values = ends[0] + (ends[1] - ends[0]) * space.nodes + bows
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(lengths, "MOST_LANES", lanes)
+        compiled = measure_length(surface, space, values)
+    with by_numpy():
+        plain = measure_length(surface, space, values)
+    np.testing.assert_allclose(compiled.raw, plain.raw, rtol=1e-13)
+    near_zero = 1e-14 * plain.raw
+    assert (
+        abs(compiled.correction - plain.correction) <= 1e-9 * abs(plain.correction) + near_zero
+    ).all()
+    np.testing.assert_allclose(compiled.residual, plain.residual, rtol=1e-9)
+    np.testing.assert_array_equal(compiled.index, plain.index)
+    np.testing.assert_array_equal(compiled.trusted, plain.trusted)
+    known = np.isfinite(plain.error)
+    np.testing.assert_array_equal(np.isfinite(compiled.error), known)
+    error, expected = compiled.error[known], plain.error[known]
+    assert (abs(error - expected) <= 1e-6 * expected + 1e2 * near_zero[known]).all()
 
 
 def test_no_points_have_derivatives_of_the_same_shape() -> None:
@@ -352,7 +389,7 @@ def test_diagonals(kind: str, ends: str, lanes: int, rng: np.random.Generator) -
         return bm.solve_geodesic(nets, start, end, search="straight", on_failure="status")
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(diagonal, "MOST_LANES", lanes)
+        patch.setattr(lengths, "MOST_LANES", lanes)
         compiled = solve()
     with by_numpy():
         plain = solve()
@@ -374,7 +411,7 @@ def test_diagonals(kind: str, ends: str, lanes: int, rng: np.random.Generator) -
 def test_a_diagonal_does_not_depend_on_its_batch(
     lanes: int, monkeypatch: pytest.MonkeyPatch, rng: np.random.Generator
 ) -> None:
-    monkeypatch.setattr(diagonal, "MOST_LANES", lanes)
+    monkeypatch.setattr(lengths, "MOST_LANES", lanes)
     nets, order = random_nets(rng, 40, "mild"), rng.permutation(40)
 
     def digits(rows: Ints) -> Array:

@@ -16,17 +16,15 @@ from bodymeasure.geodesic.graph.rung import (
     inner_maps,
 )
 from bodymeasure.geodesic.lengths import jacobi
-from bodymeasure.geodesic.lengths.length import TRUSTED_CORRECTION, TRUSTED_RESIDUAL, Length
-from bodymeasure.geodesic.lengths.measure import STEEP
+from bodymeasure.geodesic.lengths.compiled import LENGTH_SETTINGS, length_tables
+from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.solving.on_spaces import FAR_OUTSIDE
 from bodymeasure.geodesic.solving.protocol import PathBatch
-from bodymeasure.geodesic.spaces.quadrature import FALLS, ROUNDING
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.native import (
     DiagonalProblems,
     DiagonalSettings,
     DiagonalSpace,
-    QuadratureTables,
     diagonal_paths,
     is_compiled,
 )
@@ -72,23 +70,13 @@ def _settings(steps: int, small: float, tolerance: float, rounding: float) -> Di
     return DiagonalSettings(
         guess_steps=GUESS_STEPS,
         steps=steps,
-        twice_falls=round(2.0 * FALLS),
         longest_step=LONGEST_STEP,
         small=small,
         most_offset=MAX_OFFSET,
         far_outside=FAR_OUTSIDE,
         tolerance=tolerance,
-        steep=STEEP,
         rounding=rounding,
-        noise=ROUNDING,
-        safety=jacobi.SAFETY,
-        quadrature_safety=jacobi.QUADRATURE_SAFETY,
-        curvature_variation=jacobi.CURVATURE_VARIATION,
-        path_rounding=jacobi.ROUNDING,
-        lyapunov=jacobi.LYAPUNOV_BOUND,
-        eigenvalue_rounding=jacobi.EIGENVALUE_ROUNDING,
-        trusted_correction=TRUSTED_CORRECTION,
-        trusted_residual=TRUSTED_RESIDUAL,
+        **LENGTH_SETTINGS,
     )
 
 
@@ -96,24 +84,14 @@ def _settings(steps: int, small: float, tolerance: float, rounding: float) -> Di
 def _guessing() -> DiagonalSpace:
     space = guess_space()
     times = space.nodes[1:-1]
-    return DiagonalSpace(times, np.zeros((len(times), 0)), inner_maps(space, times)[1:], None)
+    return DiagonalSpace(times, np.zeros((len(times), 0)), inner_maps(space, times)[1:])
 
 
 @lru_cache(maxsize=64)
 def _tables(before: TrialSpace, space: TrialSpace) -> DiagonalSpace:
-    times, quadrature = space.nodes[1:-1], space.quadrature
-    modes = jacobi.modes_on(quadrature, space.size)
-    beside = space.times_between
-    tables = QuadratureTables(
-        times=quadrature.points,
-        weights=quadrature.weights,
-        maps=inner_maps(space, quadrature.points),
-        modes=np.stack([modes.values, modes.slopes]),
-        coefficients=quadrature.coefficients,
-        quarters=quadrature.quarters,
-        beside=beside,
-        # These are functions that vanish at the ends, so that they need no straight lines.
-        across=space.between_nodes[:, 1:-1],
-    )
-    carry = inner_maps(before, times)[0]
-    return DiagonalSpace(times, carry, inner_maps(space, times)[1:], tables)
+    times = space.nodes[1:-1]
+    carry, slopes = inner_maps(before, times)[0], inner_maps(space, times)[1:]
+    lengths = length_tables(space, inner_maps(space, space.quadrature.points))
+    # These are functions that vanish at the ends, so that they need no straight lines.
+    between = space.times_between, space.between_nodes[:, 1:-1]
+    return DiagonalSpace(times, carry, slopes, lengths, between)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from bodymeasure._typing import Array, Ints
-from bodymeasure.geodesic.lengths.measure import CANCELLATION
+from bodymeasure.geodesic.lengths.compiled import CANCELLATION
 from bodymeasure.geodesic.surfaces.protocol import Surface
 
 # The parameters at which the speed along a line is evaluated: a polynomial of a degree below their

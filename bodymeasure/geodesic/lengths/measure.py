@@ -34,19 +34,13 @@ It is of leading order: callers trust it only where the correction is a small pa
 import numpy as np
 
 from bodymeasure._typing import Array, Bools
+from bodymeasure.geodesic.lengths.compiled import CANCELLATION, STEEP, compiled_lengths
 from bodymeasure.geodesic.lengths.jacobi import length_and_error
 from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.lengths.path_geometry import path_geometry
 from bodymeasure.geodesic.numerics.array_libraries import namespace
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 from bodymeasure.geodesic.surfaces.protocol import Surface
-
-# On a surface of size 1, derivatives by u and v are at most 6 in size, and more than that times the
-# rounding errors that `jacobi.ROUNDING` allows are made by a path that is not this part as long as
-# its way in u and v.
-STEEP = 0.2
-# The rounding error of a derivative, relative to the terms that it is the sum of.
-CANCELLATION = 4e-16
 
 
 def measure_length(surface: Surface, space: TrialSpace, values: Array) -> Length:
@@ -59,6 +53,10 @@ def measure_length(surface: Surface, space: TrialSpace, values: Array) -> Length
     values : ndarray, shape (problems, 2, n + 1)
         u and v at the nodes.
     """
+    return compiled_lengths(surface, space, values) or _measured(surface, space, values)
+
+
+def _measured(surface: Surface, space: TrialSpace, values: Array) -> Length:
     place, *slopes = space.at_quadrature
     # Differences from the start, so that rounding errors of derivatives do not grow with (u, v).
     moved = values - values[:, :, :1]

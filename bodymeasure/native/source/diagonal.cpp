@@ -93,3 +93,17 @@ EXPORTED int64_t bodymeasure_diagonals(const bodymeasure::DiagonalProblems *prob
     if (chosen == 2) bodymeasure::narrow::solve(*problems, *guess, *space, *settings, before, *paths);
     return chosen;
 }
+
+// Measure paths, one on each patch.
+EXPORTED int64_t bodymeasure_lengths(const bodymeasure::Paths *paths, const double *values,
+                                     const bodymeasure::LengthTables *space,
+                                     const bodymeasure::LengthSettings *settings,
+                                     const bodymeasure::Lengths *found, int64_t lanes) {
+    const int chosen = bodymeasure::lanes_for(lanes);
+#if defined(HAS_WIDE)
+    if (chosen == 8) bodymeasure::widest::lengths(*paths, *space, *settings, values, *found);
+    if (chosen == 4) bodymeasure::wide::lengths(*paths, *space, *settings, values, *found);
+#endif
+    if (chosen == 2) bodymeasure::narrow::lengths(*paths, *space, *settings, values, *found);
+    return chosen;
+}

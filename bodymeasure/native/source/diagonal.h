@@ -19,16 +19,15 @@ struct DiagonalProblems {
     int64_t are_corners;
 };
 
-// A trial space: its inner nodes, and the maps from offsets there.
-struct DiagonalSpace {
-    int64_t before, inner, points, modes, blocks, between;
+// What lengths on a trial space are calculated from: a quadrature, symmetric about the middle.
+struct LengthTables {
+    int64_t size, points, modes, blocks;  // paths have size + 1 nodes
     // The degrees at which the second, third and last quarters of Legendre coefficients begin.
     int64_t second, third, last;
-    const double *times;               // (inner)
-    const double *carry;               // (inner, before), from the nodes of the space before
-    const double *first, *second_map;  // (inner, inner), to q' and q'' at the nodes
-    // The quadrature, symmetric about the middle; its maps are (points, inner).
-    const double *quadrature, *weights, *place, *slope, *bend;
+    const double *weights;
+    // The maps from nodal values to values and two derivatives, (points, nodes); for diagonals,
+    // whose offsets vanish at the ends, from inner nodes.
+    const double *place, *slope, *bend;
     const double *gaps;  // (points - 1), one by the distances of the points
     // The first half of the modes and their slopes, (points / 2, modes): of even numbers they are
     // even and odd about the middle, of odd numbers the other way round.
@@ -38,16 +37,31 @@ struct DiagonalSpace {
     // in the lower triangle, column by column, with one more place for what is unused.
     const double *products;
     const int64_t *is_even, *places;
-    const double *coefficients;     // (points - second, points / 2), to Legendre coefficients
-    const double *beside, *across;  // times between the nodes, (between), and (between, inner)
+    const double *coefficients;    // (points - second, points / 2), to Legendre coefficients
+    const double *antiderivative;  // (points, points), where so few modes leave out too much
 };
 
-// Constants of `graph.ladder`, `lengths.jacobi`, `lengths.length` and `spaces.quadrature`.
-struct DiagonalSettings {
-    int64_t guess_steps, steps, twice_falls;
-    double longest_step, small, most_offset, far_outside, tolerance, steep, rounding, noise;
-    double safety, quadrature_safety, curvature_variation, path_rounding;
-    double lyapunov, eigenvalue_rounding, trusted_correction, trusted_residual;
+// A trial space for diagonals: its inner nodes, and the maps from offsets there.
+struct DiagonalSpace : LengthTables {
+    int64_t before, inner, between;
+    const double *times;               // (inner)
+    const double *carry;               // (inner, before), from the nodes of the space before
+    const double *first, *second_map;  // (inner, inner), to q' and q'' at the nodes
+    const double *quadrature;          // (points)
+    const double *beside, *across;     // times between the nodes, (between), and (between, inner)
+};
+
+// Constants of `lengths.measure`, `lengths.jacobi`, `lengths.length` and `spaces.quadrature`.
+struct LengthSettings {
+    int64_t twice_falls;
+    double steep, cancellation, noise, safety, quadrature_safety, curvature_variation;
+    double path_rounding, lyapunov, eigenvalue_rounding, trusted_correction, trusted_residual;
+};
+
+// Constants of `graph.ladder`, too.
+struct DiagonalSettings : LengthSettings {
+    int64_t guess_steps, steps;
+    double longest_step, small, most_offset, far_outside, tolerance, rounding;
 };
 
 // What is found: the paths that are done, and the offsets of those that are left to another space.
@@ -61,6 +75,13 @@ struct DiagonalPaths {
     int64_t *left;      // (left), as `problem`
     double *offset;     // (left, inner)
     int64_t counts[2];  // done, left
+};
+
+// What lengths are found of paths.
+struct Lengths {
+    double *raw, *correction, *error, *residual;
+    int64_t *index;
+    uint8_t *trusted;
 };
 
 }  // namespace bodymeasure

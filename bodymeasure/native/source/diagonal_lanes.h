@@ -245,7 +245,7 @@ INLINE void halved(const Lanes *x, int64_t points, Lanes *even, Lanes *odd) {
 }
 
 // The quadrature's estimate of its own error, as in `spaces.quadrature.Quadrature.error_estimate`.
-INLINE Lanes quadrature_error(const DiagonalSpace &space, const DiagonalSettings &settings,
+INLINE Lanes quadrature_error(const LengthTables &space, const LengthSettings &settings,
                               const Lanes *speed, int64_t half, Lanes *even, Lanes *odd) {
     halved(speed, space.points, even, odd);
     Lanes before{}, middle{}, last{}, most{};
@@ -264,13 +264,43 @@ INLINE Lanes quadrature_error(const DiagonalSpace &space, const DiagonalSettings
     return last <= settings.noise * double(space.points) * most ? all(0.0) : excess;
 }
 
+// The part of the correction that belongs to all modes that are left out, as in `lengths.jacobi`. The
+// room is for `points` and for `modes` vectors.
+INLINE Lanes beyond(const LengthTables &space, const Along &along, const Lanes &length, Lanes *turn,
+                    Lanes *parts) {
+    const int64_t points = space.points, modes = space.modes;
+    Lanes mean{}, result{};
+    for (int64_t p = 0; p < points; ++p) {
+        const double *row = space.antiderivative + p * points;
+        turn[p] = Lanes{};
+        for (int64_t k = 0; k < points; ++k) turn[p] += row[k] * along.kappa[k] * along.speed[k];
+        mean += space.weights[p] * along.speed[p] * turn[p];
+    }
+    for (int64_t p = 0; p < points; ++p) turn[p] = (turn[p] - mean / length) * along.speed[p];
+    const auto slope = [&](int64_t p, int64_t k) {
+        const bool is_first = p < points / 2;
+        const double value = space.slopes[(is_first ? p : points - 1 - p) * modes + k];
+        return is_first || k % 2 ? value : -value;
+    };
+    for (int64_t k = 0; k < modes; ++k) {
+        parts[k] = Lanes{};
+        for (int64_t p = 0; p < points; ++p) parts[k] += space.weights[p] * slope(p, k) * turn[p];
+    }
+    for (int64_t p = 0; p < points; ++p) {
+        Lanes rest = turn[p];
+        for (int64_t k = 0; k < modes; ++k) rest -= slope(p, k) * parts[k];
+        result += 0.5 * space.weights[p] * rest * rest * along.inverse[p];
+    }
+    return result;
+}
+
 struct Measured {
     Lanes raw, correction, error, residual, index;
 };
 
 // Lengths, their correction and their error, as in `lengths.jacobi.length_and_error`. The room is
 // for 12 half + modes (modes + 5) / 2 + 1 vectors.
-INLINE void measure(const DiagonalSpace &space, const DiagonalSettings &settings,
+INLINE void measure(const LengthTables &space, const LengthSettings &settings,
                     const Along &along, Lanes *room, int64_t half, int64_t modes,
                     Measured &result) {
     const int64_t points = 2 * half;
@@ -348,6 +378,7 @@ INLINE void measure(const DiagonalSpace &space, const DiagonalSettings &settings
         correction += part;
         if (k >= modes - 2) left_out += size(part);
     }
+    if (space.antiderivative) left_out += beyond(space, along, length, density, loads);
     Lanes cubic{}, rest{}, farthest{};
     for (int64_t h = 0; h < half; ++h) {
         Lanes value[2] = {}, slope[2] = {};
@@ -371,7 +402,7 @@ INLINE void measure(const DiagonalSpace &space, const DiagonalSettings &settings
     left_out += settings.quadrature_safety *
                 quadrature_error(space, settings, along.speed, half, density, density + half);
     const Lanes error = settings.safety * left_out +
-                        settings.path_rounding * (11.0 + double(space.inner)) * length;
+                        settings.path_rounding * (10.0 + double(space.size)) * length;
     const Lanes infinite = all(INFINITY);
     const auto known = size(error) < infinite;
     constexpr double PI = 3.14159265358979323846;
@@ -381,7 +412,7 @@ INLINE void measure(const DiagonalSpace &space, const DiagonalSettings &settings
     const Lanes index = positive * length < all(settings.lyapunov) ? all(0.0) : counted;
     result.raw = length;
     result.correction = correction;
-    result.error = (known ? error : infinite) + settings.rounding;
+    result.error = known ? error : infinite;
     result.residual = turn * length;
     result.index = known ? index : all(-1.0);
 }
@@ -434,7 +465,7 @@ INLINE void write(const DiagonalSpace &space, const DiagonalSettings &settings, 
     const Lanes chord = root(dot(straight, straight)), out = reach(space, nets, offset);
     for (int i = 0; i < count; ++i) {
         const double raw = lane(measured.raw, i), correction = lane(measured.correction, i);
-        const double error = lane(measured.error, i), residual = lane(measured.residual, i);
+        const double error = lane(measured.error, i) + settings.rounding, residual = lane(measured.residual, i);
         // The correction is of leading order; and steep lengths need differences of neighboring
         // points first, which this form does not take.
         const bool trusted = std::fabs(correction) <= settings.trusted_correction * raw &&
@@ -498,5 +529,46 @@ static void solve(const DiagonalProblems &problems, const DiagonalSpace &guess,
         else
             measure(space, settings, along, room, points / 2, modes, measured);
         write(space, settings, nets, offset, step, measured, room, begin, count, paths);
+    }
+}
+
+// The lengths of paths on patches of any degree, as in `lengths.measure`.
+static void lengths(const Paths &paths, const LengthTables &space, const LengthSettings &settings,
+                    const double *values, const Lengths &found) {
+    const int64_t points = space.points, modes = space.modes, nodes = paths.nodes;
+    std::vector<double> whole((10 * points + modes * (modes + 5) / 2 + 2) * LANES);
+    const uintptr_t align = sizeof(Lanes), place = reinterpret_cast<uintptr_t>(whole.data());
+    Lanes *speed = reinterpret_cast<Lanes *>((place + align - 1) / align * align);
+    const Along along{speed, speed + points, speed + 2 * points, speed + 3 * points};
+    std::vector<double> room(path_room(paths));
+    for (int64_t begin = 0; begin < paths.count; begin += LANES) {
+        const int64_t rest = paths.count - begin;
+        // Lanes past the last path keep what they hold.
+        const int count = rest < LANES ? int(rest) : LANES;
+        for (int i = 0; i < count; ++i)
+            path_geometry(paths, space.bend, begin + i, values + 2 * nodes * (begin + i),
+                          reinterpret_cast<double *>(speed) + i, LANES, room.data());
+        Measured measured;
+        if (points == 24 && modes == 16)
+            measure(space, settings, along, speed + 4 * points, 12, 16, measured);
+        else
+            measure(space, settings, along, speed + 4 * points, points / 2, modes, measured);
+        for (int i = 0; i < count; ++i) {
+            const int64_t number = begin + i;
+            const double *u = values + 2 * nodes * number, raw = lane(measured.raw, i);
+            const double correction = lane(measured.correction, i);
+            double way = 0.0;
+            for (int64_t k = 1; k < 2 * nodes; ++k)
+                if (k != nodes) way += std::fabs(u[k] - u[k - 1]);
+            found.raw[number] = raw, found.correction[number] = correction;
+            found.residual[number] = lane(measured.residual, i);
+            found.error[number] = lane(measured.error, i);
+            if (raw < settings.steep * way)
+                found.error[number] +=
+                    settings.cancellation * path_terms(paths, space.bend, number, u, room.data());
+            found.index[number] = int64_t(lane(measured.index, i));
+            found.trusted[number] = std::fabs(correction) <= settings.trusted_correction * raw &&
+                                    found.residual[number] <= settings.trusted_residual;
+        }
     }
 }

@@ -35,6 +35,12 @@ inline double dot(const double *a, const double *b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+inline void cross_product(const double *a, const double *b, double *result) {
+    result[0] = a[1] * b[2] - a[2] * b[1];
+    result[1] = a[2] * b[0] - a[0] * b[2];
+    result[2] = a[0] * b[1] - a[1] * b[0];
+}
+
 // The values of the Bernstein polynomials of a degree at t.
 inline void bernstein(int64_t degree, double t, double *values) {
     const double s = 1.0 - t;
@@ -66,6 +72,22 @@ int64_t energy_room(const Paths &paths);
 // J^T J stands for the Hessian.
 double energy_of_path(const Paths &paths, int64_t number, const double *values, bool flat,
                       double *gradient, double *hessian, double *room);
+
+// The speed of a path at the points of the quadrature, one by it, its geodesic curvature, and the
+// Gaussian curvature of the patch there: (4, points), the entries `stride` apart. `bend` holds the
+// second derivatives of the trial space's functions, (points, nodes). Room for (`path_room`) doubles.
+void path_geometry(const Paths &paths, const double *bend, int64_t number, const double *values,
+                   double *along, int64_t stride, double *room);
+int64_t path_room(const Paths &paths);
+
+// The length of a path if all terms of its derivatives were as large as their parts together.
+double path_terms(const Paths &paths, const double *bend, int64_t number, const double *values,
+                  double *room);
+
+// Columns of a patch's nets at points; see `jets.cpp`.
+void jets_of_patch(int64_t degree_u, int64_t degree_v, int64_t width, int64_t columns,
+                   const double *net, int64_t points, const double *parameters, int64_t stride,
+                   double *jets);
 
 // Derivatives of a patch in powers, i times by u and j times by v: (3, 3, coordinates).
 void power_jet(int64_t side, int64_t coordinates, const double *coefficients, const double *x,

@@ -17,8 +17,8 @@ bool normal_and_bend(int64_t side, const double *coefficients, const double *x, 
     power_jet(side, 3, coefficients, x, jet);
     const double *s_v = jet + 3, *s_vv = jet + 6, *s_u = jet + 9, *s_uv = jet + 12,
                  *s_uu = jet + 18;
-    const double cross[3] = {s_u[1] * s_v[2] - s_u[2] * s_v[1], s_u[2] * s_v[0] - s_u[0] * s_v[2],
-                             s_u[0] * s_v[1] - s_u[1] * s_v[0]};
+    double cross[3];
+    cross_product(s_u, s_v, cross);
     const double area = std::sqrt(dot(cross, cross));
     const double size_u = std::sqrt(dot(s_u, s_u)), size_v = std::sqrt(dot(s_v, s_v));
     const double longer = size_u > size_v ? size_u : size_v;

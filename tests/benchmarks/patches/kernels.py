@@ -39,7 +39,7 @@ from bodymeasure._typing import Array
 from bodymeasure.bench.entrants.boundary_value import BoundaryValueProblem
 from bodymeasure.bench.entrants.mesh_paths import igl_exact
 from bodymeasure.bench.entrants.meshed_patch import MeshedPatch
-from bodymeasure.native import diagonal, without_kernels
+from bodymeasure.native import lengths, without_kernels
 
 SEED = 7
 # The heights of mild and of wild patches over the unit square.
@@ -56,14 +56,14 @@ Work = Callable[[], bm.GeodesicSolution]
 @contextmanager
 def form(lanes: int) -> Iterator[None]:
     """Solve with at most so many problems in a vector; with none, by NumPy."""
-    before = diagonal.MOST_LANES
+    before = lengths.MOST_LANES
     if lanes == 0:
         with without_kernels():
             yield
     else:
-        diagonal.MOST_LANES = lanes
+        lengths.MOST_LANES = lanes
         yield
-        diagonal.MOST_LANES = before
+        lengths.MOST_LANES = before
 
 
 def seconds(work: Callable[[], object], turns: int = 1) -> float:
