@@ -29,9 +29,10 @@ def banded_product(bands: Array, vectors: Array) -> Array:
 
 def restricted(bands: Array, free: Bools) -> Array:
     """Return the matrices with the rows and columns of unknowns that are not free made identity."""
-    result: Array = bands * free[..., None, :]
-    for row in range(1, bands.shape[-2]):
-        result[..., row, :-row] *= free[..., row:]
+    count, size = bands.shape[-2:]
+    padded = np.concatenate([free, np.zeros((*free.shape[:-1], count - 1), bool)], axis=-1)
+    rows = np.arange(count)[:, None] + np.arange(size)
+    result: Array = bands * (free[..., None, :] & padded[..., rows])
     result[..., 0, :][~free] = 1.0
     return result
 

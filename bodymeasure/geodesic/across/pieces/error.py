@@ -151,11 +151,10 @@ class _Pieces(NamedTuple):
 
 
 def _of_pieces(refined: RefinedPath) -> _Pieces:
-    problem, total = refined.problem, refined.lengths.sum()
-    measured = refined.by_piece
+    measured, total = refined.by_piece, refined.lengths.sum()
     short = refined.lengths < STRAIGHT * total
-    ends = problem.surface.positions(refined.values[:, :, [0, -1]].transpose(0, 2, 1))
-    chord = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1)
+    places = refined.at_ends[0]
+    chord = np.linalg.norm(places[..., 1] - places[..., 0], axis=0)
     correction = np.where(short, 0.0, measured.correction)
     error = np.where(short, refined.lengths - chord, measured.error) + _smoothing(refined)
     residual = np.where(short, 0.0, measured.residual)
@@ -200,8 +199,7 @@ def _crossings(refined: RefinedPath, short: Bools) -> _Crossings:
     problem = refined.problem
     _, slopes, _ = problem.space.at_ends
     moved = refined.values - refined.values[:, :, :1]
-    ends = refined.values[:, :, [0, -1]].transpose(0, 2, 1)
-    _, s_u, s_v = problem.surface.jet(ends, 1)
+    _, s_u, s_v = refined.at_ends
     du, dv = (moved @ slopes.T).transpose(1, 0, 2)
     velocity = s_u * du + s_v * dv
     speed = np.linalg.norm(velocity, axis=0)

@@ -13,7 +13,6 @@ from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.routes.topology import topology
 from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.lengths.measure import measure_length
-from bodymeasure.geodesic.lengths.varying_speed import speeds
 from bodymeasure.geodesic.numerics.box_newton import BoxMinimum
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
@@ -40,8 +39,8 @@ class RefinedPath:
         The route, with its crossings where the path has them.
     values : ndarray, shape (pieces, 2, n + 1)
         (u, v) at the nodes of all pieces.
-    lengths : ndarray, shape (pieces,)
-        The length of each piece, as a part of the problem's size.
+    by_piece : Length
+        The length of each piece, with its ends fixed, as a part of the problem's size.
     steps : int
         Newton's steps in all.
     """
@@ -50,7 +49,7 @@ class RefinedPath:
     minimum: BoxMinimum
     route: Route
     values: Array
-    lengths: Array
+    by_piece: Length
     steps: int
 
     @property
@@ -58,11 +57,16 @@ class RefinedPath:
         """The length of the whole path, in the atlas's unit."""
         return float(self.lengths.sum()) * self.problem.size
 
+    @property
+    def lengths(self) -> Array:
+        """The length of each piece, as a part of the problem's size: (pieces,)."""
+        return self.by_piece.raw
+
     @cached_property
-    def by_piece(self) -> Length:
-        """The length of each piece, with its ends fixed, as a part of the problem's size."""
-        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            return measure_length(self.problem.surface, self.problem.space, self.values)
+    def at_ends(self) -> Array:
+        """The jets of the first order where each piece begins and ends, (3, 3, pieces, 2)."""
+        ends = self.values[:, :, [0, -1]].transpose(0, 2, 1)
+        return self.problem.surface.jet(ends, 1)
 
     @property
     def smoothed(self) -> Bools:
@@ -70,7 +74,7 @@ class RefinedPath:
         most = SMOOTHED * np.sqrt(self.problem.epsilon)
         return np.asarray((self.lengths > 0.0) & (self.lengths < most))
 
-    @property
+    @cached_property
     def held_nodes(self) -> Bools:
         """Inner nodes that an edge of their patch holds, by coordinate: (pieces, 2, n - 1)."""
         held = self.minimum.held[self.problem.rows[:, 1:-1]].reshape(len(self.lengths), 2, -1)
@@ -155,10 +159,10 @@ def sharpened(refined: RefinedPath, idle: Bools) -> RefinedPath:
 def measured(problem: RouteProblem, minimum: BoxMinimum) -> RefinedPath:
     """Return a path with its nodal values and the lengths of its pieces."""
     values = problem.values(minimum.unknowns)
-    speed = speeds(problem.surface, problem.space, values)
-    lengths = speed @ problem.space.quadrature.weights
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        by_piece = measure_length(problem.surface, problem.space, values)
     route, steps = problem.at(minimum.unknowns), minimum.iterations
-    return RefinedPath(problem, minimum, route, values, lengths, steps)
+    return RefinedPath(problem, minimum, route, values, by_piece, steps)
 
 
 def _corners(refined: RefinedPath) -> Bools:
