@@ -6,7 +6,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.normals import normal_vectors
-from bodymeasure.atlas.seams import AXIS, EDGES, VALUE, EdgeTable
+from bodymeasure.atlas.seams import AXIS, VALUE, EdgeTable
 from bodymeasure.atlas.topology.components import connected_components
 
 # Points along a seam at which the normals of both sides are compared, with its ends.
@@ -151,8 +151,7 @@ def over_sides(table: EdgeTable) -> tuple[Ints, Ints, Bools]:
 
 def on_sides(x: Array) -> tuple[Ints, Ints]:
     """Return the rows of x (k, 2) that lie on sides, and the sides; a corner lies on two."""
-    on = np.stack([x[:, edge.fixed_axis] == edge.fixed_value for edge in EDGES], axis=1)
-    row, side = np.nonzero(on)
+    row, side = np.nonzero(x[:, AXIS] == VALUE)
     return row, side
 
 
