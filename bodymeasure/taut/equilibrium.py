@@ -48,8 +48,6 @@ def walls_of(skin: Skin, positions: Array, feet: Feet, reach: Array) -> Walls:
 def with_ridges(walls: Walls, ridges: RidgeFeet) -> Walls:
     """Return the walls with the planes of both patches for pinned nodes, in place."""
     row = ridges.row
-    if not len(row):
-        return walls
     for number, feet in enumerate((ridges.first, ridges.second)):
         walls.normal[row, number], walls.bend[row, number] = feet.normal, feet.bend
         walls.gap[row, number] = 0.0

@@ -6,9 +6,9 @@ import numpy as np
 
 from bodymeasure._typing import Array, Ints
 from bodymeasure.taut.ridges import Pins, crossings, no_pins
-from bodymeasure.taut.skin import Skin
+from bodymeasure.taut.skin import Feet, Skin
 from bodymeasure.taut.string import String, relax
-from bodymeasure.taut.takeoffs import takeoff_lengths, takeoffs
+from bodymeasure.taut.takeoffs import TakeoffLengths, Takeoffs, takeoff_lengths, takeoffs
 
 # Segments whose error is larger than this part of the length are divided.
 SEGMENT_TOLERANCE = 3e-9
@@ -21,9 +21,10 @@ TINY_PRESSURE = 1e-6
 # A ridge is crossed on a pin if that is closer to the crossing than this part of the segment.
 SAME_PIN = 1e-2
 # Spans between pins pull equally if their tensions differ by less than this part, and are weighed
-# anew at most so often.
+# anew at most so often, by up to so many times what one round asks for.
 BALANCED = 1e-5
 MOST_BALANCINGS = 12
+MOST_GAIN = 8.0
 
 
 # The part of the way from a ridge at which the normal of the patch beyond is taken.
@@ -62,8 +63,11 @@ def segment_lengths(skin: Skin, string: String) -> SegmentLengths:
     chords = np.diff(nodes, axis=0)
     c = np.linalg.norm(chords, axis=1)
     fractions = np.array([0.25, 0.5, 0.75])
-    inner = nodes[:-1, None] + fractions[:, None] * chords[:, None]
-    depth = skin.feet(inner.reshape(-1, 3)).depth.reshape(-1, 3)
+    inner = (nodes[:-1, None] + fractions[:, None] * chords[:, None]).reshape(-1, 3)
+    beside, places = _places_beside(string)
+    at = np.concatenate([np.arange(len(c)).repeat(3), beside.base, beside.last])
+    feet = skin.feet(np.concatenate([inner, *places]), string.near(at))
+    depth = feet.depth[: len(inner)].reshape(-1, 3)
     middle = depth[:, 1]
     size = np.maximum(c, np.finfo(np.float64).tiny)
     one = c + 8.0 * middle**2 / (3.0 * size)
@@ -71,12 +75,14 @@ def segment_lengths(skin: Skin, string: String) -> SegmentLengths:
     rise = np.maximum(0.0, depth[:, [0, 2]] - 0.5 * middle[:, None])
     two = 2.0 * half + (8.0 * rise**2 / 3.0).sum(axis=1) / np.maximum(half, 0.5 * size)
     length, error = two + (two - one) / 15.0, np.abs(two - one)
-    _with_takeoffs(skin, string, length, error)
+    rows = np.arange(len(inner), len(feet.depth)).reshape(2, -1)
+    base, other = map(feet.rows, rows)
+    _with_takeoffs(takeoff_lengths(nodes, (base, other), beside), beside, length, error)
     return SegmentLengths(length, error, middle)
 
 
-def _with_takeoffs(skin: Skin, string: String, length: Array, error: Array) -> None:
-    """Put the lengths beside takeoffs, and their errors, into those of the segments, in place."""
+def _places_beside(string: String) -> tuple[Takeoffs, list[Array]]:
+    """Return a string's takeoffs, and two places beside each at which the skin's bend is taken."""
     touching = np.concatenate([[True], string.touching, [True]])
     pinned = np.concatenate([[True], string.pins.there, [True]])
     found = takeoffs(touching, pinned)
@@ -84,11 +90,11 @@ def _with_takeoffs(skin: Skin, string: String, length: Array, error: Array) -> N
     # On a ridge, it is the patch to which the string goes on that bends.
     aside = ASIDE * found.bound[:, None] * (nodes[found.far] - nodes[found.base])
     beside = np.sign(found.far - found.base) * (found.last == found.base)
-    base, other = (
-        skin.feet(positions)
-        for positions in (nodes[found.base] + aside, nodes[found.last + beside])
-    )
-    over = takeoff_lengths(nodes, (base, other), found)
+    return found, [nodes[found.base] + aside, nodes[found.last + beside]]
+
+
+def _with_takeoffs(over: TakeoffLengths, found: Takeoffs, length: Array, error: Array) -> None:
+    """Put the lengths beside takeoffs, and their errors, into those of the segments, in place."""
     before = np.concatenate([[0.0], np.cumsum(length)])
     change = over.length - np.abs(before[found.far] - before[found.base])
     change = np.where(over.known, change, 0.0)
@@ -99,10 +105,11 @@ def _with_takeoffs(skin: Skin, string: String, length: Array, error: Array) -> N
 
 def first_string(skin: Skin, nodes: Array) -> String:
     """Return the string through evenly spaced nodes (n + 1, 3) at rest, held on ridges."""
-    nodes, pins, _ = _pinned(skin, nodes, no_pins(len(nodes) - 2), np.zeros(len(nodes) - 2))
-    if not pins.there.any():
-        return relax(skin, nodes, np.full(len(nodes) - 1, 1.0 / (len(nodes) - 1)), pins)
-    return _balanced(skin, relax(skin, nodes, _weights(nodes), pins))
+    count = len(nodes) - 2
+    bare = no_pins(count), np.zeros(count)
+    nodes, pins, _, feet = _pinned(skin, nodes, skin.feet(nodes), *bare)
+    weights = _weights(nodes) if pins.there.any() else np.full(count + 1, 1.0 / (count + 1))
+    return _balanced(skin, relax(skin, nodes, weights, pins, feet=feet))
 
 
 def divided(skin: Skin, string: String, now: SegmentLengths, parts: Ints) -> String:
@@ -119,8 +126,9 @@ def divided(skin: Skin, string: String, now: SegmentLengths, parts: Ints) -> Str
     pressure = np.where(start, old[:-1][segment], (presses * share)[segment]) / parts[segment]
     padded = (np.concatenate([[-1], each]) for each in string.pins)
     pins = Pins(*(np.where(start, each[segment], -1)[1:] for each in padded))
-    nodes, pins, pressure = _pinned(skin, nodes, pins, pressure[1:])
-    return _balanced(skin, relax(skin, nodes, _weights(nodes), pins, pressure))
+    feet = skin.feet(nodes, string.near(np.append(segment, len(parts))))
+    nodes, pins, pressure, inner = _pinned(skin, nodes, feet, pins, pressure[1:])
+    return _balanced(skin, relax(skin, nodes, _weights(nodes), pins, pressure, inner))
 
 
 def _weights(nodes: Array) -> Array:
@@ -133,25 +141,34 @@ def _weights(nodes: Array) -> Array:
     return np.asarray(np.maximum(chords / chords.sum(), LEAST_WEIGHT))
 
 
-def _pinned(skin: Skin, nodes: Array, pins: Pins, pressure: Array) -> tuple[Array, Pins, Array]:
-    """Return nodes, pins and pressures with new nodes on the ridges that segments cut through."""
-    segment, position, new = crossings(skin, nodes)
+def _pinned(
+    skin: Skin, nodes: Array, feet: Feet, pins: Pins, pressure: Array
+) -> tuple[Array, Pins, Array, Feet | None]:
+    """Return nodes, pins and pressures with new nodes on the ridges that segments cut through.
+
+    If there are none, the feet of the inner nodes are returned, too.
+    """
+    segment, position, new = crossings(skin, nodes, feet.patch)
+    if not len(segment):
+        return nodes, pins, pressure, feet.rows(slice(1, -1))
     chord = np.linalg.norm(np.diff(nodes, axis=0), axis=1)[segment]
     held = np.concatenate([[False], pins.there, [False]])
     old = np.zeros(len(segment), dtype=np.bool_)
     for end in (segment, segment + 1):
         away = np.linalg.norm(position - nodes[end], axis=1)
         old |= held[end] & (away <= SAME_PIN * chord)
-    at = segment[~old]
+    at, new = segment[~old], Pins(*(each[~old] for each in new))
     return (
         np.insert(nodes, at + 1, position[~old], axis=0),
-        Pins(*(np.insert(each, at, more[~old]) for each, more in zip(pins, new, strict=True))),
+        Pins(*(np.insert(each, at, more) for each, more in zip(pins, new, strict=True))),
         np.insert(pressure, at, 0.0),
+        None,
     )
 
 
 def _balanced(skin: Skin, string: String) -> String:
     """Return the string with equal tensions on both sides of its pins, where it cannot slide."""
+    gain, before = 1.0, np.zeros(1)
     for _ in range(MOST_BALANCINGS):
         if not string.settled or not string.pins.there.any():
             return string
@@ -164,7 +181,13 @@ def _balanced(skin: Skin, string: String) -> String:
         error = string.error + 0.5 * uneven**2 * float(chords.sum())
         if uneven <= BALANCED:
             break
-        weights = np.maximum(string.weights * pull[span], LEAST_WEIGHT)
+        # Each turn leaves a part of the last one, or nothing, by which the next one is the longer.
+        turn = pull - 1.0
+        if before.shape == turn.shape:
+            part = float(turn @ before) / float(before @ before)
+            gain = float(np.clip(gain / max(1.0 - part, 1.0 / MOST_GAIN), 1.0, MOST_GAIN))
+        before = turn
+        weights = np.maximum(string.weights * (1.0 + gain * turn)[span], LEAST_WEIGHT)
         string = relax(skin, string.nodes, weights / weights.sum(), string.pins, string.pressure)
     return string._replace(error=error)
 

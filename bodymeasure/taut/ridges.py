@@ -12,7 +12,7 @@ import numpy as np
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.seams import AXIS, VALUE
 from bodymeasure.bezier.power_form import jets
-from bodymeasure.taut.skin import Feet, Skin
+from bodymeasure.taut.skin import BLUNT, Feet, Skin, parameters_on_sides
 
 # The sine of the least angle of a ridge that holds a pin, some three degrees. Over seams that turn
 # by less, as those between patches of a body do, short segments are enough.
@@ -64,14 +64,16 @@ def ridge_feet(skin: Skin, positions: Array, pins: Pins) -> RidgeFeet:
     patch, side, along = _closest(skin, positions[row], pins.patch[row], pins.side[row])
     pins = Pins(pins.patch.copy(), pins.side.copy())
     pins.patch[row], pins.side[row] = patch, side
-    x = _parameters(side, along)
+    x = parameters_on_sides(side, along)
     over, there = skin.entered(patch, x, side)
     first, second = (_feet_at(skin, *place) for place in ((patch, x), (over, there)))
     return RidgeFeet(row, pins, first, second)
 
 
-def crossings(skin: Skin, nodes: Array) -> tuple[Ints, Array, Pins]:
+def crossings(skin: Skin, nodes: Array, ends: Ints) -> tuple[Ints, Array, Pins]:
     """Return the ridges that the segments between nodes (n + 1, 3) cut through, in order.
+
+    The patches of the nodes' feet are known, shape (n + 1,).
 
     Returns
     -------
@@ -81,15 +83,17 @@ def crossings(skin: Skin, nodes: Array) -> tuple[Ints, Array, Pins]:
     pins : Pins
         Of these m points.
     """
-    ends, _ = skin.closest(nodes)
-    differ = np.flatnonzero(ends[1:] != ends[:-1])
+    near = skin.near_ridge[ends]
+    differ = np.flatnonzero((ends[1:] != ends[:-1]) & (near[1:] | near[:-1]))
+    if not len(differ):
+        return differ, np.empty((0, 3)), no_pins(0)
     start, way = nodes[differ], np.diff(nodes, axis=0)[differ]
     t = np.arange(SAMPLES + 1) / SAMPLES
     inside = (start[:, None] + t[:, None] * way[:, None]).reshape(-1, 3)
     patch, x = skin.closest(inside)
     step = np.flatnonzero((patch[1:] != patch[:-1]) & (np.arange(1, len(patch)) % len(t) > 0))
     # Most seams are so smooth that they are no ridges.
-    step = step[_may_be_ridge(skin, patch[step], patch[step + 1])]
+    step = step[_may_be_ridge(skin, patch[step], x[step], patch[step + 1])]
     both = np.concatenate([step, step + 1])
     gap = skin.read(inside[both], patch[both], x[both]).gap
     step = step[(gap <= skin.touching).reshape(2, -1).any(axis=0)]
@@ -107,18 +111,21 @@ def crossings(skin: Skin, nodes: Array) -> tuple[Ints, Array, Pins]:
     good = joined.any(axis=1) & (here == before) & (before != after)
     row, before, side, position = row[good], before[good], side[good], position[good]
     before, side, along = _closest(skin, position, before, side)
-    sharp = _is_sharp(skin, before, side, along)
+    sharp = skin.falls(before, side, along) > SHARP
     row, before, side, along = row[sharp], before[sharp], side[sharp], along[sharp]
     place = _curve(skin, before, side, along)[0]
     return differ[row], place, Pins(before, side)
 
 
-def _may_be_ridge(skin: Skin, patch: Ints, other: Ints) -> Bools:
-    """Return whether the way from some patches to others may lead over a ridge."""
-    between = skin.to_patch[patch] == other[:, None]
+def _may_be_ridge(skin: Skin, patch: Ints, x: Array, other: Ints) -> Bools:
+    """Return whether the way from places of some patches to others may lead over a ridge."""
+    between = (skin.to_patch[patch] == other[:, None]) & skin.ridge[patch]
     # Where patches share no seam, the way leads over a corner of a third one.
-    over = np.where(between.any(axis=1)[:, None], between, True)
-    return np.asarray((over & skin.ridge[patch]).any(axis=1))
+    apart = (skin.to_patch[patch] != other[:, None]).all(axis=1)
+    result = apart & skin.ridge[patch].any(axis=1)
+    row, side = np.nonzero(between)
+    result[row[skin.falls(patch[row], side, x[row, 1 - AXIS[side]]) > BLUNT]] = True
+    return np.asarray(result)
 
 
 def _narrowed(
@@ -153,7 +160,7 @@ def _closest(skin: Skin, positions: Array, patch: Ints, side: Ints) -> tuple[Int
             for other in _round_corner(skin, int(patch[row]), int(side[row]), float(along[row])):
                 one = np.array([other[0]]), np.array([other[1]])
                 there, closer = _descend(skin, positions[[row]], *one)
-                if closer[0] < squared[row] * (1.0 - 1e-12) and _is_sharp(skin, *one, there)[0]:
+                if closer[0] < squared[row] * (1.0 - 1e-12) and skin.falls(*one, there)[0] > SHARP:
                     patch[row], side[row] = other
                     along[row], squared[row], moved = there[0], closer[0], True
         if not moved:
@@ -165,7 +172,7 @@ def _round_corner(skin: Skin, patch: int, side: int, along: float) -> list[tuple
     """Return the other seams that meet where a seam ends, as patches and sides."""
     found: list[tuple[int, int]] = []
     for first in (True, False):
-        here, by, x = patch, side, _parameters(np.array([side]), np.array([along]))
+        here, by, x = patch, side, parameters_on_sides(np.array([side]), np.array([along]))
         if not first:
             to, x = skin.entered(np.array([patch]), x, np.array([side]))
             here, by = int(to[0]), int(skin.to_side[patch, side])
@@ -211,33 +218,13 @@ def _descend(skin: Skin, positions: Array, patch: Ints, side: Ints) -> tuple[Arr
 
 def _curve(skin: Skin, patch: Ints, side: Ints, along: Array) -> tuple[Array, Array, Array]:
     """Return points of seams, and their first and second derivatives, each (k, 3)."""
-    s = jets(skin.coefficients[patch], _parameters(side, along))
+    s = jets(skin.coefficients[patch], parameters_on_sides(side, along))
     by_v = (AXIS[side] == 0)[:, None]
     return (
         s[:, 0, 0],
         np.where(by_v, s[:, 0, 1], s[:, 1, 0]),
         np.where(by_v, s[:, 0, 2], s[:, 2, 0]),
     )
-
-
-def _parameters(side: Ints, along: Array) -> Array:
-    x = np.empty((len(side), 2))
-    rows = np.arange(len(side))
-    x[rows, AXIS[side]], x[rows, 1 - AXIS[side]] = VALUE[side], along
-    return x
-
-
-def _is_sharp(skin: Skin, patch: Ints, side: Ints, along: Array) -> Bools:
-    """Return where the skin turns away from the outside over seams, by a sine of `SHARP`."""
-    x = _parameters(side, along)
-    over, there = skin.entered(patch, x, side)
-    _, first, _ = skin.frame(patch, x)
-    _, second, _ = skin.frame(over, there)
-    inward = skin.inward(over, there, skin.to_side[patch, side])
-    falls = (inward * first).sum(axis=1) < 0.0
-    sine = np.linalg.norm(np.cross(first, second), axis=1)
-    opposed = (first * second).sum(axis=1) < 0.0
-    return np.asarray(falls & ((sine > SHARP) | opposed))
 
 
 def _feet_at(skin: Skin, patch: Ints, x: Array) -> Feet:

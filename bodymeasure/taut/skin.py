@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 import scipy
 
-from bodymeasure._typing import Array, Ints
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.check.degeneracy import collapsed_sides
 from bodymeasure.atlas.normals import normals_and_bends
@@ -26,9 +26,13 @@ SAMPLES = 12
 # After a step of this size in (u, v), the error that is left is about its square, as in Newton's
 # method.
 LAST_STEP = 1e-6
-# Degrees by which the skin turns over a seam, beyond which both patches are searched for a foot,
-# and below which, at all the places where it is compared, no seam has been seen to hold a pin.
-SHARP, BLUNT = 30.0, 1.4
+# Degrees by which the skin turns over a seam, beyond which both patches are searched for a foot.
+SHARP = 30.0
+# The sine by which the skin falls over a ridge at one of some places along it, at least: two thirds
+# of what holds a pin (`bodymeasure.taut.ridges.SHARP`), as it may fall more between the places.
+BLUNT, PLACES = 0.033, 9
+# Feet are known from places nearby if they are no farther away than this part of the atlas's size.
+CLOSE = 1e-3
 # Positions closer to the skin than this part of the atlas's size have no direction from their foot
 # but rounding.
 TOUCHING = 1e-9
@@ -66,6 +70,10 @@ class Feet(NamedTuple):
     depth: Array
     bend: Array
 
+    def rows(self, rows: Ints | slice) -> "Feet":
+        """Return the feet of some of the positions."""
+        return Feet._make(each[rows] for each in self)
+
 
 class Skin:
     """An atlas prepared for many searches of feet.
@@ -100,13 +108,13 @@ class Skin:
         self.samples = flat.reshape(len(atlas), -1, 3)
         seams = seams_of(table, collapsed)
         angle = kink_angles(atlas.control_points, seams)
-        self.sharp, self.ridge = np.zeros((2, *collapsed.shape), dtype=np.bool_)
+        self.sharp = np.zeros(collapsed.shape, dtype=np.bool_)
         for one in (0, 1):
             self.sharp[seams.patch[:, one], seams.side[:, one]] = angle > SHARP
-            self.ridge[seams.patch[:, one], seams.side[:, one]] = angle > BLUNT
         self.open = (self.to_patch < 0) & ~collapsed
         self.poles = Poles(self.coefficients, collapsed, self.size)
         self.pole_normals = self._pole_normals()
+        self.ridge, self.near_ridge = self._ridges()
 
     def _pole_normals(self) -> Array:
         """Return the sums of the normals round each pole."""
@@ -116,18 +124,47 @@ class Skin:
         np.add.at(result, poles.first[row], self.frame(patch, x)[1])
         return result
 
-    def feet(self, positions: Array) -> Feet:
-        """Return the closest points of the skin to positions (k, 3)."""
-        return self.read(positions, *self.closest(positions))
+    def _ridges(self) -> tuple[Bools, Bools]:
+        """Return which sides are ridges (patches, 4), and which patches have or border on such."""
+        patch, side = np.nonzero(self.to_patch >= 0)
+        along = np.tile(np.linspace(0.0, 1.0, PLACES), len(patch))
+        falls = self.falls(patch.repeat(PLACES), side.repeat(PLACES), along)
+        ridge = np.zeros(self.to_patch.shape, dtype=np.bool_)
+        ridge[patch, side] = (falls > BLUNT).reshape(-1, PLACES).any(axis=1)
+        near: Bools = np.array(ridge.any(axis=1))
+        over = self.to_patch[near]
+        near[over[over >= 0]] = True
+        return ridge, near
 
-    def closest(self, positions: Array) -> tuple[Ints, Array]:
-        """Return the patches (k,) of these points, and the parameters there (k, 2), alone."""
-        _, nearest = self.tree.query(positions)
-        patch, sample = np.divmod(np.asarray(nearest, dtype=np.int64), SAMPLES**2)
-        best = self._search(positions, patch, self.grid[sample])
+    def feet(self, positions: Array, near: Feet | None = None) -> Feet:
+        """Return the closest points of the skin to positions (k, 3), sought as in `closest`."""
+        return self.read(positions, *self.closest(positions, near))
+
+    def closest(self, positions: Array, near: Feet | None = None) -> tuple[Ints, Array]:
+        """Return the patches (k,) of these points, and the parameters there (k, 2), alone.
+
+        Where they are too close for the body to have others that are closer, they are those that
+        are found from feet of positions nearby, if such are given.
+        """
+        close = CLOSE * self.size
+        if near is None:
+            best = self._sought(positions)
+        else:
+            best = near.patch.copy(), near.parameters.copy(), np.full(len(positions), np.inf)
+            row = np.flatnonzero(np.abs(near.gap) <= close)
+            found = self._search(positions[row], near.patch[row], near.parameters[row])
+            best[0][row], best[1][row], best[2][row] = found
+            row = np.flatnonzero(best[2] > close**2)
+            best[0][row], best[1][row], best[2][row] = self._sought(positions[row])
         self._behind_ridges(positions, *best)
         self._round_poles(positions, *best)
         return best[0], best[1]
+
+    def _sought(self, positions: Array) -> tuple[Ints, Array, Array]:
+        """Return the closest points as found from the closest samples."""
+        _, nearest = self.tree.query(positions)
+        patch, sample = np.divmod(np.asarray(nearest, dtype=np.int64), SAMPLES**2)
+        return self._search(positions, patch, self.grid[sample])
 
     def descend(self, patch: Ints, positions: Array, start: Array) -> tuple[Array, Array]:
         """Return the closest points of single patches, and the squared distances."""
@@ -223,6 +260,20 @@ class Skin:
         result[row[pole >= 0]] = self.pole_normals[pole[pole >= 0]]
         return result
 
+    def falls(self, patch: Ints, side: Ints, along: Array) -> Array:
+        """Return by which sine the skin turns away from the outside over seams (k,), at most 1.
+
+        It is negative where the skin rises.
+        """
+        x = parameters_on_sides(side, along)
+        over, there = self.entered(patch, x, side)
+        _, first, _ = self.frame(patch, x)
+        _, second, _ = self.frame(over, there)
+        sine = np.linalg.norm(np.cross(first, second), axis=1)
+        sine[(first * second).sum(axis=1) < 0.0] = 1.0
+        inward = self.inward(over, there, self.to_side[patch, side])
+        return np.asarray(np.where((inward * first).sum(axis=1) < 0.0, sine, -sine))
+
     def inward(self, patch: Ints, x: Array, side: Ints) -> Array:
         """Return the derivatives (k, 3) by the parameters that lead off sides, into the patches."""
         s = jets(self.coefficients[patch], x)
@@ -234,6 +285,14 @@ class Skin:
         position, normal, bend = normals_and_bends(self.coefficients, patch, x)
         sign = self.signs[patch]
         return position, sign[:, None] * normal, sign[:, None, None] * bend
+
+
+def parameters_on_sides(side: Ints, along: Array) -> Array:
+    """Return the parameters (k, 2) of places on sides."""
+    x = np.empty((len(side), 2))
+    rows = np.arange(len(side))
+    x[rows, AXIS[side]], x[rows, 1 - AXIS[side]] = VALUE[side], along
+    return x
 
 
 @prepared

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bodymeasure._typing import Array, Bools
+from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.taut.equilibrium import Walls, equilibrium, walls_of, with_ridges
 from bodymeasure.taut.ridges import Pins, ridge_feet
 from bodymeasure.taut.skin import Feet, Skin
@@ -60,6 +60,10 @@ class String(NamedTuple):
     error: float
     settled: bool
 
+    def near(self, node: Ints) -> Feet:
+        """Return feet of inner nodes that are those numbered (k,), or next to them."""
+        return self.feet.rows(np.clip(node - 1, 0, len(self.pressure) - 1))
+
 
 def polygon_length(nodes: Array) -> float:
     """Return the sum of the lengths of the segments."""
@@ -67,7 +71,12 @@ def polygon_length(nodes: Array) -> float:
 
 
 def relax(
-    skin: Skin, nodes: Array, weights: Array, pins: Pins, pressure: Array | None = None
+    skin: Skin,
+    nodes: Array,
+    weights: Array,
+    pins: Pins,
+    pressure: Array | None = None,
+    feet: Feet | None = None,
 ) -> String:
     """Let a string slide to rest outside the skin.
 
@@ -81,6 +90,8 @@ def relax(
     pressure : ndarray, shape (n - 1,), optional
         A guess of the forces on the inner nodes that touch; 0 for the others. Without one, those
         that start on the skin are taken to touch.
+    feet : Feet, optional
+        The feet of the inner nodes, if they are known.
 
     Notes
     -----
@@ -93,7 +104,10 @@ def relax(
     nodes = nodes.copy()
     length = polygon_length(nodes)
     reach = np.full(len(nodes) - 2, FIRST_REACH * length)
-    feet, walls, pins = _obstacles(skin, nodes, pins, reach)
+    if feet is None or pins.there.any():
+        feet, walls, pins = _obstacles(skin, nodes, pins, reach)
+    else:
+        walls = walls_of(skin, nodes[1:-1], feet, reach)
     load, held = np.zeros((len(nodes) - 2, 2)), np.zeros((len(nodes) - 2, 2), dtype=np.bool_)
     if pressure is None:
         held[:, 0] = feet.gap <= ON_SKIN * length
@@ -106,31 +120,46 @@ def relax(
         pins = pins.kept(np.asarray(held.all(axis=1)))
         if number >= PATIENCE:
             step *= 0.5
+        error = _rest_error(step, weights, load, feet.gap) * float(weights.sum()) / length
+        if error <= (REST if number < PATIENCE else LATE_REST) * length:
+            break
         moved = np.linalg.norm(step, axis=1)
         step *= min(1.0, LONGEST_STEP * length / max(float(moved.max()), LONGEST_STEP * length))
         nodes[1:-1] += step
         reach = np.clip(REACH_STEPS * moved, LEAST_REACH * length, FIRST_REACH * length)
-        feet, walls, pins = _obstacles(skin, nodes, pins, reach)
+        feet, walls, pins = _obstacles(skin, nodes, pins, reach, feet)
+        _put_on_skin(skin, nodes[1:-1], feet, walls, held)
         length = polygon_length(nodes)
-        error = _rest_error(step, weights, load, feet.gap) * float(weights.sum()) / length
-        if error <= (REST if number < PATIENCE else LATE_REST) * length:
-            break
     touching = np.asarray(held.any(axis=1))
     settled = error <= LATE_REST * length
     return String(nodes, weights, feet, touching, load.sum(axis=1), pins, error, settled)
 
 
-def _obstacles(skin: Skin, nodes: Array, pins: Pins, reach: Array) -> tuple[Feet, Walls, Pins]:
+def _obstacles(
+    skin: Skin, nodes: Array, pins: Pins, reach: Array, near: Feet | None = None
+) -> tuple[Feet, Walls, Pins]:
     """Return feet and walls of the inner nodes; pinned ones move to their ridge, in place."""
+    if not pins.there.any():
+        feet = skin.feet(nodes[1:-1], near)
+        return feet, walls_of(skin, nodes[1:-1], feet, reach), pins
     ridges = ridge_feet(skin, nodes[1:-1], pins)
     nodes[1 + ridges.row] = ridges.first.position
-    feet = skin.feet(nodes[1:-1])
+    feet = skin.feet(nodes[1:-1], near)
     walls = with_ridges(walls_of(skin, nodes[1:-1], feet, reach), ridges)
     return feet, walls, ridges.pins
 
 
+def _put_on_skin(skin: Skin, positions: Array, feet: Feet, walls: Walls, held: Bools) -> None:
+    """Move nodes that one wall holds to their feet, in place, where that is straight down it."""
+    down = positions - feet.gap[:, None] * feet.normal
+    off = np.linalg.norm(down - feet.position, axis=1)
+    row = np.flatnonzero(held[:, 0] & ~held[:, 1] & (off <= skin.touching))
+    positions[row] = feet.position[row]
+    feet.gap[row] = feet.depth[row] = walls.gap[row, 0] = 0.0
+
+
 def _rest_error(step: Array, weights: Array, load: Array, gap: Array) -> float:
-    """Return the energy of the last step, and of bringing nodes to the skin from off or inside it.
+    """Return the energy of the next step, and of bringing nodes to the skin from off or inside it.
 
     Divided by the tension, it is a length: energy is length squared over twice the sum of weights.
     """

@@ -33,7 +33,7 @@ def feet_over_valleys(skin: Skin, positions: Array, feet: Feet, reach: Array) ->
     side, away = _nearest_sides(skin, feet)
     row = np.flatnonzero(away <= reach)
     if not len(row):
-        return row, Feet._make(each[row] for each in feet)
+        return row, feet.rows(row)
     side, patch = side[row], feet.patch[row]
     seam = feet.parameters[row]
     seam[np.arange(len(row)), AXIS[side]] = VALUE[side]
