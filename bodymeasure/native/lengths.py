@@ -12,6 +12,8 @@ from bodymeasure.native.library import address, doubles, kernels
 
 # The most problems that one vector of the processor holds; fewer where it has no such vectors.
 MOST_LANES = 8
+# The entries of a block of the Galerkin system: `BLOCK` of ``diagonal.h``.
+BLOCK = 8
 
 
 class LengthStructure(ctypes.Structure):
@@ -92,7 +94,7 @@ class LengthTables:
 
     @cached_property
     def _blocks(self) -> tuple[Ints, Ints, Array]:
-        """The entries of the Galerkin system by fours: places, which are even, and products.
+        """The entries of the Galerkin system by blocks: places, which are even, and products.
 
         All products of two even modes, or of two odd ones, are even about the middle.
         """
@@ -103,14 +105,14 @@ class LengthTables:
         places, is_even, products = [], [], []
         for even in (1, 0):
             group = np.flatnonzero(same == even)
-            padded = np.concatenate([group, np.zeros(-len(group) % 4, np.int64)])
+            padded = np.concatenate([group, np.zeros(-len(group) % BLOCK, np.int64)])
             place = np.where(np.arange(len(padded)) < len(group), padded, len(rows))
             pairs = [
-                (each[:, rows[padded]] * each[:, columns[padded]]).reshape(half, -1, 4)
-                for each in (slopes, values)
+                (sign * each[:, rows[padded]] * each[:, columns[padded]]).reshape(half, -1, BLOCK)
+                for sign, each in ((1.0, slopes), (-1.0, values))
             ]
-            places.append(place.reshape(-1, 4))
-            is_even.append(np.full(len(padded) // 4, even))
+            places.append(place.reshape(-1, BLOCK))
+            is_even.append(np.full(len(padded) // BLOCK, even))
             products.append(np.stack(pairs, axis=2).transpose(1, 0, 2, 3))
         return (
             np.ascontiguousarray(np.concatenate(places), np.int64),

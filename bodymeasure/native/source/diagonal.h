@@ -8,6 +8,10 @@
 
 namespace bodymeasure {
 
+// The entries of a block of the Galerkin system: as many sums as run beside one another without
+// waiting for each other.
+constexpr int BLOCK = 8;
+
 // Patches of 4 x 4 points, each whole or restricted to the rectangle between its two points.
 struct DiagonalProblems {
     int64_t count;
@@ -32,9 +36,9 @@ struct LengthTables {
     // The first half of the modes and their slopes, (points / 2, modes): of even numbers they are
     // even and odd about the middle, of odd numbers the other way round.
     const double *values, *slopes;
-    // Products of two slopes and of two values, four entries of the Galerkin system at a time:
-    // (blocks, points / 2, 2, 4); whether a block's products are even; and the places of the entries
-    // in the lower triangle, column by column, with one more place for what is unused.
+    // Products of two slopes and, negative, of two values, for some entries of the Galerkin system at
+    // a time: (blocks, points / 2, 2, BLOCK); whether a block's products are even; and the places of
+    // the entries in the lower triangle, column by column, with one more place for what is unused.
     const double *products;
     const int64_t *is_even, *places;
     const double *coefficients;    // (points - second, points / 2), to Legendre coefficients

@@ -38,32 +38,25 @@ INLINE Point cross(const Point &p, const Point &q) {
     return result;
 }
 
-// The patches, and their differences along v.
+// The patches: [c][i][j] is the derivative of coordinate c, i times by u and j times by v, at the
+// middle of the patch, where the terms of a Taylor polynomial are smallest.
 struct Nets {
-    Lanes place[3][4][4], first[3][4][3], second[3][4][2], third[3][4];
+    Lanes middle[3][4][4];
+    Point chord;
     Lanes start[2], end[2], way[2];
 };
 
-// Bernstein polynomials of degrees 3, 2 (times 3) and 1 (times 6).
-struct Basis {
-    Lanes cubic[4], quadratic[3], linear[2];
-};
-INLINE void fill(Basis &b, Lanes x) {
-    const Lanes y = 1.0 - x, xx = x * x, yy = y * y, xy = x * y;
-    b.cubic[0] = yy * y, b.cubic[1] = 3.0 * xy * y, b.cubic[2] = 3.0 * xy * x, b.cubic[3] = xx * x;
-    b.quadratic[0] = 3.0 * yy, b.quadratic[1] = 6.0 * xy, b.quadratic[2] = 3.0 * xx;
-    b.linear[0] = 6.0 * y, b.linear[1] = 6.0 * x;
-}
-INLINE Lanes sum(const Lanes *weights, const Lanes *x, int count) {
-    Lanes result = weights[0] * x[0];
-    for (int k = 1; k < count; ++k) result += weights[k] * x[k];
-    return result;
-}
-INLINE void differences(const Lanes *x, int count, Lanes *result) {
-    for (int k = 0; k < count; ++k) result[k] = x[k + 1] - x[k];
+// The value at 1/2 and the derivatives there of a cubic Bezier polynomial.
+INLINE void derivatives(Lanes a, Lanes b, Lanes c, Lanes d, Lanes *result, int stride) {
+    const Lanes first = b - a, second = c - b, third = d - c;
+    result[0] = 0.125 * ((a + d) + 3.0 * (b + c));
+    result[stride] = 0.75 * ((first + third) + 2.0 * second);
+    result[2 * stride] = 3.0 * (third - first);
+    result[3 * stride] = 6.0 * ((third - second) - (second - first));
 }
 
 INLINE void load(const DiagonalProblems &problems, int64_t begin, Nets &nets) {
+    Lanes place[3][4][4];
     for (int i = 0; i < LANES; ++i) {
         // Past the last problem the last one is solved again.
         const int64_t number = begin + i < problems.count ? begin + i : problems.count - 1;
@@ -82,17 +75,18 @@ INLINE void load(const DiagonalProblems &problems, int64_t begin, Nets &nets) {
             const double middle = 0.5 * (first[c] + last[c]);
             for (int a = 0; a < 4; ++a)
                 for (int b = 0; b < 4; ++b)
-                    put(nets.place[c][a][b], i,
+                    put(place[c][a][b], i,
                         net[3 * (4 * (a ^ turned[0]) + (b ^ turned[1])) + c] - middle);
         }
     }
     for (int axis = 0; axis < 2; ++axis) nets.way[axis] = nets.end[axis] - nets.start[axis];
-    for (int c = 0; c < 3; ++c)
-        for (int a = 0; a < 4; ++a) {
-            differences(nets.place[c][a], 3, nets.first[c][a]);
-            differences(nets.first[c][a], 2, nets.second[c][a]);
-            nets.third[c][a] = 6.0 * (nets.second[c][a][1] - nets.second[c][a][0]);
-        }
+    for (int c = 0; c < 3; ++c) {
+        auto &p = place[c];
+        nets.chord.c[c] = p[3][3] - p[0][0];
+        for (auto &row : p) derivatives(row[0], row[1], row[2], row[3], row, 1);
+        for (int j = 0; j < 4; ++j)
+            derivatives(p[0][j], p[1][j], p[2][j], p[3][j], &nets.middle[c][0][j], 4);
+    }
 }
 
 // Derivatives of T(t, q) = S(t + q, t - q): those that paths have, and those that only Newton's
@@ -102,35 +96,33 @@ struct Jet {
 };
 
 INLINE void derive(const Nets &nets, Lanes time, Lanes offset, bool newton, Jet &jet) {
-    Basis u, v;
-    fill(u, time + offset);
-    fill(v, time - offset);
+    const Lanes x = time + offset - 0.5, y = time - offset - 0.5;
+    const Lanes x2 = x * (1.0 / 2.0), x3 = x * (1.0 / 3.0), y2 = y * (1.0 / 2.0), y3 = y * (1.0 / 3.0);
     for (int c = 0; c < 3; ++c) {
-        Lanes place[4], by_v[4], by_vv[4], e[3], ee[2], f[3], g[3];
-        for (int a = 0; a < 4; ++a) {
-            place[a] = sum(v.cubic, nets.place[c][a], 4);
-            by_v[a] = sum(v.quadratic, nets.first[c][a], 3);
-            by_vv[a] = sum(v.linear, nets.second[c][a], 2);
+        // Derivatives by u in its middle: of S, S_v and S_vv.
+        Lanes s[4], v[4], vv[4];
+        for (int i = 0; i < 4; ++i) {
+            const Lanes *d = nets.middle[c][i];
+            s[i] = d[0] + y * (d[1] + y2 * (d[2] + y3 * d[3]));
+            v[i] = d[1] + y * (d[2] + y2 * d[3]);
+            vv[i] = d[2] + y * d[3];
         }
-        differences(place, 3, e);
-        differences(e, 2, ee);
-        differences(by_v, 3, f);
-        const Lanes s_u = sum(u.quadratic, e, 3), s_v = sum(u.cubic, by_v, 4);
-        const Lanes s_uu = sum(u.linear, ee, 2), s_uv = sum(u.quadratic, f, 3);
-        const Lanes s_vv = sum(u.cubic, by_vv, 4);
+        const Lanes s_u = s[1] + x * (s[2] + x2 * s[3]), s_uu = s[2] + x * s[3];
+        const Lanes s_v = v[0] + x * (v[1] + x2 * (v[2] + x3 * v[3]));
+        const Lanes s_uv = v[1] + x * (v[2] + x2 * v[3]);
+        const Lanes s_vv = vv[0] + x * (vv[1] + x2 * (vv[2] + x3 * vv[3]));
         jet.t.c[c] = s_u + s_v;
         jet.q.c[c] = s_u - s_v;
         jet.tt.c[c] = (s_uu + s_vv) + 2.0 * s_uv;
         jet.tq.c[c] = s_uu - s_vv;
         jet.qq.c[c] = (s_uu + s_vv) - 2.0 * s_uv;
         if (!newton) continue;
-        differences(by_vv, 3, g);
-        const Lanes s_uuu = 6.0 * (ee[1] - ee[0]), s_uvv = sum(u.quadratic, g, 3);
-        const Lanes s_uuv = u.linear[0] * (f[1] - f[0]) + u.linear[1] * (f[2] - f[1]);
-        const Lanes s_vvv = sum(u.cubic, nets.third[c], 4);
-        jet.ttq.c[c] = (s_uuu - s_vvv) + (s_uuv - s_uvv);
-        jet.tqq.c[c] = (s_uuu + s_vvv) - (s_uuv + s_uvv);
-        jet.qqq.c[c] = (s_uuu - s_vvv) - 3.0 * (s_uuv - s_uvv);
+        const auto &d = nets.middle[c];
+        const Lanes s_uuv = v[2] + x * v[3], s_uvv = vv[1] + x * (vv[2] + x2 * vv[3]);
+        const Lanes s_vvv = d[0][3] + x * (d[1][3] + x2 * (d[2][3] + x3 * d[3][3]));
+        jet.ttq.c[c] = (s[3] - s_vvv) + (s_uuv - s_uvv);
+        jet.tqq.c[c] = (s[3] + s_vvv) - (s_uuv + s_uvv);
+        jet.qqq.c[c] = (s[3] - s_vvv) - 3.0 * (s_uuv - s_uvv);
     }
 }
 
@@ -331,14 +323,16 @@ INLINE void measure(const LengthTables &space, const LengthSettings &settings,
     const Lanes variation = change + settings.curvature_variation * bend / length;
     // The Galerkin system.
     for (int64_t block = 0; block < space.blocks; ++block) {
-        const double *products = space.products + block * half * 8;
+        const double *product = space.products + block * half * 2 * BLOCK;
         const Lanes *s = stiff + (space.is_even[block] ? 0 : half);
         const Lanes *m = mass + (space.is_even[block] ? 0 : half);
-        Lanes entries[4] = {};
-        for (int64_t h = 0; h < half; ++h)
-            for (int k = 0; k < 4; ++k)
-                entries[k] += products[8 * h + k] * s[h] - products[8 * h + 4 + k] * m[h];
-        for (int k = 0; k < 4; ++k) triangle[space.places[4 * block + k]] = entries[k];
+        Lanes entries[BLOCK] = {};
+        for (int64_t h = 0; h < half; ++h, product += 2 * BLOCK)
+            for (int k = 0; k < BLOCK; ++k) {
+                entries[k] += product[k] * s[h];
+                entries[k] += product[BLOCK + k] * m[h];
+            }
+        for (int k = 0; k < BLOCK; ++k) triangle[space.places[BLOCK * block + k]] = entries[k];
     }
     Lanes *loads = solution + modes;
     for (int64_t k = 0; k < modes; ++k) {
@@ -460,9 +454,7 @@ INLINE void write(const DiagonalSpace &space, const DiagonalSettings &settings, 
         for (int64_t k = 0; k <= n; ++k) way += size(line[k + 1] - line[k]);
     }
     for (int64_t k = 0; k < n; ++k) most = larger(most, size(offset[k]));
-    Point straight;
-    for (int c = 0; c < 3; ++c) straight.c[c] = nets.place[c][3][3] - nets.place[c][0][0];
-    const Lanes chord = root(dot(straight, straight)), out = reach(space, nets, offset);
+    const Lanes chord = root(dot(nets.chord, nets.chord)), out = reach(space, nets, offset);
     for (int i = 0; i < count; ++i) {
         const double raw = lane(measured.raw, i), correction = lane(measured.correction, i);
         const double error = lane(measured.error, i) + settings.rounding, residual = lane(measured.residual, i);
