@@ -18,9 +18,9 @@ from bodymeasure.geodesic.shortest.search import Search, check_search, is_outsid
 from bodymeasure.geodesic.solution import GeodesicSolution
 from bodymeasure.geodesic.solving.magnified import solve_near_and_far
 from bodymeasure.geodesic.solving.protocol import Method, PathBatch
-from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure, have_length
+from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
-from bodymeasure.geodesic.surfaces.control_points import checked_with_extremes, of_size_one
+from bodymeasure.geodesic.surfaces.control_points import checked_with_extents, of_size_one
 from bodymeasure.geodesic.surfaces.custom import CustomSurface
 from bodymeasure.geodesic.surfaces.protocol import Surface
 from bodymeasure.geodesic.surfaces.rational import surfaces_of
@@ -36,6 +36,8 @@ MAX_CORRECTION = 0.1
 MAX_TURN = 30.0
 # How many failed problems an error message lists.
 LISTED = 5
+# What statuses are copied from, since it takes longer to find out that one is no array.
+_CONVERGED = np.array([Status.CONVERGED], dtype=object)
 
 
 class HasDerivatives(Protocol):
@@ -164,13 +166,15 @@ def _problems(surface: ArrayLike | HasDerivatives, start: Array, end: Array) -> 
         surfaces, size = CustomSurface(surface.derivatives).of_size_one()
         surface_of, scale = np.zeros(count, np.int64), np.full(count, size)
     else:
-        nets, extremes = checked_with_extremes(surface)
-        shape = _broadcast(nets.shape[:-3], start.shape[:-1], end.shape[:-1])
+        nets, extent = checked_with_extents(surface)
+        batch = nets.shape[:-3]
+        shape = _broadcast(batch, start.shape[:-1], end.shape[:-1])
+        nets, scale = of_size_one(nets.reshape((-1, *nets.shape[-3:])), extent)
+        surfaces, surface_of = surfaces_of(nets), np.arange(len(scale))
         # Each patch is prepared once, however many problems it has.
-        patches = np.arange(math.prod(nets.shape[:-3])).reshape(nets.shape[:-3])
-        surface_of = np.broadcast_to(patches, shape).ravel()
-        nets, sizes = of_size_one(nets.reshape((-1, *nets.shape[-3:])), extremes)
-        surfaces, scale = surfaces_of(nets), sizes[surface_of]
+        if batch != shape:
+            surface_of = np.broadcast_to(surface_of.reshape(batch), shape).ravel()
+            scale = scale[surface_of]
     starts, ends = np.empty((2, *shape, 2))
     starts[...], ends[...] = start, end
     starts, ends = starts.reshape(-1, 2), ends.reshape(-1, 2)
@@ -195,11 +199,10 @@ class _Outcome:
         """Return paths of length zero from points to themselves, which nothing can shorten."""
         count = len(error)
         zeros, none = np.zeros((3, count)), np.zeros((3, count), np.int64)
-        status = np.full(count, Status.CONVERGED, dtype=object)
-        return cls(zeros[0], zeros[1], error, zeros[2], status, *none)
+        return cls(zeros[0], zeros[1], error, zeros[2], _CONVERGED.repeat(count), *none)
 
-    def put(self, batch: PathBatch, scale: Array) -> None:
-        """Put in what a method found for some of the problems, at their numbers."""
+    def put(self, batch: PathBatch, scale: Array) -> Bools:
+        """Put in what a method found for some of the problems, and return which have a length."""
         here, length = batch.problems, batch.length
         scale = scale[here]
         self.raw_length[here] = length.raw * scale
@@ -209,13 +212,17 @@ class _Outcome:
         self.residual[here] = length.residual
         self.index[here] = np.where(batch.converged, length.index, UNKNOWN)
         self.functions[here] = batch.space.size
-        outside = is_outside(batch) & ~_is_far_from_geodesic(batch)
         if batch.contacts:
             self.status[here] = Status.ON_BOUNDARY
-        self.status[here[~length.minimal]] = Status.NOT_A_MINIMUM
-        self.status[here[outside]] = Status.LEAVES_PATCH
-        self.status[here[~batch.converged & ~outside]] = Status.NOT_CONVERGED
-        self.status[here[batch.singular]] = Status.SINGULAR
+        outside = is_outside(batch)
+        good = batch.converged & length.minimal & ~(outside | batch.singular)
+        if not good.all():
+            outside &= ~_is_far_from_geodesic(batch)
+            self.status[here[~length.minimal]] = Status.NOT_A_MINIMUM
+            self.status[here[outside]] = Status.LEAVES_PATCH
+            self.status[here[~batch.converged & ~outside]] = Status.NOT_CONVERGED
+            self.status[here[batch.singular]] = Status.SINGULAR
+        return good
 
 
 def _is_far_from_geodesic(batch: PathBatch) -> Bools:
@@ -228,26 +235,27 @@ def _is_far_from_geodesic(batch: PathBatch) -> Bools:
 def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolution:
     surfaces, surface_of, starts, ends, scale, shape = problems
     # Between points in one place the length is zero, and nothing needs solving.
-    outcome = _Outcome.of_coincident_points(
-        distances_in_one_place(surfaces, surface_of, starts, ends) * scale
-    )
-    apart = np.flatnonzero(~np.isfinite(outcome.error_estimate))
-    # A million patches with a problem each are not copied once more.
-    each_once = np.array_equal(surface_of[apart], np.arange(len(starts)))
-    part = surfaces if each_once else surfaces.take(surface_of[apart])
+    distance = distances_in_one_place(surfaces, surface_of, starts, ends) * scale
+    outcome = _Outcome.of_coincident_points(distance)
+    apart = np.flatnonzero(~np.isfinite(distance))
     here = slice(None) if len(apart) == len(starts) else apart
+    # A million patches with a problem each are not copied once more.
+    each_once = np.array_equal(surface_of[here], np.arange(len(starts)))
+    part = surfaces if each_once else surfaces.take(surface_of[here])
     result = solve_near_and_far(method, part, starts[here], ends[here])
     result = search_further(part, (starts[here], ends[here]), result, search, method.tolerance)
     outcome.iterations[here] = result.iterations
     batches = result.batches
     if len(apart) < len(starts):
         batches = tuple(batch.renumbered(apart[batch.problems]) for batch in batches)
+    has_length = np.ones(len(starts), bool)
     for batch in batches:
-        outcome.put(batch, scale)
+        has_length[batch.problems] = outcome.put(batch, scale)
     known = is_known(outcome.length, outcome.error_estimate, scale)
-    has_length = have_length(outcome.status)
-    outcome.status[has_length & ~known] = Status.INACCURATE
-    outcome.length[~(has_length & known)] = np.nan
+    # What has no length that can be trusted is not a number.
+    if not (has_length & known).all():
+        outcome.status[has_length & ~known] = Status.INACCURATE
+        outcome.length[~(has_length & known)] = np.nan
     return GeodesicSolution(
         start=starts.reshape(*shape, 2),
         end=ends.reshape(*shape, 2),
@@ -276,14 +284,17 @@ def _checked_parameters(name: str, value: ArrayLike) -> Array:
         raise InputError(f"{name} is {value!r}; expected numbers (..., 2): u and v") from None
     if array.ndim == 0 or array.shape[-1] != 2:
         raise InputError(f"{name} has shape {array.shape}; expected (..., 2): u and v")
+    inside = (array >= 0.0) & (array <= 1.0)
     # `not inside` rather than `outside`, so that NaN is refused too.
-    bad = ~((array >= 0.0) & (array <= 1.0)).all(axis=-1)
-    if bad.any():
-        raise InputError(f"{name} holds {array[bad][0].tolist()}; expected u and v in [0, 1]")
+    if not inside.all():
+        bad = array[~inside.all(axis=-1)][0].tolist()
+        raise InputError(f"{name} holds {bad}; expected u and v in [0, 1]")
     return array
 
 
 def _broadcast(*shapes: tuple[int, ...]) -> tuple[int, ...]:
+    if len(set(shapes)) == 1:
+        return shapes[0]
     try:
         return np.broadcast_shapes(*shapes)
     except ValueError:

@@ -66,13 +66,14 @@ def bezier_jets(nets: Array, degrees: tuple[int, int], columns: int, parameters:
     return jets
 
 
-def extremes(points: Array) -> tuple[Array, Array]:
-    """Return the least and greatest coordinates of patches (count, k, 3), two arrays (count, 3)."""
+def extents(points: Array) -> tuple[Array, Array]:
+    """Return the greatest extents and the largest coordinates of patches (count, k, 3)."""
     (points,) = doubles(points)
     count, size = points.shape[:2]
-    low, high = np.empty((count, 3)), np.empty((count, 3))
-    kernels().bodymeasure_extremes(count, size, *map(address, (points, low, high)))
-    return low, high
+    found = np.empty((2, count))
+    kernels().bodymeasure_extents(count, size, *map(address, (points, found)))
+    extent, largest = found
+    return extent, largest
 
 
 def planar_hull(points: Array) -> Ints:

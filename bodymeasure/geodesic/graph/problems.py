@@ -138,4 +138,4 @@ def _centered(nets: Any) -> Any:
 
 def are_corners(start: Array, end: Array) -> bool:
     """Return whether all points are corners of their patches."""
-    return bool(((start == 0.0) | (start == 1.0)).all() and (end == 1.0 - start).all())
+    return bool((((start == 0.0) | (start == 1.0)) & (end == 1.0 - start)).all())

@@ -60,7 +60,8 @@ def solve_offsets(
     iterations = np.zeros(len(start), np.int64)
     batches: dict[TrialSpace, list[PathBatch]] = {}
     # The straight line between points on one line of u or v has no width to be a graph in.
-    across = np.flatnonzero((start[:, 0] != end[:, 0]) & (start[:, 1] != end[:, 1]))
+    differ = start != end
+    across = np.flatnonzero(differ[:, 0] & differ[:, 1])
     is_whole = len(across) == len(start)
     corners = are_corners(start, end)
     # All at once where that copies nothing.
@@ -104,21 +105,16 @@ def _solve_block(
         space = make_space()
         if space.size == 1:
             continue  # It has the straight line alone.
-        iterations[rest] += steps[0]
+        every = len(rest) == problems.count
+        iterations[... if every else rest] += steps[0]
         rung = Rung(before, space, *steps, tolerance)
-        left, offsets = [], []
-        for part in _climbed(problems, rest, rung, offset):
-            if len(part.done.problems):
-                every = len(rest) == problems.count
-                batches.append(
-                    part.done if every else part.done.renumbered(rest[part.done.problems])
-                )
-            left.append(part.left)
-            offsets.append(part.offset)
-        keep = np.concatenate(left)
+        parts = list(_climbed(problems, rest, rung, offset))
+        found = [part.done for part in parts if len(part.done.problems)]
+        batches += found if every else [each.renumbered(rest[each.problems]) for each in found]
+        keep = np.concatenate([part.left for part in parts])
         if len(keep) == 0:
             break
-        offset = problems.xp.concat(offsets, axis=1)
+        offset = problems.xp.concat([part.offset for part in parts], axis=1)
         rest, before, steps = rest[keep], space, LATER
     return MethodResult(tuple(batches), iterations)
 

@@ -51,12 +51,12 @@ def collocate(
     if form == "full" or not isinstance(surface, BezierSurfaces):
         return solve_on_spaces(spaces, surface, ends, tolerance=tolerance)
     found = solve_offsets(spaces, surface, ends, tolerance)
+    if sum(len(batch.problems) for batch in found.batches) == len(ends[0]):
+        return found
     is_open = np.ones(len(ends[0]), bool)
     for batch in found.batches:
         is_open[batch.problems] = False
     rest = np.flatnonzero(is_open)
-    if len(rest) == 0:
-        return found
     others = solve_on_spaces(
         spaces, surface.take(rest), (ends[0][rest], ends[1][rest]), tolerance=tolerance
     )

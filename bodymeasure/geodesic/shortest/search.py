@@ -72,20 +72,23 @@ def search_further(
     if search == "straight":
         return result
     count = len(ends[0])
-    good = np.zeros(count, bool)
+    good, again = np.zeros(count, bool), np.ones(count, bool)
+    for batch in result.batches:
+        fine = batch.converged & batch.length.minimal & ~is_outside(batch)
+        good[batch.problems] = fine
+        if search == "quick":
+            again[batch.problems] = ~(fine & _is_straight(surface, ends, batch))
+    if not again.any():
+        return result
     place = np.empty((2, count), np.int64)
     for number, batch in enumerate(result.batches):
-        good[batch.problems] = batch.converged & batch.length.minimal & ~is_outside(batch)
         place[0, batch.problems] = number
         place[1, batch.problems] = np.arange(len(batch.problems))
-    if search == "quick":
-        again = np.flatnonzero(~good | _is_roundabout(surface, ends, result))
-    else:
-        again = np.arange(count)
+    numbers = np.flatnonzero(again)
     doubtful, replaced = np.zeros(count, bool), np.zeros(count, bool)
     shorter: list[PathBatch] = []
-    for first in range(0, len(again), CHUNK):
-        chunk = again[first : first + CHUNK]
+    for first in range(0, len(numbers), CHUNK):
+        chunk = numbers[first : first + CHUNK]
         own = _taken(result, place[:, chunk])
         known = _known(own, good[chunk])
         found = shortest_paths(surface.take(chunk), np.stack(ends)[:, chunk], known, tolerance)
@@ -107,15 +110,11 @@ def search_further(
     return MethodResult(tuple(batches), result.iterations)
 
 
-def _is_roundabout(surface: Surface, ends: tuple[Array, Array], result: MethodResult) -> Bools:
-    """Which paths are so long, beside their chords, that there may be much shorter ones."""
-    far = np.empty(len(ends[0]), bool)
-    for batch in result.batches:
-        length = batch.length.corrected
-        chord = _chords(surface, ends, batch.problems) if batch.chord is None else batch.chord
-        # Not `longer` but `not shorter`, so that NaN counts too.
-        far[batch.problems] = ~(length <= ROUNDABOUT * chord)
-    return far
+def _is_straight(surface: Surface, ends: tuple[Array, Array], batch: PathBatch) -> Bools:
+    """Which paths are hardly longer than their chords, so that none can be much shorter."""
+    chord = _chords(surface, ends, batch.problems) if batch.chord is None else batch.chord
+    result: Bools = batch.length.corrected <= ROUNDABOUT * chord
+    return result
 
 
 def _chords(surface: Surface, ends: tuple[Array, Array], problems: Ints) -> Array:

@@ -86,8 +86,8 @@ def solve_near_and_far(method: Method, surface: Surface, start: Array, end: Arra
     """Solve by a method, with near problems magnified; start and end of shape (problems, 2)."""
     if len(start) == 0:
         return MethodResult((), np.zeros(0, np.int64))
-    span = np.abs(end - start).max(axis=1)
-    near = span < NEAR
+    move = np.abs(end - start)
+    near = np.maximum(move[:, 0], move[:, 1]) < NEAR
     if not near.any():
         return method.solve(surface, start, end)
     batches: list[PathBatch] = []

@@ -11,11 +11,8 @@ from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import project
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.numerics.array_libraries import constant, namespace, to_numpy
-from bodymeasure.native import extremes as compiled_extremes
+from bodymeasure.native import extents as compiled_extents
 from bodymeasure.native import is_compiled
-
-Extremes = tuple[Array, Array]
-"""The least and the greatest coordinates of patches, both of shape (patches, 3)."""
 
 # Coordinates beyond this could overflow in a length.
 LARGEST = 1e300
@@ -36,11 +33,11 @@ def checked_control_points(value: Any) -> Any:
     InputError
         If a shape or value is wrong, or a patch is collapsed to a point.
     """
-    return checked_with_extremes(value)[0]
+    return checked_with_extents(value)[0]
 
 
-def checked_with_extremes(value: Any) -> tuple[Any, Extremes]:
-    """Return the same as `checked_control_points`, and their `extremes`."""
+def checked_with_extents(value: Any) -> tuple[Any, Array]:
+    """Return the same as `checked_control_points`, and the patches' greatest extents."""
     nets = _as_array(value)
     if nets.ndim < 3 or nets.shape[-1] not in (3, 4) or min(nets.shape[-3:-1]) < 2:
         raise InputError(
@@ -49,24 +46,26 @@ def checked_with_extremes(value: Any) -> tuple[Any, Extremes]:
         )
     if nets.shape[-1] == 4:
         nets = _with_weights(nets)
-    # Where a number is not finite, the extremes are not finite either.
-    low, high = extremes(nets)
-    largest = _largest(np.maximum(-low, high))
+    extent, largest = extents(nets)
+    # `not good` rather than `bad`, so that NaN is refused too.
+    if not ((largest <= LARGEST) & (extent > 0.0)).all():
+        raise InputError(_fault(extent, largest))
+    return nets, extent
+
+
+def _fault(extent: Array, largest: Array) -> str:
+    """What is wrong with the first patch that is not accepted."""
     bad = np.flatnonzero(~np.isfinite(largest))
     if len(bad):
-        raise InputError(f"patch {bad[0]} has control points that are not finite; correct them")
+        return f"patch {bad[0]} has control points that are not finite; correct them"
     huge = np.flatnonzero(largest > LARGEST)
     if len(huge):
-        raise InputError(
+        return (
             f"patch {huge[0]} has coordinates of {largest[huge[0]]:.3g}; expected at most "
             f"{LARGEST:g}: choose a larger unit"
         )
-    collapsed = _collapsed(low, high)
-    if len(collapsed):
-        raise InputError(
-            f"patch {collapsed[0]} is degenerate: all its control points are equal; remove it"
-        )
-    return nets, (low, high)
+    collapsed = np.flatnonzero(extent == 0.0)[0]
+    return f"patch {collapsed} is degenerate: all its control points are equal; remove it"
 
 
 def _with_weights(nets: Any) -> Array:
@@ -84,7 +83,7 @@ def _with_weights(nets: Any) -> Array:
 
 
 def _as_array(value: Any) -> Any:
-    foreign = array_api_compat.is_array_api_obj(value) and not isinstance(value, np.ndarray)
+    foreign = not isinstance(value, np.ndarray) and array_api_compat.is_array_api_obj(value)
     try:
         if foreign:
             return _as_doubles(value)
@@ -110,51 +109,52 @@ def _as_doubles(value: Any) -> Any:
 
 def collapsed_patches(control_points: Any) -> Ints:
     """Return the numbers of the patches, shape (..., m + 1, n + 1, 3), whose points are equal."""
-    return _collapsed(*extremes(control_points))
+    return np.flatnonzero(extents(control_points)[0] == 0.0)
 
 
-def _collapsed(low: Array, high: Array) -> Ints:
-    return np.flatnonzero(_largest(high - low) == 0.0)
-
-
-def of_size_one(nets: Any, known: Extremes | None = None) -> tuple[Any, Array]:
+def of_size_one(nets: Any, extent: Array | None = None) -> tuple[Any, Array]:
     """Return patches scaled to about size 1, so that tolerances mean the same, and their sizes.
 
-    The sizes are powers of 2, so that nothing is rounded. The patches' `extremes` may be known.
+    The sizes are powers of 2, so that nothing is rounded. The patches' greatest `extents` may be
+    known.
     """
-    xp = namespace(nets)
-    exponents = np.zeros(nets.shape[0], np.int64)
+    power = np.frexp(extents(nets)[0] if extent is None else extent)[1] - 1
     # The smallest patches are scaled twice, since their factors are beyond the largest number.
-    for _ in range(2):
-        low, high = extremes(nets) if known is None else known
-        exact = np.frexp(_largest(high - low))[1].astype(np.int64) - 1
-        power = np.minimum(np.maximum(exact, -MOST), MOST)
-        # One factor for whole rows takes a third of the time of three that alternate.
-        factor = np.ldexp(1.0, -power)[:, None]
-        size = math.prod(nets.shape[1:])
-        if nets.shape[-1] == 4:
-            # Weights have no unit.
-            factor = np.tile(
-                np.append(np.repeat(factor, 3, axis=1), np.ones_like(factor), axis=1), size // 4
-            )
-        flat = xp.reshape(nets, (nets.shape[0], size)) * constant(factor, nets, xp)
-        nets = xp.reshape(flat, nets.shape)
-        exponents += power
-        if (power == exact).all():
-            break
-        known = None
-    return nets, np.ldexp(1.0, exponents)
+    first = np.maximum(power, -MOST)
+    nets = _scaled(nets, first)
+    if (power < first).any():
+        nets = _scaled(nets, power - first)
+    return nets, np.ldexp(1.0, power)
 
 
-def extremes(control_points: Any) -> Extremes:
-    """Return the least and greatest coordinates of each patch, two arrays (patches, 3)."""
+def _scaled(nets: Any, power: Ints) -> Any:
+    """The patches divided by powers of 2, with these exponents."""
+    xp, size = namespace(nets), math.prod(nets.shape[1:])
+    # One factor for whole rows takes a third of the time of three that alternate.
+    factor = np.ldexp(1.0, -power)[:, None]
+    if nets.shape[-1] == 4:
+        # Weights have no unit.
+        factor = np.tile(
+            np.append(np.repeat(factor, 3, axis=1), np.ones_like(factor), axis=1), size // 4
+        )
+    flat = xp.reshape(nets, (nets.shape[0], size)) * constant(factor, nets, xp)
+    return xp.reshape(flat, nets.shape)
+
+
+def extents(control_points: Any) -> tuple[Array, Array]:
+    """Return the greatest extent of each patch along an axis, and its largest coordinate.
+
+    Both have shape (patches,), and are not finite where a coordinate is not.
+    """
     if control_points.shape[-1] == 4:
         control_points = project(control_points)
     xp = namespace(control_points)
     points = xp.reshape(control_points, (-1, math.prod(control_points.shape[-3:-1]), 3))
     if isinstance(points, np.ndarray) and is_compiled():
-        return compiled_extremes(points)
-    return to_numpy(_folded(points, xp.minimum)), to_numpy(_folded(points, xp.maximum))
+        return compiled_extents(points)
+    low, high = (to_numpy(_folded(points, each)) for each in (xp.minimum, xp.maximum))
+    with np.errstate(over="ignore", invalid="ignore"):
+        return _largest(high - low), _largest(np.maximum(-low, high))
 
 
 def _largest(values: Array) -> Array:
