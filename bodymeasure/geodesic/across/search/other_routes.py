@@ -11,7 +11,7 @@ import numpy as np
 
 from bodymeasure._typing import Bools
 from bodymeasure.atlas.point import AtlasPoint
-from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.seams import AXIS, EDGES, VALUE
 from bodymeasure.atlas.topology.neighbors import Crossing, Neighbors
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.across.routes.route import Route
@@ -172,25 +172,22 @@ def detours(
     times = np.concatenate([space.nodes[1:-1], space.times_between])
     order = np.argsort(times, kind="stable")
     samples = values @ space.between_nodes.T
-    held = refined.held_nodes
-    # The gain is how much shorter each piece could be if nothing held it.
-    gain = np.abs(refined.by_piece.correction)
-    for piece in np.flatnonzero(~(gain < worthwhile * refined.lengths.sum())).tolist():
+    beyond = (samples[:, AXIS] - VALUE[:, None]) * (2.0 * VALUE[:, None] - 1.0) > OUTSIDE
+    on_edge = refined.held_nodes[:, AXIS] & (values[:, AXIS, 1:-1] == VALUE[:, None])
+    leaves = np.concatenate([on_edge, beyond], axis=2)[:, :, order]
+    for piece in np.flatnonzero(leaves.any(axis=(1, 2))).tolist():
+        # The gain is how much shorter the piece could be if nothing held it.
+        if abs(refined.by_piece.correction[piece]) < worthwhile * refined.lengths.sum():
+            continue
         patch = route.patches[piece]
         # The number of the crossing that leaves the piece.
         leaving = piece + route.closed
-        for side, edge in enumerate(EDGES):
+        for side in np.flatnonzero(leaves[piece].any(axis=1)).tolist():
             crossings = neighbors.over.get((patch, side), ())
-            if not crossings:
-                continue
-            axis, value = edge.fixed_axis, edge.fixed_value
-            beyond = (samples[piece, axis] - value) * (2.0 * value - 1.0) > OUTSIDE
-            on_edge = held[piece, axis] & (values[piece, axis, 1:-1] == value)
-            apart = not (on_edge.any() or beyond.any())
-            runs = [] if apart else _runs(np.concatenate([on_edge, beyond])[order])
+            runs = _runs(leaves[piece, side]) if crossings else []
             for first, last in runs[:1] if route.closed else runs:
                 ends = times[order][[max(first - 1, 0), min(last + 1, len(times) - 1)]]
-                along = space.functions.values(ends) @ values[piece, 1 - axis]
+                along = space.functions.values(ends) @ values[piece, 1 - EDGES[side].fixed_axis]
                 leave, enter = np.clip(along, 0.0, 1.0).tolist()
                 for crossing in crossings:
                     there = 1.0 - enter if crossing.flipped else enter

@@ -25,6 +25,9 @@ from bodymeasure.trust import NEGLIGIBLE
 
 # Degrees of the polynomial on each patch, tried in turn.
 DEGREES = (8, 12, 16, 24, 32, 48, 72)
+# A path whose last coefficients at the first degree are larger than this part of it is hardly ever
+# exact there: what its length is worth is only estimated at the next degree.
+ROUGH = 2e-6
 # The last degree at which a path is refined for which no budget is left.
 LAST_OVERDRAWN = 16
 # Routes of loops and round corners are tried again up to this degree: beyond it the few steps that
@@ -208,18 +211,20 @@ def _along(search: Search, begun: _Begun) -> SearchResult:
         if held is not None:
             kind, good = None, True
             break
+        history.append(best.length)
+        if degree <= DEGREES[0] and _is_rough(best) and not search.budget.is_overdrawn():
+            continue
         length, kind = route_length(best)
         length = replace(length, error=length.error + missed)
         if contact:
             # The formulas of the error hold for geodesics, which a path along an edge is not.
-            changes = [abs(best.length - before) for before in history[-2:]]
+            changes = [abs(best.length - before) for before in history[-3:-1]]
             error = CONTACT_SAFETY * max(changes, default=np.inf)
             length = replace(length, correction=np.zeros(()), error=np.asarray(error))
             good = bool(error <= CONTACT_TOLERANCE * length.raw)
         else:
             most = GOOD_ENOUGH * max(float(length.raw), negligible)
             good = bool(length.trusted and length.error <= most)
-        history.append(best.length)
         # Newton's method comes to rest on a saddle, too, but does not notice it, nor where the
         # parameters of so short a path have only a few digits.
         rests = best.minimum.converged or kind is LoopKind.SADDLE or length.raw < negligible
@@ -248,6 +253,13 @@ def _along(search: Search, begun: _Begun) -> SearchResult:
     else:
         status = Status.ON_BOUNDARY if contact else Status.CONVERGED
     return SearchResult(best, part, kind, status)
+
+
+def _is_rough(path: RefinedPath) -> bool:
+    """Return whether polynomials of their degree hardly follow a path."""
+    last = path.problem.space.functions.coefficients[0, -2:, :, -1].astype(np.float64)
+    most = np.abs(path.values @ last.T).max(axis=(1, 2))
+    return bool((most * path.lengths).max() > ROUGH * path.lengths.sum())
 
 
 def _on_boundary(neighbors: Neighbors, refined: RefinedPath) -> bool:
