@@ -126,7 +126,7 @@ EXPORTED int64_t bodymeasure_box_steps(int64_t count, int64_t unknowns, int64_t 
                                        const double *matrix, const double *gradient,
                                        const double *place, const uint8_t *idle, double *step,
                                        uint8_t *definite) {
-    std::vector<double> room(bodymeasure::step_room({unknowns, bands, nullptr, nullptr, nullptr, nullptr}));
+    std::vector<double> room(bodymeasure::step_room(unknowns, bands));
     for (int64_t number = 0; number < count; ++number) {
         const int64_t first = number * unknowns;
         const bodymeasure::BoxModel model{unknowns,         bands,         matrix + first * bands,

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #if __has_include(<features.h>)
 #include <features.h>  // Says whether the C library is glibc.
@@ -31,7 +32,25 @@ namespace bodymeasure {
 // The highest degree of a patch in one parameter for which the kernels have room.
 constexpr int64_t MOST_DEGREE = 32, MOST_SIDE = MOST_DEGREE + 1;
 
-inline double dot(const double *a, const double *b) {
+// Numbers of several problems, which are calculated at once.
+constexpr int64_t LANES = 4;
+typedef double Lanes __attribute__((vector_size(8 * LANES)));
+
+// Room for some of them. What a type is aligned to depends on the processor, so that `new` does not
+// know it.
+class Room {
+    std::vector<double> whole;
+
+  public:
+    explicit Room(int64_t count) : whole((count + 1) * LANES) {}
+    Lanes *begin() {
+        constexpr uintptr_t size = sizeof(Lanes);
+        return reinterpret_cast<Lanes *>((reinterpret_cast<uintptr_t>(whole.data()) + size - 1) / size * size);
+    }
+};
+
+template <typename Number>
+inline Number dot(const Number *a, const Number *b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
@@ -42,9 +61,10 @@ inline void cross_product(const double *a, const double *b, double *result) {
 }
 
 // The values of the Bernstein polynomials of a degree at t.
-inline void bernstein(int64_t degree, double t, double *values) {
-    const double s = 1.0 - t;
-    values[0] = 1.0;
+template <typename Number>
+inline void bernstein(int64_t degree, const Number &t, Number *values) {
+    const Number s = 1.0 - t;
+    values[0] = Number{} + 1.0;
     for (int64_t k = 1; k <= degree; ++k) {
         values[k] = t * values[k - 1];
         for (int64_t i = k - 1; i > 0; --i) values[i] = s * values[i] + t * values[i - 1];
@@ -65,13 +85,18 @@ struct Paths {
     const double *place, *slopes, *weights;
 };
 
-// Room for the energy of one path: (`energy_room`) doubles.
+// Past the last path, it is calculated again.
+inline int64_t lane_of(const Paths &paths, int64_t number) {
+    return number < paths.count ? number : paths.count - 1;
+}
+
+// Room for energies, in `Lanes`.
 int64_t energy_room(const Paths &paths);
 
-// The energy of a path, its gradient and its Hessian by all nodal values, u before v. Where `flat`,
-// J^T J stands for the Hessian.
-double energy_of_path(const Paths &paths, int64_t number, const double *values, bool flat,
-                      double *gradient, double *hessian, double *room);
+// The energies of paths from a number on, their gradients by all nodal values, u before v, and the
+// lower triangles of their Hessians. Where `flat`, J^T J stands for the Hessian.
+void energies_of_paths(const Paths &paths, int64_t number, const Lanes *values, bool flat,
+                       Lanes *energy, Lanes *gradient, Lanes *hessian, Lanes *room);
 
 // The speed of a path at the points of the quadrature, one by it, its geodesic curvature, and the
 // Gaussian curvature of the patch there: (4, points), the entries `stride` apart. `bend` holds the
@@ -111,8 +136,8 @@ constexpr int64_t WIDTH = 8;
 inline int64_t step_stride(int64_t bands) { return (bands + 2 * WIDTH - 1) / WIDTH * WIDTH; }
 
 // Room for a step, in doubles.
-inline int64_t step_room(const BoxModel &model) {
-    return (step_stride(model.bands) + 3) * model.unknowns;
+inline int64_t step_room(int64_t unknowns, int64_t bands) {
+    return (step_stride(bands) + 3) * unknowns;
 }
 
 // The step to the model's minimum in the box; false if there is none.

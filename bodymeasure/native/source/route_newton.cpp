@@ -6,6 +6,7 @@
 // their seam. Each step leads to the minimum, in the box, of the quadratic model with the exact
 // Hessian, damped as by Levenberg and Marquardt.
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -37,49 +38,50 @@ struct Expansion {
     double *gradient, *bands;  // (unknowns,), (bands, unknowns)
 };
 
-struct Room {
-    double *values, *gradient, *hessian, *slope, *energy;
+struct Work {
+    Lanes *energy, *values, *gradient, *hessian, *rest;
+    double *slope;
 };
 
 double expand(const Paths &paths, const RouteUnknowns &route, const double *place,
-              const Expansion &result, const Room &room) {
+              const Expansion &result, const Work &room) {
     const int64_t nodes = paths.nodes, size = 2 * nodes, moved = route.moved;
     std::memset(result.gradient, 0, sizeof(double) * route.unknowns);
     std::memset(result.bands, 0, sizeof(double) * route.bands * route.unknowns);
     double whole = 0.0;
-    for (int64_t piece = 0; piece < paths.count; ++piece) {
-        const int64_t *rows = route.rows + piece * moved, *local = route.local + piece * moved;
-        const double *sign = route.sign + piece * moved, *offset = route.offset + piece * moved;
-        std::memcpy(room.values, route.fixed + piece * size, sizeof(double) * size);
-        for (int64_t i = 0; i < moved; ++i)
-            room.values[local[i]] = offset[i] + sign[i] * place[rows[i]];
-        const double energy = energy_of_path(paths, piece, room.values, false, room.gradient,
-                                             room.hessian, room.energy);
-        const double root = std::sqrt(2.0 * energy + route.epsilon), inverse = 1.0 / root;
-        whole += root;
-        for (int64_t i = 0; i < moved; ++i) {
-            room.slope[i] = room.gradient[local[i]] * sign[i] * inverse;
-            result.gradient[rows[i]] += room.slope[i];
+    for (int64_t begin = 0; begin < paths.count; begin += LANES) {
+        for (int64_t lane = 0; lane < LANES; ++lane) {
+            const int64_t piece = lane_of(paths, begin + lane), first = piece * moved;
+            for (int64_t i = 0; i < size; ++i) room.values[i][lane] = route.fixed[piece * size + i];
+            for (int64_t i = first; i < first + moved; ++i)
+                room.values[route.local[i]][lane] = route.offset[i] + route.sign[i] * place[route.rows[i]];
         }
-        for (int64_t i = 0; i < moved; ++i) {
-            const double *row = room.hessian + local[i] * size;
-            for (int64_t j = 0; j < moved; ++j) {
-                const int64_t band = rows[i] - rows[j];
-                if (band < 0) continue;
-                const double bend = row[local[j]] * sign[i] * sign[j] - room.slope[i] * room.slope[j];
-                result.bands[band * route.unknowns + rows[j]] += bend * inverse;
+        energies_of_paths(paths, begin, room.values, false, room.energy, room.gradient, room.hessian,
+                          room.rest);
+        for (int64_t lane = 0; lane < LANES && begin + lane < paths.count; ++lane) {
+            const int64_t first = (begin + lane) * moved;
+            const int64_t *rows = route.rows + first, *local = route.local + first;
+            const double *sign = route.sign + first;
+            const double root = std::sqrt(2.0 * (*room.energy)[lane] + route.epsilon);
+            const double inverse = 1.0 / root;
+            whole += root;
+            for (int64_t i = 0; i < moved; ++i) {
+                room.slope[i] = room.gradient[local[i]][lane] * sign[i] * inverse;
+                result.gradient[rows[i]] += room.slope[i];
+            }
+            for (int64_t i = 0; i < moved; ++i) {
+                for (int64_t j = 0; j < moved; ++j) {
+                    const int64_t band = rows[i] - rows[j];
+                    if (band < 0) continue;
+                    const int64_t low = std::min(local[i], local[j]), high = std::max(local[i], local[j]);
+                    const double bend = room.hessian[high * size + low][lane] * sign[i] * sign[j] -
+                                        room.slope[i] * room.slope[j];
+                    result.bands[band * route.unknowns + rows[j]] += bend * inverse;
+                }
             }
         }
     }
     return whole;
-}
-
-// What Newton's method needs beside its results, in doubles.
-int64_t newton_room(const Paths &paths, const RouteUnknowns &route) {
-    const int64_t size = 2 * paths.nodes;
-    const BoxModel model{route.unknowns, route.bands, nullptr, nullptr, nullptr, nullptr};
-    return size * (size + 2) + route.moved + energy_room(paths) + step_room(model) +
-           (2 * route.bands + 3) * route.unknowns;
 }
 
 }  // namespace
@@ -90,17 +92,15 @@ EXPORTED int64_t bodymeasure_route_newton(const Paths *paths, const RouteUnknown
                                           const NewtonSettings *settings, double *place,
                                           double *value, double *gradient, double *bands) {
     const int64_t n = route->unknowns, size = 2 * paths->nodes;
-    std::vector<double> whole(newton_room(*paths, *route));
+    const int64_t entries = route->bands * n;
+    Room lanes(1 + size * (size + 2) + energy_room(*paths));
+    std::vector<double> whole(route->moved + 3 * n + 2 * entries + step_room(n, route->bands));
     double *room = whole.data();
-    const auto take = [&room](int64_t count) {
-        double *part = room;
-        room += count;
-        return part;
-    };
-    Room own{take(size), take(size), take(size * size), take(route->moved),
-             take(energy_room(*paths))};
-    double *trial = take(n), *step = take(n), *damped = take(route->bands * n);
-    Expansion here{0.0, gradient, bands}, there{0.0, take(n), take(route->bands * n)};
+    const auto take = [&room](int64_t count) { return (room += count) - count; };
+    Lanes *values = lanes.begin() + 1, *slopes = values + size, *hessian = slopes + size;
+    const Work own{lanes.begin(), values, slopes, hessian, hessian + size * size, take(route->moved)};
+    double *trial = take(n), *step = take(n), *damped = take(entries);
+    Expansion here{0.0, gradient, bands}, there{0.0, take(n), take(entries)};
     double *rest = room;
     here.value = expand(*paths, *route, place, here, own);
     double damping = settings->first;
@@ -108,7 +108,7 @@ EXPORTED int64_t bodymeasure_route_newton(const Paths *paths, const RouteUnknown
     int64_t steps = 0;
     while (steps < settings->most_steps && !converged && damping <= settings->most) {
         ++steps;
-        std::memcpy(damped, here.bands, sizeof(double) * route->bands * n);
+        std::memcpy(damped, here.bands, sizeof(double) * entries);
         for (int64_t i = 0; i < n; ++i) damped[i] += damping * std::fabs(here.bands[i]);
         const BoxModel model{n, route->bands, damped, here.gradient, place, route->idle};
         const bool definite = box_step(model, step, rest);
@@ -129,7 +129,7 @@ EXPORTED int64_t bodymeasure_route_newton(const Paths *paths, const RouteUnknown
             std::memcpy(place, trial, sizeof(double) * n);
             here.value = there.value;
             std::memcpy(here.gradient, there.gradient, sizeof(double) * n);
-            std::memcpy(here.bands, there.bands, sizeof(double) * route->bands * n);
+            std::memcpy(here.bands, there.bands, sizeof(double) * entries);
             damping = damping * settings->less < settings->least ? 0.0 : damping * settings->less;
         } else {
             const double more = damping * settings->more;
