@@ -32,8 +32,8 @@ class NewtonSettings(ctypes.Structure):
 
     _fields_ = (
         ("most_steps", ctypes.c_int64),
-        *((name, ctypes.c_double) for name in ("rest", "rest_damping", "rounding", "first")),
-        *((name, ctypes.c_double) for name in ("less", "more", "least", "most")),
+        *((name, ctypes.c_double) for name in ("rest", "rest_damping", "rounding", "start")),
+        *((name, ctypes.c_double) for name in ("first", "less", "more", "least", "most")),
     )
 
 

@@ -26,6 +26,8 @@ ROUNDING = 2e-15
 # Damping, as a part of the Hessian's diagonal: its first value, its factors after a good and a bad
 # step, the value below which it is zero, and that past which no step helps.
 FIRST, LESS, MORE, LEAST, MOST = 1e-4, 0.1, 8.0, 1e-8, 1e8
+# Its first value where the start is near the minimum, from which more damping would keep it.
+NEAR = 1e-6
 
 
 class SecondOrder(NamedTuple):
@@ -83,10 +85,11 @@ def steps_allowed(most_steps: int, entries: int) -> int:
     return min(most_steps, max(FEWEST, int(MAX_ENTRIES / entries)))
 
 
-def newton_settings(most_steps: int, entries: int) -> NewtonSettings:
+def newton_settings(most_steps: int, entries: int, damping: float) -> NewtonSettings:
     """Return the constants of this method for compiled kernels."""
     steps = steps_allowed(most_steps, entries)
-    return NewtonSettings(steps, REST, REST_DAMPING, ROUNDING, FIRST, LESS, MORE, LEAST, MOST)
+    rest = REST, REST_DAMPING, ROUNDING
+    return NewtonSettings(steps, *rest, damping, FIRST, LESS, MORE, LEAST, MOST)
 
 
 def minimize_in_box(
@@ -94,6 +97,7 @@ def minimize_in_box(
     start: Array,
     idle: Bools,
     most_steps: int = MAX_STEPS,
+    damping: float = FIRST,
 ) -> BoxMinimum:
     """Find a local minimum over [0, 1]^k.
 
@@ -109,8 +113,10 @@ def minimize_in_box(
         Unknowns that stay as they are.
     most_steps : int
         The most steps.
+    damping : float
+        Its first value.
     """
-    place, here, damping = start, expand(start), FIRST
+    place, here = start, expand(start)
     most_steps = steps_allowed(most_steps, here.bands.size)
     converged, iterations = False, 0
     while iterations < most_steps and not converged and damping <= MOST:

@@ -28,7 +28,7 @@ struct RouteUnknowns {
 // The constants of `numerics.box_newton`.
 struct NewtonSettings {
     int64_t most_steps;
-    double rest, rest_damping, rounding, first, less, more, least, most;
+    double rest, rest_damping, rounding, start, first, less, more, least, most;
 };
 
 namespace {
@@ -103,7 +103,7 @@ EXPORTED int64_t bodymeasure_route_newton(const Paths *paths, const RouteUnknown
     Expansion here{0.0, gradient, bands}, there{0.0, take(n), take(entries)};
     double *rest = room;
     here.value = expand(*paths, *route, place, here, own);
-    double damping = settings->first;
+    double damping = settings->start;
     bool converged = false;
     int64_t steps = 0;
     while (steps < settings->most_steps && !converged && damping <= settings->most) {

@@ -25,6 +25,7 @@ from bodymeasure.bezier import scaled
 from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.lengths.functionals import energy, path_tables
 from bodymeasure.geodesic.numerics.box_newton import (
+    FIRST,
     MAX_STEPS,
     BoxMinimum,
     SecondOrder,
@@ -184,7 +185,11 @@ class RouteProblem:
         return root, slope, bend
 
     def minimized(
-        self, start: Array, idle: Bools | None = None, most_steps: int = MAX_STEPS
+        self,
+        start: Array,
+        idle: Bools | None = None,
+        most_steps: int = MAX_STEPS,
+        damping: float = FIRST,
     ) -> BoxMinimum:
         """Return the minimum near a place; `numerics.box_newton.minimize_in_box` finds it.
 
@@ -195,16 +200,18 @@ class RouteProblem:
             Unknowns that stay as they are; those that move nothing if not given.
         most_steps : int
             The most steps.
+        damping : float
+            Its first value.
         """
         idle = self.idle if idle is None else idle
         tables = path_tables(self.surface, self.space)
         if tables is None:
-            return minimize_in_box(self.expand, start, idle, most_steps)
+            return minimize_in_box(self.expand, start, idle, most_steps, damping)
         bands = self._size_of_bands // self.count
         arrays = RouteArrays(
             self.rows, self.local, self.sign, self._offset, self._fixed, bands, self.epsilon
         )
-        settings = newton_settings(most_steps, self._size_of_bands)
+        settings = newton_settings(most_steps, self._size_of_bands, damping)
         found = route_newton(tables, arrays, start, idle, settings)
         here = SecondOrder(found.value, found.gradient, found.bands)
         converged, iterations = found.converged, found.iterations

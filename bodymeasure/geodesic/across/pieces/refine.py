@@ -13,7 +13,7 @@ from bodymeasure.geodesic.across.routes.route import Route
 from bodymeasure.geodesic.across.routes.topology import topology
 from bodymeasure.geodesic.lengths.length import Length
 from bodymeasure.geodesic.lengths.measure import measure_length
-from bodymeasure.geodesic.numerics.box_newton import BoxMinimum
+from bodymeasure.geodesic.numerics.box_newton import FIRST, NEAR, BoxMinimum
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
 
@@ -114,7 +114,7 @@ def refine(
         slides = start, end
     problem = RouteProblem(atlas, route, space, size, slides)
     guess = problem.unknowns() if before is None else resampled(before, problem)
-    minimum = problem.minimized(guess)
+    minimum = problem.minimized(guess, damping=FIRST if before is None else NEAR)
     refined = measured(problem, minimum)
     if not sharp:
         return refined
