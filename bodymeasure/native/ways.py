@@ -2,6 +2,8 @@
 
 import ctypes
 from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -37,7 +39,8 @@ class _Way(ctypes.Structure):
     )
 
 
-class MeshArrays(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class MeshArrays:
     """A mesh as the kernels read it; see `geodesic.across.routes.faces.FaceMesh`.
 
     Parameters
@@ -54,13 +57,19 @@ class MeshArrays(NamedTuple):
     angle: Array
     vertices: Array
 
+    @cached_property
+    def structure(self) -> _Triangles:
+        """The arrays as a structure."""
+        arrays = self.faces, self.over, self.apex, self.angle, self.vertices
+        return _Triangles(*map(address, arrays))
+
 
 class WayFound(NamedTuple):
-    """What `geodesic.across.routes.strips.StraightWay` holds, in lists."""
+    """What `geodesic.across.routes.strips.StraightWay` holds; the weights are those of the ends."""
 
-    strip: list[int]
-    sides: list[int]
-    along: list[float]
+    strip: Ints
+    sides: Ints
+    along: Array
     length: float
     weights: tuple[list[float], list[float]]
 
@@ -69,7 +78,7 @@ def way_straightened(
     mesh: MeshArrays,
     faces: tuple[int, int],
     weights: tuple[Sequence[float], Sequence[float]],
-    vertices: Sequence[int],
+    vertices: Ints,
 ) -> WayFound | int:
     """Return the way along a mesh's edges, pulled straight.
 
@@ -79,28 +88,27 @@ def way_straightened(
         One of whose sides each is on two faces at most.
     faces, weights : pair
         Where its ends are: their faces, and the barycentric coordinates on them.
-    vertices : sequence of int
+    vertices : ndarray of int
 
     Returns
     -------
     WayFound or int
         0 if no strip of faces leads past a vertex; 1 if the Python form has to look.
     """
-    given = np.array(vertices, np.int64)
+    given = np.ascontiguousarray(vertices, np.int64)
     most = MOST_FACES + MORE_FACES * len(given)
     strip, sides = np.empty((2, most), np.int64)
     along = np.empty(most)
     way = _Way(len(given), address(given), faces, (*weights[0], *weights[1]), most)
     way.strip, way.sides, way.along = map(address, (strip, sides, along))
-    triangles = _Triangles(*map(address, mesh))
-    count = kernels().bodymeasure_straight_way(ctypes.byref(triangles), ctypes.byref(way))
+    count = kernels().bodymeasure_straight_way(ctypes.byref(mesh.structure), ctypes.byref(way))
     if count < 0:
         return -1 - int(count)
     shares = list(way.weights)
     return WayFound(
-        strip[:count].tolist(),
-        sides[: count - 1].tolist(),
-        along[: count - 1].tolist(),
+        strip[:count].copy(),
+        sides[: count - 1].copy(),
+        along[: count - 1].copy(),
         way.length,
         (shares[:3], shares[3:]),
     )

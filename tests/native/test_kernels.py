@@ -353,9 +353,9 @@ def test_ways_whose_places_are_not_finite_are_left_to_python(weights: list[float
         vertices=np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], *[[0.5, 1.0, 0.0]] * 3]),
     )
     inside = [0.3, 0.3, 0.4]
-    assert isinstance(way_straightened(mesh, (0, 2), (inside, inside), [2]), WayFound)
+    assert isinstance(way_straightened(mesh, (0, 2), (inside, inside), np.array([2])), WayFound)
     for ends in ((weights, inside), (inside, weights), (weights, weights)):
-        assert way_straightened(mesh, (0, 2), ends, [2]) == 1
+        assert way_straightened(mesh, (0, 2), ends, np.array([2])) == 1
 
 
 def test_a_loop_round_a_body() -> None:

@@ -50,15 +50,14 @@ def _pulled_straight(mesh: RouteMesh, fine: RouteMesh, way: StraightWay) -> Stra
     vertices: list[int] = []
     for patch, here, there in zip(patches, begin.tolist(), finish.tolist(), strict=True):
         vertices += fine.between(patch, here, there)
-    return straight_way(fine.surface, (ends[0], ends[1]), vertices)
+    return straight_way(fine.surface, (ends[0], ends[1]), np.array(vertices))
 
 
 def _on_patches(mesh: RouteMesh, way: StraightWay) -> tuple[Array, Array]:
     """Return (u, v) where a way enters and leaves each face of its strip, shape (faces, 2)."""
     faces, corners, count = mesh.corners[way.strip], mesh.parameters[way.strip], len(way.sides)
     first, last = (np.array(end.weights) for end in way.ends)
-    side, at = np.array(way.sides, np.int64), np.arange(count)
-    t = np.array(way.along)[:, None]
+    side, at, t = way.sides, np.arange(count), way.along[:, None]
     left, right = faces[at, side], faces[at, (side + 1) % 3]
     beyond, after = faces[1:], at + 1
     to_left = np.argmax(beyond == left[:, None], axis=1)

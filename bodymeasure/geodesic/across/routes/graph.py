@@ -1,6 +1,5 @@
 """A graph over an atlas whose shortest ways are roughly the distances between its points."""
 
-from bisect import bisect_left
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -13,7 +12,7 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.prepared import prepared
 from bodymeasure.bezier import evaluate
-from bodymeasure.geodesic.across.routes.mesh import RouteMesh, whole_mesh
+from bodymeasure.geodesic.across.routes.mesh import RouteMesh, unit_steps, whole_mesh
 from bodymeasure.geodesic.numerics.grid_steps import SHORTEST, grid_steps
 from bodymeasure.geodesic.numerics.shortest_ways import shortest_ways
 
@@ -33,16 +32,13 @@ class Reach(NamedTuple):
     place : AtlasPoint
     distances : ndarray, shape (n,)
         Infinite on other parts.
-    before : list of int
-        The vertex from which each one is reached; n where that is the point itself.
-    ways : dict
-        The vertices on the ways to those vertices to which `PatchGraph.way` was asked for one.
+    before : ndarray of int, shape (n + 1,)
+        The vertex from which each one is reached; n where that is the point itself, and for it.
     """
 
     place: AtlasPoint
     distances: Array
-    before: list[int]
-    ways: dict[int, list[int]]
+    before: Ints
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,15 +53,15 @@ class PatchGraph:
         A point of the atlas at each vertex.
     steps : sparse array, shape (n, n)
         The lengths of the steps, in both directions.
-    grid : ndarray of int, shape (steps, 5)
-        The patch of each step, and the lines of its grid on which it begins and ends: those of u,
-        then of v.
+    along : ndarray of int, shape (steps + 1, k)
+        The vertices after the first, along edges of the mesh, on which each step leads; -1 for
+        none, as everywhere in the last row.
     """
 
     mesh: RouteMesh
     places: tuple[AtlasPoint, ...]
     steps: "scipy.sparse.csr_array"
-    grid: Ints
+    along: Ints
 
     @property
     def vertices(self) -> Array:
@@ -91,44 +87,45 @@ class PatchGraph:
         lengths = np.concatenate([self.steps.data, np.maximum(first, SHORTEST)])
         heads = np.concatenate([self.steps.indices, joined])
         degrees = np.append(np.diff(self.steps.indptr), len(joined))
-        distances, before = shortest_ways(degrees, heads[None], lengths[None])
-        return Reach(place, distances[0, :count], before[0, :count].tolist(), {})
+        distances, (before,) = shortest_ways(degrees, heads[None], lengths[None])
+        before[count] = count
+        return Reach(place, distances[0, :count], before)
 
-    def way(self, reach: Reach, vertex: int) -> list[int]:
-        """Return the vertices of a shortest way from a point to a vertex, along the mesh's edges.
+    def ways(self, reach: Reach, vertices: Ints) -> list[Ints]:
+        """Return the vertices of shortest ways from a point to vertices, along the mesh's edges.
 
         The first one is a corner of the face that holds the point. Some follow on themselves.
         """
-        ways, before, back = reach.ways, reach.before, [vertex]
-        while back[-1] not in ways and before[back[-1]] < len(before):
-            back.append(before[back[-1]])
-        here = back.pop()
-        if here not in ways:
-            ways[here] = self._to_first(reach.place, here)
-        for there in reversed(back):
-            ways[there] = ways[here] + self.edges_between(here, there)
-            here = there
-        return ways[vertex]
+        back = [vertices]
+        while (back[-1] < len(self.vertices)).any():
+            back.append(reach.before[back[-1]])
+        nodes = np.array(back[::-1])
+        here, there = nodes[:-1], nodes[1:]
+        begun = here < len(self.vertices)
+        first = {
+            vertex: self._to_first(reach.place, vertex)
+            for vertex in set(there[~begun & (there < len(self.vertices))].tolist())
+        }
+        # No step leads from the point itself, nor to it.
+        steps = np.where(begun, self.step(np.where(begun, here, 0), there), -1)
+        along = self.along[steps].swapaxes(0, 1).reshape(len(vertices), -1)
+        heads = there[np.argmax(there < len(self.vertices), axis=0), np.arange(len(vertices))]
+        return [
+            np.concatenate([first[head], row[row >= 0]])
+            for head, row in zip(heads.tolist(), along, strict=True)
+        ]
 
-    def edges_between(self, vertex: int, other: int) -> list[int]:
-        """Return the vertices along edges of the mesh on which a step leads to another vertex."""
-        known = self._edges.get((vertex, other))
-        if known is None:
-            begins, others = self._ends_of_steps
-            step = bisect_left(others, other, begins[vertex], begins[vertex + 1])
-            patch, i, to_i, j, to_j = self.grid[step].tolist()
-            known = self._edges[vertex, other] = self.mesh.between(patch, (i, j), (to_i, to_j))
-        return known
-
-    @cached_property
-    def _edges(self) -> dict[tuple[int, int], list[int]]:
-        """What `edges_between` found, for at most every step of the graph."""
-        return {}
+    def step(self, vertices: Ints, others: Ints) -> Ints:
+        """Return the numbers of the steps from vertices to others, to which steps lead."""
+        result: Ints = np.searchsorted(self._pairs, vertices * len(self.vertices) + others)
+        return result
 
     @cached_property
-    def _ends_of_steps(self) -> tuple[list[int], list[int]]:
-        """Where the steps of each vertex begin, and the vertices to which they lead, in order."""
-        return self.steps.indptr.tolist(), self.steps.indices.tolist()
+    def _pairs(self) -> Ints:
+        """A number for the ends of each step, in order."""
+        count = len(self.vertices)
+        first: Ints = np.repeat(np.arange(count), np.diff(self.steps.indptr))
+        return first * count + np.asarray(self.steps.indices, np.int64)
 
     def _to_first(self, place: AtlasPoint, vertex: int) -> list[int]:
         """The vertices from a corner of the face that holds a point to one that it is joined to."""
@@ -170,7 +167,30 @@ def patch_graph(atlas: Atlas) -> PatchGraph:
     places: list[AtlasPoint] = [AtlasPoint(0, 0.0, 0.0)] * count
     for patch, i, j in np.argwhere(number >= 0).tolist():
         places[number[patch, i, j]] = AtlasPoint(patch, i / segments, j / segments)
-    return PatchGraph(mesh, tuple(places), steps, np.concatenate([grid, back])[order])
+    along = _along_edges(number, np.concatenate([grid, back])[order])
+    return PatchGraph(mesh, tuple(places), steps, along)
+
+
+def _along_edges(number: Ints, grid: Ints) -> Ints:
+    """The vertices on which steps lead along edges, as in `PatchGraph.along`.
+
+    Parameters
+    ----------
+    number : ndarray of int, shape (patches, k + 1, k + 1)
+        The vertex at each point of the patches' grids; or -1.
+    grid : ndarray of int, shape (steps, 5)
+        The patch of each step, and the lines of its grid on which it begins and ends: those of u,
+        then of v.
+    """
+    patch, i, to_i, j, to_j = grid.T
+    kinds, which = np.unique(np.stack([to_i - i, to_j - j], axis=1), axis=0, return_inverse=True)
+    ways = [unit_steps(*kind)[1:] for kind in kinds.tolist()]
+    result = np.full((len(grid) + 1, max(map(len, ways), default=0)), -1)
+    for kind, way in enumerate(ways):
+        rows = np.flatnonzero(which.ravel() == kind)
+        for place, (a, b) in enumerate(way):
+            result[rows, place] = number[patch[rows], i[rows] + a, j[rows] + b]
+    return result
 
 
 def _steps(number: Ints) -> tuple[Ints, Ints, Ints]:

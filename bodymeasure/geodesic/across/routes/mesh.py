@@ -90,7 +90,7 @@ class RouteMesh:
     def between(self, patch: int, here: Sequence[int], there: Sequence[int]) -> list[int]:
         """Return the vertices of a patch along edges between two points of its grid."""
         rows, (i, j) = self._rows[patch], here
-        steps = _unit_steps(there[0] - i, there[1] - j)
+        steps = unit_steps(there[0] - i, there[1] - j)
         return [each for a, b in steps if (each := rows[i + a][j + b]) >= 0]
 
     def holding(self, place: AtlasPoint) -> OnFace:
@@ -114,7 +114,7 @@ class RouteMesh:
 
 
 @lru_cache(maxsize=4096)
-def _unit_steps(rows: int, columns: int) -> tuple[tuple[int, int], ...]:
+def unit_steps(rows: int, columns: int) -> tuple[tuple[int, int], ...]:
     """Return the places on the way, along lines of a grid or along its diagonals, to a place."""
     steps = max(abs(rows), abs(columns))
     result = [(0, 0)]

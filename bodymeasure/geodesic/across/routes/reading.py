@@ -23,14 +23,14 @@ def route_of(
     that turn about a pole a hair off the point.
     """
     begin, finish = (
-        _on_patch(neighbors, place, int(mesh.patch[face]))
-        for place, face in zip(ends, (way.strip[0], way.strip[-1]), strict=True)
+        _on_patch(neighbors, place, patch)
+        for place, patch in zip(ends, mesh.patch[way.strip[[0, -1]]].tolist(), strict=True)
     )
     if begin is None or finish is None:
         return None
     crossings: list[Crossing] = []
     along: list[float] = []
-    strip, sides = np.array(way.strip), np.array(way.sides, np.int64)
+    strip, sides = way.strip, way.sides
     left = mesh.sides[strip[:-1], sides]
     over = np.flatnonzero(left >= 0)
     here, there, side, after = strip[over], strip[over + 1], sides[over], (sides[over] + 1) % 3
@@ -38,7 +38,7 @@ def route_of(
     ends_of_side = mesh.corners[here[:, None], np.stack([side, after], axis=1)]
     shared = (mesh.corners[there][:, :, None] == ends_of_side[:, None]).any(axis=2)
     entered = np.argmax(shared & np.roll(shared, -1, axis=1), axis=1)
-    t = np.array(way.along)[over, None]
+    t = way.along[over, None]
     first, last = mesh.parameters[here, side], mesh.parameters[here, after]
     found = (mesh.patch[here], mesh.patch[there], left[over], mesh.sides[there, entered])
     places = ((1.0 - t) * first + t * last).tolist()

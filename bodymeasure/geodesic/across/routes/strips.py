@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.across.routes.faces import FaceMesh, OnFace
 from bodymeasure.geodesic.across.routes.unfolding import Strip, Unfolded, shared_side
 from bodymeasure.native import WayFound, is_compiled, way_straightened
@@ -37,45 +37,41 @@ class StraightWay:
     ----------
     ends : pair of OnFace
         Its start, on the first face, and its end, on the last one.
-    strip : list of int
+    strip : ndarray of int
         The faces that it crosses, in order.
-    sides : list of int
+    sides : ndarray of int
         The side by which it leaves each of them but the last.
-    along : list of float
+    along : ndarray
         Where it crosses that side: 0 at its first corner, 1 at its second.
     length : float
         On the mesh.
     """
 
     ends: tuple[OnFace, OnFace]
-    strip: list[int]
-    sides: list[int]
-    along: list[float]
+    strip: Ints
+    sides: Ints
+    along: Array
     length: float
 
     def points(self, mesh: FaceMesh) -> Array:
         """Return the positions of its ends and of where it crosses sides, shape (k, 3)."""
         faces = mesh.arrays.faces
         corners = faces[self.strip]
-        at = np.arange(len(self.sides))
-        side = np.array(self.sides, dtype=np.int64)
+        at, side, t = np.arange(len(self.sides)), self.sides, self.along[:, None]
         first, last = corners[at, side], corners[at, (side + 1) % 3]
-        t = np.array(self.along)[:, None]
         inner = (1.0 - t) * mesh.vertices[first] + t * mesh.vertices[last]
         outer = [np.array(end.weights) @ mesh.vertices[faces[end.face]] for end in self.ends]
         return np.stack([outer[0], *inner, outer[1]])
 
 
-def straight_way(
-    mesh: FaceMesh, ends: tuple[OnFace, OnFace], vertices: Sequence[int]
-) -> StraightWay | None:
+def straight_way(mesh: FaceMesh, ends: tuple[OnFace, OnFace], vertices: Ints) -> StraightWay | None:
     """Return the way along a mesh's edges, pulled straight.
 
     Parameters
     ----------
     mesh : FaceMesh
     ends : pair of OnFace
-    vertices : sequence of int
+    vertices : ndarray of int
         From a corner of the face that holds the start to a corner of the one that holds the end,
         each joined to the next by an edge, or the same.
 
@@ -89,11 +85,11 @@ def straight_way(
         on, weights = (start.face, end.face), (start.weights, end.weights)
         found = way_straightened(mesh.arrays, on, weights, vertices)
         if isinstance(found, WayFound):
-            start, end = map(OnFace, (found.strip[0], found.strip[-1]), found.weights)
+            start, end = map(OnFace, found.strip[[0, -1]].tolist(), found.weights)
             return StraightWay((start, end), found.strip, found.sides, found.along, found.length)
         if found == 0:
             return None
-    faces = _strip_along(mesh, vertices, ends[0].face, ends[1].face)
+    faces = _strip_along(mesh, vertices.tolist(), ends[0].face, ends[1].face)
     if faces is None:
         return None
     strip = _trimmed(mesh, faces, ends)
@@ -131,7 +127,8 @@ def _straight(mesh: FaceMesh, strip: Strip, way: Unfolded) -> StraightWay:
         forwards = mesh.faces[strip.faces[number]][way.sides[number]] == way.names[number][0]
         along.append(t if forwards else 1.0 - t)
     ends = strip.start, strip.end
-    return StraightWay(ends, strip.faces, way.sides, along, way.length)
+    arrays = np.array(strip.faces), np.array(way.sides, np.int64), np.array(along)
+    return StraightWay(ends, *arrays, way.length)
 
 
 def _trimmed(mesh: FaceMesh, faces: list[int], ends: tuple[OnFace, OnFace]) -> Strip:

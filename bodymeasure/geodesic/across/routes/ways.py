@@ -60,15 +60,16 @@ def first_ways(
     graph = patch_graph(atlas)
     reaches = graph.reach(atlas, start), graph.reach(atlas, end)
     ends = graph.mesh.holding(start), graph.mesh.holding(end)
-    begun: set[tuple[int, ...]] = set()
-    found: dict[tuple[int, ...], StraightWay] = {}
+    begun: set[bytes] = set()
+    found: dict[bytes, StraightWay] = {}
     for vertices in _rough_ways(graph, *reaches, scope):
-        if vertices in begun or len(begun) == scope.most:
+        key = vertices.tobytes()
+        if key in begun or len(begun) == scope.most:
             continue
-        begun.add(vertices)
+        begun.add(key)
         way = straight_way(graph.mesh.surface, ends, vertices)
         if way is not None:
-            found.setdefault(tuple(way.strip), way)
+            found.setdefault(way.strip.tobytes(), way)
     ways = sorted(found.values(), key=lambda way: way.length)
     different: list[StraightWay] = []
     courses: list[Array] = []
@@ -87,14 +88,15 @@ def way_through(
 ) -> StraightWay | None:
     """Return the way that leads through vertices of the graph at first, pulled straight."""
     graph = patch_graph(atlas)
-    whole: list[int] = []
+    whole: list[Ints] = []
     start = ends[0]
     for vertex in vertices:
-        whole += graph.way(graph.reach(atlas, start), vertex)
+        whole += graph.ways(graph.reach(atlas, start), np.array([vertex]))
         start = graph.places[vertex]
-    whole += reversed(graph.way(graph.reach(atlas, ends[1]), vertices[-1]))
+    (back,) = graph.ways(graph.reach(atlas, ends[1]), np.array(vertices[-1:]))
+    whole.append(back[::-1])
     first, last = (graph.mesh.holding(end) for end in ends)
-    return straight_way(graph.mesh.surface, (first, last), whole)
+    return straight_way(graph.mesh.surface, (first, last), np.concatenate(whole))
 
 
 def along_way(points: Array, parts: Array) -> Array:
@@ -104,9 +106,7 @@ def along_way(points: Array, parts: Array) -> Array:
     return np.stack([np.interp(parts * bounds[-1], bounds, axis) for axis in points.T], axis=-1)
 
 
-def _rough_ways(
-    graph: PatchGraph, begin: Reach, finish: Reach, scope: Scope
-) -> Iterator[tuple[int, ...]]:
+def _rough_ways(graph: PatchGraph, begin: Reach, finish: Reach, scope: Scope) -> Iterator[Ints]:
     """Yield the vertices of rough ways along the edges of the mesh, the likeliest first.
 
     Some follow on themselves.
@@ -115,22 +115,40 @@ def _rough_ways(
     if not np.isfinite(through).any():
         return
     only = int(np.argmin(through))
-    ways = [(float(through[only]), only, only)]
-    most = (1.0 + scope.longer) * float(through[only])
+    least = float(through[only])
+    ways = [(least, only, only, -1)]
     for part in scope.parts:
-        level = _over_level(graph, (begin, finish), part, most)
-        ways += _spread(graph, level, scope.spread * float(through[only]))
-    for _, first, last in sorted(ways):
-        between = graph.edges_between(first, last) if first != last else ()
-        yield (*graph.way(begin, first), *between, *reversed(graph.way(finish, last)))
+        steps = _over_level(graph, (begin, finish), part, (1.0 + scope.longer) * least)
+        ways += _spread(graph, steps, scope.spread * least)
+    first, last, step = np.array([way[1:] for way in sorted(ways)]).T
+    halves = graph.ways(begin, first), graph.along[step], graph.ways(finish, last)
+    for ahead, between, back in zip(*halves, strict=True):
+        yield np.concatenate([ahead, between[between >= 0], back[::-1]])
+
+
+class _Steps(NamedTuple):
+    """Steps of a graph, those of the shortest ways first; arrays of shape (steps,).
+
+    Parameters
+    ----------
+    whole : ndarray
+        The length of the way over each.
+    first, last, number : ndarray of int
+        The vertices at its ends, and its number.
+    """
+
+    whole: Array
+    first: Ints
+    last: Ints
+    number: Ints
 
 
 def _over_level(
     graph: PatchGraph, reaches: tuple[Reach, Reach], part: float, most: float
-) -> list[tuple[float, int, int]]:
-    """The steps over which ways pass a part of their length, those of the shortest ways first.
+) -> _Steps:
+    """The steps over which ways pass a part of their length, which is `most` at most.
 
-    Returns the length of the way, which is `most` at most, and the vertices of the step.
+    From each vertex there is only the one of the shortest way.
     """
     ahead, back = (reach.distances for reach in reaches)
     near = np.flatnonzero(ahead + back <= most)
@@ -139,24 +157,25 @@ def _over_level(
     beyond[near] = (1.0 - part) * ahead[near] - part * back[near]
     first, step = _steps_from(graph, near[beyond[near] <= 0.0])
     last = graph.steps.indices[step]
+    rows = np.flatnonzero(beyond[last] > 0.0)
+    first, step, last = first[rows], step[rows], last[rows]
     whole = ahead[first] + graph.steps.data[step] + back[last]
-    rows = np.flatnonzero((beyond[last] > 0.0) & (whole <= most))
-    rows = rows[np.argsort(whole[rows], kind="stable")]
-    return list(zip(*(each[rows].tolist() for each in (whole, first, last)), strict=True))
+    order = np.argsort(whole, kind="stable")
+    order = order[: np.searchsorted(whole[order], most, side="right")]
+    order = order[np.sort(np.unique(first[order], return_index=True)[1])]
+    return _Steps(whole[order], first[order], last[order], step[order])
 
 
-def _spread(
-    graph: PatchGraph, steps: list[tuple[float, int, int]], apart: float
-) -> list[tuple[float, int, int]]:
+def _spread(graph: PatchGraph, steps: _Steps, apart: float) -> list[tuple[float, int, int, int]]:
     """The steps each of which begins farther than a distance from those before it."""
-    places = graph.vertices[[first for _, first, _ in steps]]
-    free = np.ones(len(steps), bool)
-    picked = []
-    while free.any():
-        row = int(np.argmax(free))
-        picked.append(steps[row])
-        free &= np.linalg.norm(places - places[row], axis=1) > apart
-    return picked
+    places = graph.vertices[steps.first]
+    picked: list[int] = []
+    left = np.arange(len(places))
+    while len(left):
+        picked.append(int(left[0]))
+        off = places[left] - places[left[0]]
+        left = left[np.einsum("ij,ij->i", off, off) > apart * apart]
+    return list(zip(*(each[picked].tolist() for each in steps), strict=True))
 
 
 def _steps_from(graph: PatchGraph, vertices: Ints) -> tuple[Ints, Ints]:
