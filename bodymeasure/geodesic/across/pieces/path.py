@@ -221,17 +221,22 @@ class AtlasPath:
         number = np.clip(np.searchsorted(bounds, way, side="right") - 1, 0, len(lengths) - 1)
         # The end itself, even if the last pieces have no length.
         number[times.ravel() == 1.0] = len(lengths) - 1
+        length = lengths[number]
+        local = np.divide(way - bounds[number], length, out=0.0 * way, where=length > 0.0)
+        local = np.clip(np.where(times.ravel() == 1.0, 1.0, local), 0.0, 1.0)
         parameters = np.empty((len(way), 2))
-        for piece in np.unique(number):
-            here, length = number == piece, lengths[piece]
-            local = (way[here] - bounds[piece]) / length if length > 0.0 else 0.0 * way[here]
-            local[times.ravel()[here] == 1.0] = 1.0
-            matrix = self.pieces[piece].space.functions.values(np.clip(local, 0.0, 1.0))
-            values = self.pieces[piece].values
-            places = matrix @ values.T
+        # Pieces mostly share a few spaces.
+        spaces = {id(self.pieces[piece].space): piece for piece in np.unique(number).tolist()}
+        space = np.array([id(piece.space) for piece in self.pieces])[number]
+        for each, piece in spaces.items():
+            row = np.flatnonzero(space == each)
+            matrix = self.pieces[piece].space.functions.values(local[row])
+            values = np.stack([self.pieces[i].values for i in number[row].tolist()])
+            places = np.einsum("kf,kcf->kc", matrix, values)
             # The ends are exactly where they are, without rounding.
-            places[local == 0.0], places[local == 1.0] = values[:, 0], values[:, -1]
-            parameters[here] = places
+            first, last = local[row] == 0.0, local[row] == 1.0
+            places[first], places[last] = values[first, :, 0], values[last, :, -1]
+            parameters[row] = places
         patch = np.array(self.patches, dtype=np.int64)[number]
         # Between the nodes, a polynomial along an edge may be outside by its own error.
         parameters = np.clip(parameters, 0.0, 1.0)
