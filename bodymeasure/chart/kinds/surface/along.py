@@ -5,6 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from bodymeasure._typing import Array
+from bodymeasure.bezier import evaluate
 from bodymeasure.chart.body import Body
 from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcome
 from bodymeasure.chart.tapes import Tape, TapeKind
@@ -25,8 +26,9 @@ def along(body: Body, definition: MeasurementDefinition, path: AtlasPath) -> Mea
             status.name,
             landmarks=definition.landmarks,
         )
-    times = _drawn_times(path)
-    tape = Tape(TapeKind.CONTACT, path.position(times), body.normals(*path.path(times)))
+    patch, parameters = path.path(_drawn_times(path))
+    position = evaluate(path.atlas.control_points[patch], parameters)
+    tape = Tape(TapeKind.CONTACT, position, body.normals(patch, parameters))
     return Measured(
         definition,
         Outcome.MEASURED,
