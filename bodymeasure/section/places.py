@@ -73,7 +73,7 @@ def nearest_place(loop: Curve, position: ArrayLike) -> float:
 
     at_low, at_high = slope(low, row), slope(high, row)
     if at_low[0] < 0.0 < at_high[0]:
-        return float((row + _roots(slope, low, high, at_low, at_high, FINEST))[0])
+        return float((row + roots_between(slope, low, high, at_low, at_high, FINEST))[0])
     # It is a kink between two pieces, or an end.
     return float(_highest(loop, nearness, center, ROUNDS)[0])
 
@@ -133,7 +133,9 @@ def _highest(loop: Curve, value: Callable[[Array], Array], center: Array, rounds
     return center
 
 
-def sign_changes(loop: SectionLoop, height: Callable[[Array], Array]) -> Array:
+def sign_changes(
+    loop: SectionLoop, height: Callable[[Array], Array], tolerance: float = FINEST
+) -> Array:
     """Return the places at which a function of the position changes its sign, in order.
 
     Parameters
@@ -141,6 +143,8 @@ def sign_changes(loop: SectionLoop, height: Callable[[Array], Array]) -> Array:
     loop : SectionLoop
     height : callable
         Takes positions (n, 3) and returns numbers (n,); zero counts as positive.
+    tolerance : float
+        How exact the places have to be, as a part of the number of pieces.
 
     Returns
     -------
@@ -154,10 +158,10 @@ def sign_changes(loop: SectionLoop, height: Callable[[Array], Array]) -> Array:
     value = height(loop.positions_at(place))
     rows = np.flatnonzero((value[1:] < 0.0) != (value[:-1] < 0.0))
     brackets = place[rows], place[rows + 1], value[rows], value[rows + 1]
-    return _roots(at, *brackets, FINEST * loop.count)
+    return roots_between(at, *brackets, tolerance * loop.count)
 
 
-def _roots(
+def roots_between(
     value: Callable[[Array, Ints], Array],
     low: Array,
     high: Array,
@@ -220,7 +224,7 @@ def local_maxima(loop: SectionLoop, direction: Array) -> LoopPlaces:
         return np.asarray(loop.motion(piece[rows], fraction[:, None])[1][:, 0] @ direction)
 
     ends = slope[piece, step], slope[piece, step + 1]
-    fraction = _roots(slope_at, step / SLOPES, (step + 1) / SLOPES, *ends, FINEST)
+    fraction = roots_between(slope_at, step / SLOPES, (step + 1) / SLOPES, *ends, FINEST)
     before = np.roll(slope[:, -1], 1)
     if not loop.closed:
         before[0] = np.inf

@@ -31,6 +31,8 @@ from bodymeasure.wording import result_line
 # A way down that first rises by more than this part of the difference of heights leads over
 # something, such as the head; one that rises by less only starts on a slope, such as a shoulder's.
 RISE = 0.1
+# Places are known well enough to tell their order by this part of the number of pieces.
+ORDER = 1e-7
 # An open boundary that misses the level by less than this part of the same difference lies at it.
 ROUNDING = 1e-12
 
@@ -204,11 +206,11 @@ def _turn(section: PlaneSection, arc: SectionLoop, middle: Array, forth: Array) 
 
     along = np.cross(section.plane.normal, forth)
     crossings = np.concatenate(
-        [loop.positions_at(sign_changes(loop, height)) @ along for loop in section.loops]
+        [loop.positions_at(sign_changes(loop, height, ORDER)) @ along for loop in section.loops]
     )
     if len(crossings) % 2:
         return None
-    own = arc.positions_at(sign_changes(arc, height)[:1])[0] @ along
+    own = arc.positions_at(sign_changes(arc, height, ORDER)[:1])[0] @ along
     enters = np.abs(np.sort(crossings) - own).argmin() % 2 == 0
     inwards = along if enters else -along
     # The frame's two vectors and the normal are right-handed.

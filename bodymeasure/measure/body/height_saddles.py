@@ -1,15 +1,16 @@
 """Saddles of the height over an atlas: where horizontal loops merge."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
-import scipy
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas import EDGES, Atlas, AtlasPoint, sides_of
+from bodymeasure.atlas.seams import AXIS, VALUE
 from bodymeasure.atlas.topology.neighbors import on_side
 from bodymeasure.bezier import derivatives, project
 from bodymeasure.geodesic.across.routes.topology import topology
+from bodymeasure.section.places import roots_between
 
 # Points along a side of each patch from which Newton's method starts.
 STARTS = 5
@@ -125,45 +126,52 @@ def _on_seams(atlas: Atlas, patches: Ints) -> Iterator[AtlasPoint]:
     neighbors = topology(atlas).neighbors
     level = _may_vanish(np.diff(sides_of(_height_nets(atlas, patches)), axis=2))
     chosen = {(int(patches[row]), int(side)) for row, side in np.argwhere(level)}
-    for (patch, side), crossings in neighbors.over.items():
-        if (patch, side) not in chosen or len(crossings) != 1:
-            continue
+    seams = [place for place, over in neighbors.over.items() if place in chosen and len(over) == 1]
+    for number, along in zip(*_level_places(atlas, seams), strict=True):
+        patch, side = seams[number]
+        crossing = neighbors.over[patch, side][0]
         axis = EDGES[side].fixed_axis
-        for along in _level_places(atlas, patch, side):
-            here = AtlasPoint(patch, *on_side(side, along))
-            there = next(s.place for s in neighbors.steps(here) if s.crossing == crossings[0])
-            rows = np.array([here.patch, there.patch])
-            slope, bend = _slopes(atlas, rows, np.array([here[1:], there[1:]]))
-            curvature = bend[0, 1 - axis, 1 - axis]
-            other = EDGES[crossings[0].to_side]
-            inwards = np.array(
-                [
-                    (1.0 - 2.0 * edge.fixed_value) * slope[row, edge.fixed_axis]
-                    for row, edge in enumerate((EDGES[side], other))
-                ]
-            )
-            least = LEVEL * float(np.abs(slope).max() + np.abs(bend).max())
-            falls = inwards.max() < -least and curvature > 0.0
-            rises = inwards.min() > least and curvature < 0.0
-            if falls or rises:
-                yield here
+        here = AtlasPoint(patch, *on_side(side, along))
+        there = next(s.place for s in neighbors.steps(here) if s.crossing == crossing)
+        rows = np.array([here.patch, there.patch])
+        slope, bend = _slopes(atlas, rows, np.array([here[1:], there[1:]]))
+        curvature = bend[0, 1 - axis, 1 - axis]
+        other = EDGES[crossing.to_side]
+        inwards = np.array(
+            [
+                (1.0 - 2.0 * edge.fixed_value) * slope[row, edge.fixed_axis]
+                for row, edge in enumerate((EDGES[side], other))
+            ]
+        )
+        least = LEVEL * float(np.abs(slope).max() + np.abs(bend).max())
+        falls = inwards.max() < -least and curvature > 0.0
+        rises = inwards.min() > least and curvature < 0.0
+        if falls or rises:
+            yield here
 
 
-def _level_places(atlas: Atlas, patch: int, side: int) -> Array:
-    """Return the parameters in (0, 1) at which the height has no slope along a side of a patch."""
-    axis = EDGES[side].fixed_axis
+def _level_places(atlas: Atlas, seams: Sequence[tuple[int, int]]) -> tuple[list[int], list[float]]:
+    """Return where the height has no slope along sides of patches.
 
-    def slope(along: Array) -> Array:
-        place = np.array([on_side(side, t) for t in along.tolist()])
-        rows = np.full(len(along), patch)
-        return _slopes(atlas, rows, place)[0][:, 1 - axis]
+    These are the numbers of the sides, and parameters in (0, 1).
+    """
+    patch, side = np.array(seams, dtype=np.int64).reshape(-1, 2).T
+
+    def slope(along: Array, rows: Ints) -> Array:
+        fixed, number = AXIS[side[rows]], np.arange(len(rows))
+        place = np.empty((len(rows), 2))
+        place[number, fixed], place[number, 1 - fixed] = VALUE[side[rows]], along
+        return np.asarray(_slopes(atlas, patch[rows], place)[0][number, 1 - fixed])
 
     t = np.linspace(0.0, 1.0, SAMPLES + 1)
-    value = slope(t)
-    rows = np.flatnonzero(value[1:] * value[:-1] < 0.0)
-    roots = [
-        scipy.optimize.brentq(lambda x: slope(np.array([x]))[0], *t[i : i + 2], xtol=REST)
-        for i in rows
-    ]
+    every = np.arange(len(patch)).repeat(len(t))
+    value = slope(np.tile(t, len(patch)), every).reshape(-1, len(t))
+    row, step = np.nonzero(value[:, 1:] * value[:, :-1] < 0.0)
+    root = roots_between(
+        lambda along, which: slope(along, row[which]),
+        *(t[step], t[step + 1], value[row, step], value[row, step + 1]),
+        REST,
+    )
     # A place that is met exactly, as in the middle of a symmetric seam.
-    return np.array(roots + t[1:-1][value[1:-1] == 0.0].tolist())
+    exact, at = np.nonzero(value[:, 1:-1] == 0.0)
+    return [*row.tolist(), *exact.tolist()], [*root.tolist(), *t[1 + at].tolist()]

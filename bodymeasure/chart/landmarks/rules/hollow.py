@@ -4,9 +4,8 @@ from collections.abc import Iterator
 from typing import ClassVar
 
 import numpy as np
-import scipy
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.queries.outside import outward_sign
 from bodymeasure.bezier import derivatives
@@ -15,6 +14,7 @@ from bodymeasure.chart.landmarks.paths import on_the_left, path_between, point_a
 from bodymeasure.chart.landmarks.rules.base import LandmarkRule, Landmarks
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import AtlasPath
+from bodymeasure.section.places import roots_between
 
 # Steps on a piece of the path, so that its distance from the chord has at most one extreme in each.
 STEPS = 24
@@ -94,14 +94,16 @@ def _turns(path: AtlasPath, start: Array, axis: Array) -> list[tuple[int, float]
         if piece.length == 0.0:
             continue
 
-        def slope(fraction: float, number: int = number) -> float:
-            return float(_state(path, number, np.array([fraction]), start, axis)[2][0])
+        def slope(fraction: Array, _rows: Ints, number: int = number) -> Array:
+            return _state(path, number, fraction, start, axis)[2]
 
         grid = np.arange(STEPS + 1) / STEPS
-        values = _state(path, number, grid, start, axis)[2]
-        for k in np.flatnonzero(values[:-1] * values[1:] < 0.0):
-            root = scipy.optimize.brentq(slope, grid[k], grid[k + 1], xtol=ROOT_TOLERANCE)
-            result.append((number, float(root)))
+        values = slope(grid, np.arange(len(grid)))
+        k = np.flatnonzero(values[:-1] * values[1:] < 0.0)
+        brackets = grid[k], grid[k + 1], values[k], values[k + 1]
+        result += [
+            (number, root) for root in roots_between(slope, *brackets, ROOT_TOLERANCE).tolist()
+        ]
         # The slope may jump over zero at seams, where the path may have a kink in space.
         result += [(number, 0.0), (number, 1.0)]
     return result
