@@ -256,11 +256,23 @@ def _level(
 
 def _continued(section: PlaneSection, below: SectionLoop) -> SectionLoop:
     """Return the loop of a section that is nearest, on average, to one below it."""
-    apart = [
-        scipy.spatial.KDTree(loop.positions).query(below.positions)[0].mean()
-        for loop in section.loops
-    ]
-    return section.loops[int(np.argmin(apart))]
+    nearest, least = section.loops[0], np.inf
+    # None is nearer than the box that holds it.
+    bounds = [_apart_from_box(below.positions, loop.positions) for loop in section.loops]
+    for number in np.argsort(bounds, kind="stable").tolist():
+        loop = section.loops[number]
+        if bounds[number] >= least:
+            break
+        apart = float(scipy.spatial.KDTree(loop.positions).query(below.positions)[0].mean())
+        if apart < least:
+            nearest, least = loop, apart
+    return nearest
+
+
+def _apart_from_box(positions: Array, others: Array) -> float:
+    """Return the mean distance of positions from the box that holds others."""
+    nearest = np.clip(positions, others.min(axis=0), others.max(axis=0))
+    return float(np.linalg.norm(positions - nearest, axis=1).mean())
 
 
 # Cached, since both armpits of a symmetric body are looked for at the same heights.
