@@ -183,11 +183,15 @@ def _along_edges(number: Ints, grid: Ints) -> Ints:
         then of v.
     """
     patch, i, to_i, j, to_j = grid.T
-    kinds, which = np.unique(np.stack([to_i - i, to_j - j], axis=1), axis=0, return_inverse=True)
-    ways = [unit_steps(*kind)[1:] for kind in kinds.tolist()]
-    result = np.full((len(grid) + 1, max(map(len, ways), default=0)), -1)
-    for kind, way in enumerate(ways):
-        rows = np.flatnonzero(which.ravel() == kind)
+    lines = number.shape[1]
+    kinds = (to_i - i + lines) * 2 * lines + (to_j - j + lines)
+    ways = {
+        kind: unit_steps(kind // (2 * lines) - lines, kind % (2 * lines) - lines)[1:]
+        for kind in np.unique(kinds).tolist()
+    }
+    result = np.full((len(grid) + 1, max(map(len, ways.values()), default=0)), -1)
+    for kind, way in ways.items():
+        rows = np.flatnonzero(kinds == kind)
         for place, (a, b) in enumerate(way):
             result[rows, place] = number[patch[rows], i[rows] + a, j[rows] + b]
     return result
