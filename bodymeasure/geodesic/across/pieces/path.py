@@ -13,6 +13,7 @@ from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.bezier import evaluate
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.across.pieces.part import PathPart, PathPiece
+from bodymeasure.geodesic.across.routes.topology import extent
 from bodymeasure.geodesic.lengths.arc_length_times import checked_times
 from bodymeasure.geodesic.status import Status, checked_status
 from bodymeasure.wording import result_line
@@ -105,8 +106,8 @@ class AtlasPath:
     ) -> "AtlasPath":
         """Return a path of one leg."""
         length = part.length
-        size = float(np.ptp(atlas.points, axis=0).max())
-        status = checked_status(status, float(length.corrected), float(length.error), size)
+        corrected, error = float(length.corrected), float(length.error)
+        status = checked_status(status, corrected, error, extent(atlas))
         bounds = np.cumsum([0.0, *(piece.length for piece in part.pieces)])
         return AtlasPath(
             atlas=atlas,

@@ -19,6 +19,7 @@ import numpy as np
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.prepared import prepared
 from bodymeasure.atlas.seams import EDGES
 from bodymeasure.atlas.topology.neighbors import on_side
 from bodymeasure.bezier import scaled
@@ -33,6 +34,7 @@ from bodymeasure.geodesic.numerics.box_newton import (
     newton_settings,
 )
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.geodesic.surfaces.rational import surfaces_of
 from bodymeasure.native import RouteArrays, route_newton
 
@@ -41,6 +43,8 @@ from bodymeasure.native import RouteArrays, route_newton
 # could move for nothing: `refine` makes it smaller where a path has such pieces.
 EPSILON = 1e-14
 ALL_NODES = slice(None)
+# The derivatives' nets of so many patches are kept for the next path: they take 4 KB each.
+MOST_PATCHES = 4096
 
 Slides = tuple[int | None, int | None]
 """The sides of their patches along which the start and the end of a path may move."""
@@ -93,6 +97,8 @@ class RouteProblem:
         self.atlas, self.route, self.space = atlas, route, space
         self.size, self.slides, self.epsilon = size, slides, epsilon
         self.surface = surfaces_of(scaled(atlas.control_points[list(route.patches)], 1.0 / size))
+        if isinstance(self.surface, BezierSurfaces) and len(atlas) <= MOST_PATCHES:
+            self.surface.nets = _nets(atlas)[list(route.patches)] * (1.0 / size)
         nodes, pieces = space.size + 1, len(route.patches)
         inner = np.concatenate([np.arange(1, nodes - 1), np.arange(nodes + 1, 2 * nodes - 1)])
         block = len(inner) + 1
@@ -226,6 +232,12 @@ class RouteProblem:
         lower, places = self._in_bands
         np.add.at(bands, places, bend[lower])
         return SecondOrder(float(root.sum()), gradient, bands.reshape(-1, self.count))
+
+
+@prepared
+def _nets(atlas: Atlas) -> Array:
+    """The nets of the derivatives of all patches, as in `BezierSurfaces`."""
+    return BezierSurfaces(atlas.control_points).nets
 
 
 def _ends(route: Route, slides: Slides) -> Iterator[tuple[int, int, int | None, bool]]:

@@ -2,7 +2,7 @@
 
 from copy import copy
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -187,5 +187,10 @@ def _corners(refined: RefinedPath) -> Bools:
 
 def resampled(before: RefinedPath, problem: RouteProblem) -> Array:
     """Return the unknowns of a path in another space along its route."""
-    place = before.problem.space.functions.values(problem.space.nodes[1:-1])
-    return problem.unknowns(before.values @ place.T)
+    return problem.unknowns(before.values @ _at_inner_nodes(before.problem.space, problem.space))
+
+
+@lru_cache(maxsize=64)
+def _at_inner_nodes(space: TrialSpace, other: TrialSpace) -> Array:
+    """The map from nodal values in a space to values at another one's inner nodes, transposed."""
+    return space.functions.values(other.nodes[1:-1]).T

@@ -1,4 +1,4 @@
-"""The seams of an atlas, and the parts of it that they join."""
+"""The seams of an atlas, the parts of it that they join, and its size."""
 
 from typing import NamedTuple
 
@@ -16,6 +16,12 @@ class Topology(NamedTuple):
 
     neighbors: Neighbors
     part: Ints
+
+
+@prepared
+def extent(atlas: Atlas) -> float:
+    """Return the longest side of the box round an atlas, which is kept for the next path."""
+    return float(np.ptp(atlas.points[atlas.index].reshape(-1, 3), axis=0).max())
 
 
 @prepared

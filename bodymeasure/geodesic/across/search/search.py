@@ -16,6 +16,7 @@ from bodymeasure.geodesic.across.pieces.error import LoopKind, route_length
 from bodymeasure.geodesic.across.pieces.part import PathPart
 from bodymeasure.geodesic.across.pieces.refine import RefinedPath
 from bodymeasure.geodesic.across.routes.route import Route
+from bodymeasure.geodesic.across.routes.topology import extent
 from bodymeasure.geodesic.across.search.off_saddle import beside_saddle
 from bodymeasure.geodesic.across.search.other_routes import SLIDING
 from bodymeasure.geodesic.across.search.repair import NO_LOOP, TOLERANCE, Search, repaired
@@ -186,7 +187,7 @@ def _along(search: Search, begun: _Begun) -> SearchResult:
     neighbors, closed = search.neighbors, best.problem.route.closed
     degrees = (SLIDING, *DEGREES) if closed else DEGREES
     # Between points on both sides of a seam and beside it, rounding is much of what is measured.
-    negligible = NEGLIGIBLE * float(np.ptp(search.atlas.points, axis=0).max())
+    negligible = NEGLIGIBLE * extent(search.atlas)
     history: list[float] = []
     errors, is_cut = [np.inf], False
     good = False

@@ -50,26 +50,31 @@ class SeamRun(NamedTuple):
 def sides_of_middle(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
     """Yield routes on either side of the seams beside which most of a path runs."""
     least = MOSTLY * refined.lengths.sum()
-    for run in seam_runs(neighbors, refined, BESIDE_SEAM):
+    for run in seam_runs(neighbors, refined, BESIDE_SEAM, least):
         if refined.lengths[run.first : run.last + 1].sum() >= least:
             yield from one_sided(neighbors, refined.route, [run])
 
 
 def seam_runs(
-    neighbors: Neighbors, refined: RefinedPath, near: float = ALONG_SEAM
+    neighbors: Neighbors, refined: RefinedPath, near: float = ALONG_SEAM, least: float = 0.0
 ) -> list[SeamRun]:
     """Return all runs of several pieces that are nowhere farther than `near` from their seams.
 
-    Pieces that stay in a corner do not end a run.
+    Pieces that stay in a corner do not end a run. There is none that is as long as `least` if all
+    such pieces together are shorter.
     """
     runs: list[SeamRun] = []
     goes_on = False
     # Within a corner a piece is beside two seams, whichever it runs along.
     moved = np.ptp(refined.values, axis=2).max(axis=1)
     apart = np.abs(refined.values[:, AXIS] - VALUE[:, None]).max(axis=2)
-    nearest = np.argsort(apart, axis=1, kind="stable")
     beside = np.count_nonzero(apart <= near, axis=1)
-    for piece in np.flatnonzero((refined.lengths > 0.0) & (moved > ALONG_SEAM)).tolist():
+    counts = (refined.lengths > 0.0) & (moved > ALONG_SEAM)
+    ends = counts & (beside == 0)
+    if np.count_nonzero(counts & ~ends) < 2 or refined.lengths[~ends].sum() < least:
+        return []
+    nearest = np.argsort(apart, axis=1, kind="stable")
+    for piece in np.flatnonzero(counts).tolist():
         side = _seam(neighbors, refined, piece, nearest[piece, : beside[piece]].tolist())
         if side is not None:
             first, sides = runs.pop()[::2] if goes_on else (piece, [])
