@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure.atlas.atlas import Atlas
-from bodymeasure.atlas.point import AtlasPoint
+from bodymeasure.atlas.point import AtlasPoint, on_edges
 from bodymeasure.atlas.queries.locations import Location, atlas_point
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic.across.routes.topology import topology
@@ -46,7 +46,10 @@ def checked_points(atlas: Atlas, locations: Sequence[Location], names: Sequence[
         If a location is not on the atlas, or two are on parts that no seam joins.
     """
     given = tuple(map(partial(atlas_point, atlas), locations, names))
-    points = tuple(point.on_edge() for point in given)
+    places = on_edges(np.array([point[1:] for point in given])).tolist()
+    points = tuple(
+        AtlasPoint(point.patch, *place) for point, place in zip(given, places, strict=True)
+    )
     moves = (
         0.0
         if point == there
