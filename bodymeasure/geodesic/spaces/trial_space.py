@@ -38,12 +38,15 @@ class TrialSpace:
         The n + 1 cardinal functions, each of which is 1 at its node and 0 at the others.
     description : str
         The space in words, for reports.
+    more_points : int
+        The points of the quadrature beyond `POINTS_PER_NODE`.
     """
 
     nodes: Array
     condition: float
     functions: PiecewisePolynomials
     description: str
+    more_points: int = FEWEST_POINTS
 
     def matrices(self, t: ArrayLike) -> Array:
         """Return the maps from nodal values to values and two derivatives at t, (3, k, n + 1)."""
@@ -63,7 +66,7 @@ class TrialSpace:
     def quadrature(self) -> Quadrature:
         """The Gauss-Legendre quadrature on [0, 1] that is exact enough for the length of a path."""
         edges = self.functions.edges
-        wanted = POINTS_PER_NODE * self.size + FEWEST_POINTS
+        wanted = POINTS_PER_NODE * self.size + self.more_points
         return Quadrature(edges, max(FEWEST_POINTS, -(-wanted // (len(edges) - 1))))
 
     @cached_property

@@ -104,9 +104,11 @@ def refine(
     before : RefinedPath, optional
         A path with this very route to start from; straight lines in (u, v) if not given.
     sharp : bool
-        Whether tiny pieces are to count with their lengths. It takes longer.
+        Whether lengths are to be exact: tiny pieces count with theirs, and no points of quadrature
+        are saved. It takes longer.
     """
     space = polynomial_space(space) if isinstance(space, int) else space
+    space = space if sharp else _with_fewer_points(space)
     slides: Slides = (None, None)
     if route.ends is not None:
         # A path may leave a pole in any direction.
@@ -135,6 +137,11 @@ def refine(
     if pinned_is_shorter:
         return sharpened(replace(through, steps=steps), problem.idle | corners)
     return sharpened(replace(refined, steps=steps), problem.idle)
+
+
+@lru_cache(maxsize=8)
+def _with_fewer_points(space: TrialSpace) -> TrialSpace:
+    return replace(space, more_points=0)
 
 
 def sharpened(refined: RefinedPath, idle: Bools) -> RefinedPath:
