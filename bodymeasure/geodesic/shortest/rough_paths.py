@@ -74,7 +74,7 @@ def rough_paths(surface: Surface, ends: Array, edges: int) -> RoughPaths:
             ],
             axis=1,
         )
-        polygons.append(_evenly(surface.take(problems), points, edges))
+        polygons.append(evenly(surface.take(problems), points, edges))
     return RoughPaths(np.concatenate(owners), np.concatenate(polygons))
 
 
@@ -109,8 +109,8 @@ def _places(way: Ints, end: Array) -> Array:
     return np.where(at_end, end[:, None], points[np.minimum(way, len(points) - 1)])
 
 
-def _evenly(surface: Surface, points: Array, edges: int) -> Array:
-    """The same polygons with other vertices, at equal distances on the surface."""
+def evenly(surface: Surface, points: Array, edges: int) -> Array:
+    """Return polygons, shape (polygons, k, 2), with vertices at equal distances on the surface."""
     steps = np.linalg.norm(np.diff(surface.jet(points, 0)[0], axis=-1), axis=0)
     along = np.concatenate([np.zeros((len(steps), 1)), np.cumsum(steps, axis=1)], axis=1)
     wanted = along[:, -1:] * np.linspace(0.0, 1.0, edges + 1)[1:-1]
