@@ -20,7 +20,7 @@ from bodymeasure.geodesic.solving.magnified import solve_near_and_far
 from bodymeasure.geodesic.solving.protocol import Method, PathBatch
 from bodymeasure.geodesic.status import OnFailure, Status, check_on_failure
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
-from bodymeasure.geodesic.surfaces.control_points import checked_with_extents, of_size_one
+from bodymeasure.geodesic.surfaces.control_points import prepared_control_points
 from bodymeasure.geodesic.surfaces.custom import CustomSurface
 from bodymeasure.geodesic.surfaces.protocol import Surface
 from bodymeasure.geodesic.surfaces.rational import surfaces_of
@@ -166,10 +166,8 @@ def _problems(surface: ArrayLike | HasDerivatives, start: Array, end: Array) -> 
         surfaces, size = CustomSurface(surface.derivatives).of_size_one()
         surface_of, scale = np.zeros(count, np.int64), np.full(count, size)
     else:
-        nets, extent = checked_with_extents(surface)
-        batch = nets.shape[:-3]
+        nets, scale, batch = prepared_control_points(surface)
         shape = _broadcast(batch, start.shape[:-1], end.shape[:-1])
-        nets, scale = of_size_one(nets.reshape((-1, *nets.shape[-3:])), extent)
         surfaces, surface_of = surfaces_of(nets), np.arange(len(scale))
         # Each patch is prepared once, however many problems it has.
         if batch != shape:
@@ -237,7 +235,7 @@ def _solve(problems: _Problems, method: Method, search: Search) -> GeodesicSolut
     # Between points in one place the length is zero, and nothing needs solving.
     distance = distances_in_one_place(surfaces, surface_of, starts, ends) * scale
     outcome = _Outcome.of_coincident_points(distance)
-    apart = np.flatnonzero(~np.isfinite(distance))
+    apart = np.flatnonzero(np.isinf(distance))
     here = slice(None) if len(apart) == len(starts) else apart
     # A million patches with a problem each are not copied once more.
     each_once = np.array_equal(surface_of[here], np.arange(len(starts)))

@@ -66,14 +66,18 @@ def bezier_jets(nets: Array, degrees: tuple[int, int], columns: int, parameters:
     return jets
 
 
-def extents(points: Array) -> tuple[Array, Array]:
-    """Return the greatest extents and the largest coordinates of patches (count, k, 3)."""
+def extents(points: Array, scaled: Array | None = None) -> Array:
+    """Return the greatest extents and the largest coordinates of patches (count, k, 3).
+
+    If there is an array for scaled patches, they are put there, and a third row of the result has
+    the powers of 2 by which they were divided.
+    """
     (points,) = doubles(points)
     count, size = points.shape[:2]
-    found = np.empty((2, count))
-    kernels().bodymeasure_extents(count, size, *map(address, (points, found)))
-    extent, largest = found
-    return extent, largest
+    found = np.empty((2 if scaled is None else 3, count))
+    place = None if scaled is None else address(scaled)
+    kernels().bodymeasure_extents(count, size, address(points), place, address(found))
+    return found
 
 
 def planar_hull(points: Array) -> Ints:

@@ -29,7 +29,7 @@ from bodymeasure.geodesic.numerics.banded import BoxModels
 from bodymeasure.geodesic.shortest.grid_graph import shortest_trees
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
-from bodymeasure.geodesic.surfaces.control_points import extents
+from bodymeasure.geodesic.surfaces.control_points import extents, of_size_one
 from bodymeasure.native import (
     MeshArrays,
     PatchSeams,
@@ -484,6 +484,16 @@ def test_extents_of_patches(seed: int, count: int, points: int) -> None:
         np.testing.assert_array_equal(one[finite], other[finite])
         assert not np.isfinite(one[~finite]).any()
         assert not np.isfinite(other[~finite]).any()
+
+
+@given(seeds, st.integers(-1074, 1000))
+def test_patches_of_size_one(seed: int, exponent: int) -> None:
+    nets = np.ldexp(np.random.default_rng(seed).normal(size=(3, 4, 4, 3)), exponent)
+    nets[0] = 1.0
+    with by_numpy():
+        plain = of_size_one(nets)
+    for one, other in zip(of_size_one(nets), plain, strict=True):
+        np.testing.assert_array_equal(one[1:], other[1:])
 
 
 @pytest.mark.parametrize(("value", "expected"), [("0", "False"), ("", "True")])

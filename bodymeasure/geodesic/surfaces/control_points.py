@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 import array_api_compat
 import numpy as np
@@ -20,8 +20,26 @@ LARGEST = 1e300
 MOST = 1000
 
 
-def checked_control_points(value: Any) -> Any:
-    """Return control points as an array of 64-bit numbers.
+class Prepared(NamedTuple):
+    """Control points as they are solved with.
+
+    Parameters
+    ----------
+    nets : array, shape (patches, m + 1, n + 1, c)
+        Patches of about size 1.
+    sizes : ndarray, shape (patches,)
+        What they were divided by.
+    batch : tuple of int
+        The shape of the batch of patches as the user gave it.
+    """
+
+    nets: Any
+    sizes: Array
+    batch: tuple[int, ...]
+
+
+def prepared_control_points(value: Any) -> Prepared:
+    """Return control points as an array of 64-bit numbers, checked and scaled to size 1.
 
     Parameters
     ----------
@@ -33,24 +51,20 @@ def checked_control_points(value: Any) -> Any:
     InputError
         If a shape or value is wrong, or a patch is collapsed to a point.
     """
-    return checked_with_extents(value)[0]
-
-
-def checked_with_extents(value: Any) -> tuple[Any, Array]:
-    """Return the same as `checked_control_points`, and the patches' greatest extents."""
     nets = _as_array(value)
-    if nets.ndim < 3 or nets.shape[-1] not in (3, 4) or min(nets.shape[-3:-1]) < 2:
+    shape = tuple(nets.shape)
+    if len(shape) < 3 or shape[-1] not in (3, 4) or min(shape[-3:-1]) < 2:
         raise InputError(
-            f"control points have shape {tuple(nets.shape)}; expected (..., m + 1, n + 1, 3), "
+            f"control points have shape {shape}; expected (..., m + 1, n + 1, 3), "
             "such as (4, 4, 3) for one bicubic patch, or 4 coordinates for rational ones"
         )
-    if nets.shape[-1] == 4:
+    if shape[-1] == 4:
         nets = _with_weights(nets)
-    extent, largest = extents(nets)
+    nets, sizes, extent, largest = _of_size_one(nets.reshape((-1, *shape[-3:])))
     # `not good` rather than `bad`, so that NaN is refused too.
     if not ((largest <= LARGEST) & (extent > 0.0)).all():
         raise InputError(_fault(extent, largest))
-    return nets, extent
+    return Prepared(nets, sizes, shape[:-3])
 
 
 def _fault(extent: Array, largest: Array) -> str:
@@ -112,19 +126,34 @@ def collapsed_patches(control_points: Any) -> Ints:
     return np.flatnonzero(extents(control_points)[0] == 0.0)
 
 
-def of_size_one(nets: Any, extent: Array | None = None) -> tuple[Any, Array]:
+def of_size_one(nets: Any) -> tuple[Any, Array]:
     """Return patches scaled to about size 1, so that tolerances mean the same, and their sizes.
 
-    The sizes are powers of 2, so that nothing is rounded. The patches' greatest `extents` may be
-    known.
+    The sizes are powers of 2, so that nothing is rounded.
     """
-    power = np.frexp(extents(nets)[0] if extent is None else extent)[1] - 1
+    return _of_size_one(nets)[:2]
+
+
+def _of_size_one(nets: Any) -> tuple[Any, Array, Array, Array]:
+    """The scaled patches, their sizes, and their `extents`."""
+    if _serves(nets):
+        scaled = np.empty(nets.shape)
+        points = nets.reshape((len(nets), math.prod(nets.shape[1:-1]), 3))
+        extent, largest, sizes = compiled_extents(points, scaled)
+        return scaled, sizes, extent, largest
+    extent, largest = extents(nets)
+    power = np.frexp(extent)[1] - 1
     # The smallest patches are scaled twice, since their factors are beyond the largest number.
     first = np.maximum(power, -MOST)
     nets = _scaled(nets, first)
     if (power < first).any():
         nets = _scaled(nets, power - first)
-    return nets, np.ldexp(1.0, power)
+    return nets, np.ldexp(1.0, power), extent, largest
+
+
+def _serves(points: Any) -> bool:
+    """Whether there is a kernel for points."""
+    return isinstance(points, np.ndarray) and points.shape[-1] == 3 and is_compiled()
 
 
 def _scaled(nets: Any, power: Ints) -> Any:
@@ -150,8 +179,9 @@ def extents(control_points: Any) -> tuple[Array, Array]:
         control_points = project(control_points)
     xp = namespace(control_points)
     points = xp.reshape(control_points, (-1, math.prod(control_points.shape[-3:-1]), 3))
-    if isinstance(points, np.ndarray) and is_compiled():
-        return compiled_extents(points)
+    if _serves(points):
+        extent, largest = compiled_extents(points)
+        return extent, largest
     low, high = (to_numpy(_folded(points, each)) for each in (xp.minimum, xp.maximum))
     with np.errstate(over="ignore", invalid="ignore"):
         return _largest(high - low), _largest(np.maximum(-low, high))

@@ -1,5 +1,5 @@
-// The greatest extents and the largest coordinates of patches; the NumPy form is
-// `geodesic.surfaces.control_points.extents`.
+// Patches scaled to about size 1, their greatest extents and their largest coordinates; the NumPy
+// forms are `of_size_one` and `extents` of `geodesic.surfaces.control_points`.
 
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace {
 constexpr int64_t AT_ONCE = 12;
 
 FOR_EACH_PROCESSOR
-void extents(int64_t count, int64_t numbers, const double *x, double *extent, double *largest) {
+void extents(int64_t count, int64_t numbers, const double *x, double *scaled, double *found) {
     for (int64_t number = 0; number < count; ++number, x += numbers) {
         double low[AT_ONCE], high[AT_ONCE], sums[AT_ONCE] = {};
         for (int64_t k = 0; k < AT_ONCE; ++k) low[k] = high[k] = x[k % 3];
@@ -37,7 +37,14 @@ void extents(int64_t count, int64_t numbers, const double *x, double *extent, do
             most = std::fmax(most, greatest - least);
             far = std::fmax(far, std::fmax(-least, greatest));
         }
-        extent[number] = most + sum, largest[number] = far + sum;
+        found[number] = most += sum, found[count + number] = far + sum;
+        if (!scaled) continue;
+        // By a power of 2 in two steps, since that of the smallest patches is beyond all numbers.
+        const int power = most > 0.0 && most < INFINITY ? std::ilogb(most) : 0;
+        const double half = std::ldexp(1.0, -(power / 2));
+        const double rest = std::ldexp(1.0, power / 2 - power);
+        for (int64_t k = 0; k < numbers; ++k) scaled[k] = x[k] * half * rest;
+        found[2 * count + number] = std::ldexp(1.0, power), scaled += numbers;
     }
 }
 
@@ -45,10 +52,10 @@ void extents(int64_t count, int64_t numbers, const double *x, double *extent, do
 
 }  // namespace bodymeasure
 
-// Of points (count, points, 3); `found` is (2, count), the extents before the largest coordinates,
-// both not a number where a coordinate is not finite.
+// Of points (count, points, 3); `found` are the extents and the largest coordinates, both not a
+// number where a coordinate is not finite, and, if scaled points are asked for, their units.
 EXPORTED int64_t bodymeasure_extents(int64_t count, int64_t points, const double *net,
-                                     double *found) {
-    bodymeasure::extents(count, 3 * points, net, found, found + count);
+                                     double *scaled, double *found) {
+    bodymeasure::extents(count, 3 * points, net, scaled, found);
     return count;
 }

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from bodymeasure._typing import Array
 from bodymeasure.errors import InputError
-from bodymeasure.geodesic.surfaces.control_points import checked_control_points
+from bodymeasure.geodesic.surfaces.control_points import prepared_control_points
 
 # "The longest side of the patch", which is to lie along x, is that of the box around the control
 # points, or the chord of one of the four sides of the patch.
@@ -86,7 +86,10 @@ def normalize(control_points: ArrayLike, longest: Side = "box") -> Normalized:
     """
     if longest not in SIDES:
         raise InputError(f"longest is {longest!r}; expected one of {', '.join(SIDES)}")
-    nets = np.asarray(checked_control_points(control_points))
+    found, sizes, batch = prepared_control_points(control_points)
+    # The sizes are powers of 2, so that nothing is rounded.
+    nets = np.asarray(found) * sizes[:, None, None, None]
+    nets = nets.reshape(*batch, *nets.shape[1:])
     rotation = _along_box(nets) if longest == "box" else _along_chord(nets)
     turned = nets @ np.swapaxes(rotation, -1, -2)[..., None, :, :]
     origin = turned.min(axis=(-3, -2))
