@@ -95,7 +95,7 @@ class BodyWindow:
 
     def look_from(self, side: str) -> None:
         """Turn the camera to one of `SIDES`."""
-        set_camera(self.plotter.renderer, self.surface, self.framed(side))
+        set_camera(self.plotter, self.surface, self.framed(side))
         self.plotter.render()
 
     def pick(self, dataset: Any, cell: int) -> str:

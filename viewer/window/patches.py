@@ -88,7 +88,7 @@ class Window(BodyWindow):
             ("click: what is there", "n: patch edges", "d: diagonals"),
             {"n": self.toggle_edges, "d": self.toggle_paths},
         )
-        set_camera(self.plotter.renderer, surface, self.framed(SIDES[0]))
+        set_camera(self.plotter, surface, self.framed(SIDES[0]))
 
     def toggle_edges(self) -> None:
         """Show or hide the patches' edges."""

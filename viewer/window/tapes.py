@@ -81,7 +81,7 @@ class TapeWindow(BodyWindow):
             ("click: which measurement", "g: next group", "n: numbers and names"),
             {"g": self.next_group, "n": self.toggle_numbers},
         )
-        set_camera(self.plotter.renderer, scene.surface, self.framed(side))
+        set_camera(self.plotter, scene.surface, self.framed(side))
 
     def next_group(self) -> str:
         """Show the next group of measurements alone; after the last, all of them.

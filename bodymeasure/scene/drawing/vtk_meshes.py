@@ -1,4 +1,4 @@
-"""Meshes of pyvista for windows, and the camera of VTK."""
+"""Meshes and the camera of pyvista, for pictures and windows."""
 
 from typing import Any
 
@@ -52,15 +52,15 @@ def set_colors(mesh: Any, colors: Array) -> None:
     mesh.point_data.set_scalars(np.round(255.0 * colors).astype(np.uint8), COLORS)
 
 
-def set_camera(renderer: Any, surface: Surface, view: View) -> None:
-    """Let a renderer of VTK look at a surface as a view says."""
+def set_camera(plotter: Any, surface: Surface, view: View) -> None:
+    """Let a plotter look at a surface as a view says."""
     distance = 2.0 * float(np.ptp(surface.points, axis=0).max()) + view.height
-    camera = renderer.GetActiveCamera()
+    camera = plotter.camera
     camera.SetParallelProjection(True)
     camera.SetFocalPoint(view.center)
     camera.SetPosition(view.center + distance * view.towards)
     camera.SetViewUp(view.up)
     camera.SetParallelScale(view.height / 2)
-    renderer.ResetCameraClippingRange()
+    plotter.renderer.ResetCameraClippingRange()
     near, far = camera.GetClippingRange()
     camera.SetClippingRange(max(near, distance - view.nearest), far)
