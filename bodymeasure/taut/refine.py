@@ -21,10 +21,9 @@ TINY_PRESSURE = 1e-6
 # A ridge is crossed on a pin if that is closer to the crossing than this part of the segment.
 SAME_PIN = 1e-2
 # Spans between pins pull equally if their tensions differ by less than this part, and are weighed
-# anew at most so often, by up to so many times what one round asks for.
+# anew at most so often.
 BALANCED = 1e-5
 MOST_BALANCINGS = 12
-MOST_GAIN = 8.0
 
 
 # The part of the way from a ridge at which the normal of the patch beyond is taken.
@@ -168,7 +167,6 @@ def _pinned(
 
 def _balanced(skin: Skin, string: String) -> String:
     """Return the string with equal tensions on both sides of its pins, where it cannot slide."""
-    gain, before = 1.0, np.zeros(1)
     for _ in range(MOST_BALANCINGS):
         if not string.settled or not string.pins.there.any():
             return string
@@ -181,13 +179,7 @@ def _balanced(skin: Skin, string: String) -> String:
         error = string.error + 0.5 * uneven**2 * float(chords.sum())
         if uneven <= BALANCED:
             break
-        # Each turn leaves a part of the last one, or nothing, by which the next one is the longer.
-        turn = pull - 1.0
-        if before.shape == turn.shape:
-            part = float(turn @ before) / float(before @ before)
-            gain = float(np.clip(gain / max(1.0 - part, 1.0 / MOST_GAIN), 1.0, MOST_GAIN))
-        before = turn
-        weights = np.maximum(string.weights * (1.0 + gain * turn)[span], LEAST_WEIGHT)
+        weights = np.maximum(string.weights * pull[span], LEAST_WEIGHT)
         string = relax(skin, string.nodes, weights / weights.sum(), string.pins, string.pressure)
     return string._replace(error=error)
 

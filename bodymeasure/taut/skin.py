@@ -143,8 +143,8 @@ class Skin:
     def closest(self, positions: Array, near: Feet | None = None) -> tuple[Ints, Array]:
         """Return the patches (k,) of these points, and the parameters there (k, 2), alone.
 
-        Where they are too close for the body to have others that are closer, they are those that
-        are found from feet of positions nearby, if such are given.
+        Within `CLOSE` of the skin they are those that are found from feet of positions nearby, if
+        such are given: there, other parts of a body are not closer.
         """
         close = CLOSE * self.size
         if near is None:

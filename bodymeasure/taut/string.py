@@ -128,7 +128,8 @@ def relax(
         nodes[1:-1] += step
         reach = np.clip(REACH_STEPS * moved, LEAST_REACH * length, FIRST_REACH * length)
         feet, walls, pins = _obstacles(skin, nodes, pins, reach, feet)
-        _put_on_skin(skin, nodes[1:-1], feet, walls, held)
+        if pressure is not None:
+            _put_on_skin(skin, nodes[1:-1], feet, walls, held)
         length = polygon_length(nodes)
     touching = np.asarray(held.any(axis=1))
     settled = error <= LATE_REST * length
@@ -150,7 +151,11 @@ def _obstacles(
 
 
 def _put_on_skin(skin: Skin, positions: Array, feet: Feet, walls: Walls, held: Bools) -> None:
-    """Move nodes that one wall holds to their feet, in place, where that is straight down it."""
+    """Move nodes that one wall holds to their feet, in place, where that is straight down it.
+
+    That is for strings that are nearly at rest. One that is far from it may be held for a while on
+    the wrong side of a limb, where it would then stay.
+    """
     down = positions - feet.gap[:, None] * feet.normal
     off = np.linalg.norm(down - feet.position, axis=1)
     row = np.flatnonzero(held[:, 0] & ~held[:, 1] & (off <= skin.touching))

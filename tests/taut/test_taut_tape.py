@@ -1,11 +1,14 @@
 from dataclasses import replace
+from fractions import Fraction
 from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
+from helpers.body_space import random_body
 from helpers.oracles.profiles import profile_hull
 from helpers.speed import quick
 from helpers.surfaces.extruded_surfaces import CUBIC, RIDGE, at, row_of
+from helpers.surfaces.surfaces import bicubic
 
 import bodymeasure as bm
 from bodymeasure.taut import starts, string
@@ -244,3 +247,35 @@ def test_a_contact_path_without_a_length_is_said(
     monkeypatch.setattr(starts, "first_ways", lambda *_: [])
     with pytest.raises(bm.ConvergenceError, match="No path along the skin was found"):
         bm.taut_tape(body, start, end, contact=lost)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", range(5))
+def test_no_tape_over_a_narrow_slot_has_a_wrong_length(number: int) -> None:
+    # A tape over a slot that is cut into a plane is straight, and pinned on both of its rims.
+    rim, depth, zero = Fraction(72, 10_000), Fraction(1, 10), Fraction(0)
+    profile = [(Fraction(-1), zero), (-rim, zero), (-rim, -depth)]
+    profile += [(-x, z) for x, z in reversed(profile)]
+    nets = [
+        bicubic({(0, 0): x, (1, 0): to_x - x}, {(0, 1): 3}, {(0, 0): z, (1, 0): to_z - z})
+        for (x, z), (to_x, to_z) in pairwise(profile)
+    ]
+    atlas = row_of(*nets)
+    start = bm.AtlasPoint(0, 0.9575817357244062 + 1e-3 * number, 0.4335117741068778)
+    end = bm.AtlasPoint(4, 0.34341201349657435, 0.9499235525032077)
+    known = float(np.linalg.norm(atlas.position(end) - atlas.position(start)))
+    tape = bm.taut_tape(atlas, start, end, outside="along normals", on_failure="status")
+    if tape.converged:
+        assert abs(tape.length - known) <= tape.error_estimate
+    else:
+        assert np.isnan(tape.length)
+
+
+@pytest.mark.slow
+def test_a_tape_stays_on_the_shorter_side_of_a_limb() -> None:
+    # From the forearm to the hand: round the other side of the forearm there is a tape, too, but it
+    # is 0.626 m long.
+    start = bm.AtlasPoint(323, 0.05760467757604071, 8.041408412711216e-08)
+    tape = bm.taut_tape(random_body(44), start, bm.AtlasPoint(233, 1.0, 1.0))
+    assert tape.converged
+    assert tape.length == pytest.approx(0.559837881, abs=1e-7)
