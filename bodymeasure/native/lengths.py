@@ -1,7 +1,7 @@
 """The lengths of paths, compiled: with their corrections, errors and indices."""
 
 import ctypes
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -79,6 +79,22 @@ class LengthTables:
     coefficients: Array
     quarters: tuple[int, int, int]
     antiderivative: Array | None = None
+    _arrays: "list[Array | Ints | None]" = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        # The arrays to which structures point, in their order. They are made at once: of threads
+        # that each made their own, the last would free those of the others.
+        half = len(self.times) // 2
+        places, is_even, products = self._blocks
+        whole = None if self.antiderivative is None else doubles(self.antiderivative)[0]
+        arrays = [
+            *doubles(self.weights, *self.maps, 1.0 / np.diff(self.times)),
+            *doubles(*self.modes[:, :half], products),
+            *(is_even, places),
+            *doubles(self.coefficients[:, :half]),
+            whole,
+        ]
+        object.__setattr__(self, "_arrays", arrays)
 
     @cached_property
     def structure(self) -> LengthStructure:
@@ -119,20 +135,6 @@ class LengthTables:
             np.ascontiguousarray(np.concatenate(is_even), np.int64),
             np.ascontiguousarray(np.concatenate(products)),
         )
-
-    @cached_property
-    def _arrays(self) -> "list[Array | Ints | None]":
-        """The arrays to which the structure points, in its order."""
-        half = len(self.times) // 2
-        places, is_even, products = self._blocks
-        whole = None if self.antiderivative is None else doubles(self.antiderivative)[0]
-        return [
-            *doubles(self.weights, *self.maps, 1.0 / np.diff(self.times)),
-            *doubles(*self.modes[:, :half], products),
-            *(is_even, places),
-            *doubles(self.coefficients[:, :half]),
-            whole,
-        ]
 
 
 def path_lengths(
