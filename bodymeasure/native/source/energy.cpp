@@ -98,7 +98,7 @@ void energies_of_paths(const Paths &paths, int64_t number, const Lanes *values, 
     Lanes *nets = room + 2 * AT_ONCE * nodes, *basis = nets + entries;
     for (int64_t k = 0; k < LANES; ++k) {
         const double *net = paths.nets + lane_of(paths, number + k) * entries;
-        for (int64_t i = 0; i < entries; ++i) nets[i][k] = net[i];
+        for (int64_t i = 0; i < entries; ++i) put_in(nets[i], k, net[i]);
     }
     *energy = Lanes{};
     for (int64_t i = 0; i < size; ++i) gradient[i] = Lanes{};
@@ -154,15 +154,15 @@ EXPORTED int64_t bodymeasure_energy(const bodymeasure::Paths *paths, const doubl
     for (int64_t begin = 0; begin < paths->count; begin += LANES) {
         for (int64_t k = 0; k < LANES; ++k)
             for (int64_t i = 0; i < size; ++i)
-                place[i][k] = values[lane_of(*paths, begin + k) * size + i];
+                put_in(place[i], k, values[lane_of(*paths, begin + k) * size + i]);
         energies_of_paths(*paths, begin, place, flat != 0, energy, gradient, hessian,
                           hessian + size * size);
         for (int64_t k = 0; k < LANES && begin + k < paths->count; ++k) {
-            energies[begin + k] = (*energy)[k];
-            for (int64_t i = 0; i < size; ++i) *gradients++ = gradient[i][k];
+            energies[begin + k] = number_in(*energy, k);
+            for (int64_t i = 0; i < size; ++i) *gradients++ = number_in(gradient[i], k);
             for (int64_t i = 0; i < size; ++i)
                 for (int64_t j = 0; j < size; ++j)
-                    *hessians++ = hessian[i < j ? j * size + i : i * size + j][k];
+                    *hessians++ = number_in(hessian[i < j ? j * size + i : i * size + j], k);
         }
     }
     return paths->count;

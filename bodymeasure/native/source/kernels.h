@@ -33,8 +33,17 @@ namespace bodymeasure {
 constexpr int64_t MOST_DEGREE = 32, MOST_SIDE = MOST_DEGREE + 1;
 
 // Numbers of several problems, which are calculated at once.
+#if defined(__GNUC__)
 constexpr int64_t LANES = 4;
 typedef double Lanes __attribute__((vector_size(8 * LANES)));
+inline double number_in(const Lanes &x, int64_t lane) { return x[lane]; }
+inline void put_in(Lanes &x, int64_t lane, double value) { x[lane] = value; }
+#else
+constexpr int64_t LANES = 1;
+typedef double Lanes;
+inline double number_in(const Lanes &x, int64_t) { return x; }
+inline void put_in(Lanes &x, int64_t, double value) { x = value; }
+#endif
 
 // Room for some of them. What a type is aligned to depends on the processor, so that `new` does not
 // know it.

@@ -52,9 +52,10 @@ double expand(const Paths &paths, const RouteUnknowns &route, const double *plac
     for (int64_t begin = 0; begin < paths.count; begin += LANES) {
         for (int64_t lane = 0; lane < LANES; ++lane) {
             const int64_t piece = lane_of(paths, begin + lane), first = piece * moved;
-            for (int64_t i = 0; i < size; ++i) room.values[i][lane] = route.fixed[piece * size + i];
+            for (int64_t i = 0; i < size; ++i) put_in(room.values[i], lane, route.fixed[piece * size + i]);
             for (int64_t i = first; i < first + moved; ++i)
-                room.values[route.local[i]][lane] = route.offset[i] + route.sign[i] * place[route.rows[i]];
+                put_in(room.values[route.local[i]], lane,
+                       route.offset[i] + route.sign[i] * place[route.rows[i]]);
         }
         energies_of_paths(paths, begin, room.values, false, room.energy, room.gradient, room.hessian,
                           room.rest);
@@ -62,11 +63,11 @@ double expand(const Paths &paths, const RouteUnknowns &route, const double *plac
             const int64_t first = (begin + lane) * moved;
             const int64_t *rows = route.rows + first, *local = route.local + first;
             const double *sign = route.sign + first;
-            const double root = std::sqrt(2.0 * (*room.energy)[lane] + route.epsilon);
+            const double root = std::sqrt(2.0 * number_in(*room.energy, lane) + route.epsilon);
             const double inverse = 1.0 / root;
             whole += root;
             for (int64_t i = 0; i < moved; ++i) {
-                room.slope[i] = room.gradient[local[i]][lane] * sign[i] * inverse;
+                room.slope[i] = number_in(room.gradient[local[i]], lane) * sign[i] * inverse;
                 result.gradient[rows[i]] += room.slope[i];
             }
             for (int64_t i = 0; i < moved; ++i) {
@@ -74,7 +75,7 @@ double expand(const Paths &paths, const RouteUnknowns &route, const double *plac
                     const int64_t band = rows[i] - rows[j];
                     if (band < 0) continue;
                     const int64_t low = std::min(local[i], local[j]), high = std::max(local[i], local[j]);
-                    const double bend = room.hessian[high * size + low][lane] * sign[i] * sign[j] -
+                    const double bend = number_in(room.hessian[high * size + low], lane) * sign[i] * sign[j] -
                                         room.slope[i] * room.slope[j];
                     result.bands[band * route.unknowns + rows[j]] += bend * inverse;
                 }
