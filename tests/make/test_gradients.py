@@ -54,7 +54,7 @@ LANDMARKS = {
     "underbust point left": 1e-5,
     "side bust point left": 2e-6,
     "lower knee point left": 1e-6,
-    "upper belly point left": 1e-6,
+    "upper belly point left": 2e-6,
 }
 
 

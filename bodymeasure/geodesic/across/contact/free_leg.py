@@ -70,6 +70,8 @@ def _falls_too_slowly(before: tuple[int, float], now: tuple[int, float], wanted:
     does not, and each degree takes several times as long as the one before.
     """
     degree, error = now
+    if not np.isfinite(error):
+        return True
     rate = np.log(before[1] / error) / (degree - before[0])
     return not error * np.exp(-rate * (DEGREES[-1] - degree)) <= wanted
 

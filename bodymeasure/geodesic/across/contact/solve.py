@@ -49,12 +49,13 @@ def held_path(
     tolerance : float
         The relative error that is wanted for the length of each leg.
     budget : Budget
-        The work is counted, and not begun once nothing is left.
+        The work is counted, and no leg is solved once nothing is left.
 
     Returns
     -------
     PathPart or None
-        None if a leg has no solution or leaves its patches, or an edge does not hold its arc.
+        None if a leg has no solution or leaves its patches, an edge does not hold its arc, or the
+        budget has run out.
     """
     budget.spend_on_pattern(refined)
     if not _held_from_all_sides(atlas, neighbors, refined):

@@ -43,7 +43,7 @@ from bodymeasure.native import RouteArrays, route_newton
 # could move for nothing: `refine` makes it smaller where a path has such pieces.
 EPSILON = 1e-14
 ALL_NODES = slice(None)
-# The derivatives' nets of so many patches are kept for the next path: they take 4 KB each.
+# The derivatives' nets of so many patches are kept for the next path: bicubic ones take 4 KB each.
 MOST_PATCHES = 4096
 
 Slides = tuple[int | None, int | None]
