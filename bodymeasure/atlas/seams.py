@@ -84,6 +84,14 @@ def edge_table(index: Ints) -> EdgeTable:
     )
 
 
+def parameters_on_sides(side: Ints, along: Array) -> Array:
+    """Return the parameters (k, 2) of places on sides."""
+    x = np.empty((len(side), 2))
+    rows = np.arange(len(side))
+    x[rows, AXIS[side]], x[rows, 1 - AXIS[side]] = VALUE[side], along
+    return x
+
+
 def sides_of(nets: NDArray[Any]) -> NDArray[Any]:
     """Return the four sides of nets (patches, k, k, ...) in the order of `EDGES`.
 

@@ -10,9 +10,9 @@ from typing import NamedTuple
 import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
-from bodymeasure.atlas.seams import AXIS, VALUE
+from bodymeasure.atlas.seams import AXIS, VALUE, parameters_on_sides
 from bodymeasure.bezier.power_form import jets
-from bodymeasure.taut.skin import BLUNT, Feet, Skin, parameters_on_sides
+from bodymeasure.taut.skin import BLUNT, Feet, Skin
 
 # The sine of the least angle of a ridge that holds a pin, some three degrees. Over seams that turn
 # by less, as those between patches of a body do, short segments are enough.

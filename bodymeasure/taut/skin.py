@@ -12,7 +12,7 @@ from bodymeasure.atlas.normals import normals_and_bends
 from bodymeasure.atlas.prepared import prepared
 from bodymeasure.atlas.queries.feet import MAX_SEAMS, feet_over_seams
 from bodymeasure.atlas.queries.outside import Outside, outward_signs
-from bodymeasure.atlas.seams import AXIS, VALUE
+from bodymeasure.atlas.seams import AXIS, VALUE, parameters_on_sides
 from bodymeasure.atlas.topology.edges import edges_of
 from bodymeasure.atlas.topology.joins import entered, kink_angles, on_sides, over_sides, seams_of
 from bodymeasure.bezier import evaluate, project
@@ -285,14 +285,6 @@ class Skin:
         position, normal, bend = normals_and_bends(self.coefficients, patch, x)
         sign = self.signs[patch]
         return position, sign[:, None] * normal, sign[:, None, None] * bend
-
-
-def parameters_on_sides(side: Ints, along: Array) -> Array:
-    """Return the parameters (k, 2) of places on sides."""
-    x = np.empty((len(side), 2))
-    rows = np.arange(len(side))
-    x[rows, AXIS[side]], x[rows, 1 - AXIS[side]] = VALUE[side], along
-    return x
 
 
 @prepared

@@ -6,7 +6,7 @@ import numpy as np
 
 from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas import EDGES, Atlas, AtlasPoint, sides_of
-from bodymeasure.atlas.seams import AXIS, VALUE
+from bodymeasure.atlas.seams import AXIS, parameters_on_sides
 from bodymeasure.atlas.topology.neighbors import on_side
 from bodymeasure.bezier import derivatives, project
 from bodymeasure.geodesic.across.routes.topology import topology
@@ -158,10 +158,8 @@ def _level_places(atlas: Atlas, seams: Sequence[tuple[int, int]]) -> tuple[list[
     patch, side = np.array(seams, dtype=np.int64).reshape(-1, 2).T
 
     def slope(along: Array, rows: Ints) -> Array:
-        fixed, number = AXIS[side[rows]], np.arange(len(rows))
-        place = np.empty((len(rows), 2))
-        place[number, fixed], place[number, 1 - fixed] = VALUE[side[rows]], along
-        return np.asarray(_slopes(atlas, patch[rows], place)[0][number, 1 - fixed])
+        slopes = _slopes(atlas, patch[rows], parameters_on_sides(side[rows], along))[0]
+        return np.asarray(slopes[np.arange(len(rows)), 1 - AXIS[side[rows]]])
 
     t = np.linspace(0.0, 1.0, SAMPLES + 1)
     every = np.arange(len(patch)).repeat(len(t))
