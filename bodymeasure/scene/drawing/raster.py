@@ -27,8 +27,9 @@ class DepthBuffer:
     triangle : ndarray of int, shape (height, width)
         Its number, -1 where there is none.
     triangles : ndarray of int, shape (m, 3)
-    edge : ndarray, shape (m, 3, 3)
-        Coefficients (a, b, c) of each triangle's barycentric coordinates a column + b row + c.
+    edge : ndarray, shape (3, 3, m)
+        Coefficients (a, b, c) of the three barycentric coordinates a column + b row + c of each
+        triangle.
     """
 
     depth: Array
@@ -59,7 +60,7 @@ class DepthBuffer:
         shown = self.triangle.ravel()[pixel]
         row, column = np.divmod(pixel, self.triangle.shape[1])
         channels = [
-            _at(_planes(self.edge, channel[self.triangles]), shown, column, row)
+            _at(_planes(self.edge, channel[self.triangles.T]), shown, column, row)
             for channel in values.T
         ]
         return np.stack(channels, axis=-1)
@@ -90,20 +91,21 @@ def rasterize(
     width, height = size
     buffer = np.full(height * width, -np.inf)
     shown = np.full(height * width, -1)
-    corner = pixels[triangles] - 0.5  # pixel centers now lie at whole numbers
-    low, high = corner.min(axis=1), corner.max(axis=1)
-    inside = (high[:, 0] >= 0) & (low[:, 0] < width) & (high[:, 1] >= 0) & (low[:, 1] < height)
-    seen = np.flatnonzero(inside)
-    edge, plane = np.zeros((len(triangles), 3, 3)), np.zeros((len(triangles), 3))
-    function, area = _edge_functions(corner[seen])
+    # Triangles come last, so that what is taken over their corners is taken of whole rows of them.
+    # Pixel centers now lie at whole numbers.
+    x, y = (pixels.T - 0.5).take(triangles.T, axis=1)
+    low, high = y.min(axis=0), y.max(axis=0)
+    edge, area = _edge_functions(x, y)
     broad = np.abs(area) > EDGE_ON
-    seen = seen[broad]
-    edge[seen] = function[broad] / area[broad, None, None]
-    plane[seen] = _planes(edge[seen], depth[triangles[seen]])
+    edge = np.divide(edge, area, out=np.zeros_like(edge), where=broad)
+    plane = _planes(edge, depth[triangles.T])
+    inside = (x.max(axis=0) >= 0) & (x.min(axis=0) < width) & (high >= 0) & (low < height)
+    seen = np.flatnonzero(inside & broad)
+    begins, ends = _sides(edge)
     for chunk in np.array_split(seen, max(1, -(-len(seen) // CHUNK))):
-        which, row = _rows(corner[chunk, :, 1], height)
+        which, row = _rows(low[chunk], high[chunk], height)
         which = chunk[which]
-        first, last = _span(edge[which], row, width)
+        first, last = _span(*(each.take(which, axis=2) for each in (begins, ends)), row, width)
         count = np.maximum(last - first + 1, 0)
         which, row, column = np.repeat(which, count), np.repeat(row, count), _ranges(first, count)
         z = _at(plane, which, column, row)
@@ -120,37 +122,33 @@ def rasterize(
 
 
 def _planes(edge: Array, values: Array) -> Array:
-    """Coefficients, shape (m, 3), of the linear functions with given values at the corners."""
-    return np.asarray((values[:, None, :] @ edge)[:, 0])
+    """Coefficients, shape (3, m), of the linear functions with given values (3, m) at corners."""
+    return np.asarray((edge * values).sum(axis=1))
 
 
-def _at(
-    plane: Array,
-    triangle: Ints,
-    column: Ints,
-    row: Ints,
-) -> Array:
-    a, b, c = plane.T
-    return np.asarray(a[triangle] * column + b[triangle] * row + c[triangle])
+def _at(plane: Array, triangle: Ints, column: Ints, row: Ints) -> Array:
+    a, b, c = plane.take(triangle, axis=1)
+    return np.asarray(a * column + b * row + c)
 
 
-def _edge_functions(
-    corner: Array,
-) -> tuple[Array, Array]:
-    """Coefficients (a, b, c), shape (m, 3, 3), of a x + b y + c = area times the barycentrics."""
-    following, last = np.roll(corner, -1, axis=1), np.roll(corner, -2, axis=1)
-    a = following[..., 1] - last[..., 1]
-    b = last[..., 0] - following[..., 0]
-    c = following[..., 0] * last[..., 1] - last[..., 0] * following[..., 1]
-    return np.stack([a, b, c], axis=-1), c.sum(axis=-1)
+def _edge_functions(x: Array, y: Array) -> tuple[Array, Array]:
+    """Coefficients (a, b, c), shape (3, 3, m), of a x + b y + c = area times the barycentrics.
+
+    The corners' coordinates have shape (3, m).
+    """
+    following, last = [1, 2, 0], [2, 0, 1]
+    a = y[following] - y[last]
+    b = x[last] - x[following]
+    c = x[following] * y[last] - x[last] * y[following]
+    return np.stack([a, b, c]), c.sum(axis=0)
 
 
-def _rows(y: Array, height: int) -> tuple[Ints, Ints]:
-    """Find all pairs of a triangle and a row of pixels that it crosses."""
-    first = np.clip(np.ceil(y.min(axis=1)), 0, height).astype(np.int64)
-    last = np.clip(np.floor(y.max(axis=1)), -1, height - 1).astype(np.int64)
+def _rows(low: Array, high: Array, height: int) -> tuple[Ints, Ints]:
+    """Find all pairs of a triangle and a row of pixels that it crosses, from its extent."""
+    first = np.clip(np.ceil(low), 0, height).astype(np.int64)
+    last = np.clip(np.floor(high), -1, height - 1).astype(np.int64)
     count = np.maximum(last - first + 1, 0)
-    return np.repeat(np.arange(len(y)), count), _ranges(first, count)
+    return np.repeat(np.arange(len(low)), count), _ranges(first, count)
 
 
 def _ranges(first: Ints, count: Ints) -> Ints:
@@ -159,15 +157,23 @@ def _ranges(first: Ints, count: Ints) -> Ints:
     return np.repeat(first - (ends - count), count) + np.arange(count.sum())
 
 
-def _span(edge: Array, row: Ints, width: int) -> tuple[Ints, Ints]:
-    """The first and the last pixel of a row inside a triangle."""
-    slope = edge[..., 0]
-    rest = edge[..., 1] * row[:, None] + edge[..., 2]
-    crossing = np.divide(-rest, slope, out=np.zeros_like(rest), where=slope != 0.0)
-    first = np.where(slope > 0.0, crossing, -np.inf).max(axis=1)
-    last = np.where(slope < 0.0, crossing, np.inf).min(axis=1)
-    outside = ((slope == 0.0) & (rest < 0.0)).any(axis=1)
-    first = np.where(outside, np.inf, first)
+def _sides(edge: Array) -> tuple[Array, Array]:
+    """Coefficients (p, q), shape (2, 3, m), of the columns p row + q where triangles begin and end.
+
+    Those of a side that does not bound them there are 0 and infinite. The rows that a triangle
+    crosses are within a level side anyway.
+    """
+    slope = edge[0]
+    crossing = np.divide(-edge[1:], slope, out=np.zeros_like(edge[1:]), where=slope != 0.0)
+    unbounded = np.array([0.0, np.inf]).reshape(2, 1, 1)
+    begins = np.where(slope > 0.0, crossing, -unbounded)
+    return begins, np.where(slope < 0.0, crossing, unbounded)
+
+
+def _span(begins: Array, ends: Array, row: Ints, width: int) -> tuple[Ints, Ints]:
+    """The first and the last pixel of a row inside a triangle, from its sides, (2, 3, n)."""
+    first = (begins[0] * row + begins[1]).max(axis=0)
+    last = (ends[0] * row + ends[1]).min(axis=0)
     return (
         np.ceil(np.clip(first - CRACK, 0, width)).astype(np.int64),
         np.floor(np.clip(last + CRACK, -1, width - 1)).astype(np.int64),
