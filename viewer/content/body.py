@@ -94,7 +94,7 @@ def landmark_records(body: ShownBody) -> list[dict[str, Any]]:
         {
             "name": name,
             "location": list(place),
-            "position": body.point(place)[0].tolist(),
+            "position": body.positions_on_page(atlas.position(place)).tolist(),
             "origin": found[name].origin.value if name in found else "file",
         }
         for name, place in atlas.landmarks.items()

@@ -138,7 +138,7 @@ def chart_content(body: ShownBody, chart: Chart, name: str = DEFAULT) -> bytes:
         numbers = range(len(tapes), len(tapes) + len(drawn))
         measurements.append({**_members(item, record), "tapes": list(numbers)})
         for tape in drawn:
-            part = _line(body, tape, SPACING * size)
+            part = _line(tape, SPACING * size)
             tapes.append(
                 {
                     "key": record.key,
@@ -152,7 +152,7 @@ def chart_content(body: ShownBody, chart: Chart, name: str = DEFAULT) -> bytes:
             parts.append(part)
             first += len(part[0])
     none = (np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
-    points, normals, free = (np.concatenate(each) for each in zip(none, *parts, strict=True))
+    points, lift, free = (np.concatenate(each) for each in zip(none, *parts, strict=True))
     return packed(
         {
             "set": name,
@@ -168,7 +168,11 @@ def chart_content(body: ShownBody, chart: Chart, name: str = DEFAULT) -> bytes:
             ],
             "to_pick": document.to_pick,
         },
-        {"tape_points": points, "tape_normals": normals, "tape_free": free.astype(np.uint8)},
+        {
+            "tape_points": body.positions_on_page(points),
+            "tape_normals": body.vectors_on_page(lift),
+            "tape_free": free.astype(np.uint8),
+        },
     )
 
 
@@ -206,16 +210,12 @@ def _members(item: Measured, record: BodyRecord) -> dict[str, Any]:
     }
 
 
-def _line(body: ShownBody, tape: Tape, spacing: float) -> tuple[Array, Array, Array]:
+def _line(tape: Tape, spacing: float) -> tuple[Array, Array, Array]:
     """Return points, the directions in which the tape is lifted, and where it stands free."""
     lift = without_gaps(tape.points, tape.normals)
     values = np.concatenate([tape.normals, lift], axis=1)
     points, values = evenly_spaced(tape.points, values, spacing)
-    return (
-        body.positions_on_page(points),
-        body.vectors_on_page(smoothed(values[:, 3:])),
-        free_of_body(values[:, :3]).astype(np.float64),
-    )
+    return points, smoothed(values[:, 3:]), free_of_body(values[:, :3]).astype(np.float64)
 
 
 def _landmark(body: ShownBody, chart: Chart, name: str) -> dict[str, Any]:
@@ -223,7 +223,7 @@ def _landmark(body: ShownBody, chart: Chart, name: str) -> dict[str, Any]:
     return {
         "name": name,
         "location": list(place),
-        "position": body.point(place)[0].tolist(),
+        "position": body.positions_on_page(chart.atlas.position(place)).tolist(),
         "origin": "file" if name in chart.atlas.landmarks else "rule",
     }
 

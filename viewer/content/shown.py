@@ -87,7 +87,7 @@ class ShownBody:
         steps = next((steps for steps, most in SEGMENTS.items() if count <= most), 1)
         return min(steps, self.finest)
 
-    @property
+    @cached_property
     def rotation(self) -> Array:
         """The matrix (3, 3) from the atlas's axes to left, up and front."""
         axes = self.atlas.axes
