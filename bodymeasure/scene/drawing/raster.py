@@ -105,7 +105,8 @@ def rasterize(
     for chunk in np.array_split(seen, max(1, -(-len(seen) // CHUNK))):
         which, row = _rows(low[chunk], high[chunk], height)
         which = chunk[which]
-        first, last = _span(*(each.take(which, axis=2) for each in (begins, ends)), row, width)
+        sides = begins.take(which, axis=2), ends.take(which, axis=2)
+        first, last = _span(*sides, row, width)
         count = np.maximum(last - first + 1, 0)
         which, row, column = np.repeat(which, count), np.repeat(row, count), _ranges(first, count)
         z = _at(plane, which, column, row)
