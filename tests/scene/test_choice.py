@@ -63,3 +63,20 @@ def test_the_argument_comes_before_the_environment(monkeypatch: pytest.MonkeyPat
 def test_the_probe_finds_real_trouble(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("DISPLAY", raising=False)
     assert "display" in choice.opengl_trouble(window=True)
+
+
+def test_opengl_is_tried_beside_other_work_and_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    calls: list[str] = []
+    monkeypatch.setattr(choice, "find_spec", lambda name: calls.append(name))
+    with choice.opengl_tried_beside():
+        pass
+    assert choice.choose_renderer().note.endswith("pyvista is not installed.")
+    assert calls == ["pyvista"]
+
+
+def test_opengl_is_not_tried_where_a_renderer_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(choice.VARIABLE, choice.SOFTWARE)
+    monkeypatch.setattr(choice, "find_spec", lambda name: pytest.fail(name))
+    with choice.opengl_tried_beside():
+        pass
+    assert choice.choose_renderer().renderer == choice.SOFTWARE

@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -84,7 +85,8 @@ def write_one(
 
     name, body = subject
     with output_folder(folder):
-        measured = measuring()
+        with _opengl_tried_beside() if wanted.pictures else nullcontext():
+            measured = measuring()
         scene = scene_of(measured) if wanted.pictures else None
         near = scene is None or wanted.near
         pictures = _pictures(measured, near=near) if wanted.pictures else None
@@ -108,6 +110,13 @@ def write_one(
     if code:
         print_note("Some measurements could not be taken; see “Not measured” in chart.html.")
     return code
+
+
+def _opengl_tried_beside() -> AbstractContextManager[None]:
+    # A slow import.
+    from bodymeasure.scene.drawing.opengl_check import opengl_tried_beside
+
+    return opengl_tried_beside()
 
 
 def _pictures(chart: "Chart", *, near: bool) -> "TapePictures":

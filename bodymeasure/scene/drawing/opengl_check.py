@@ -3,8 +3,11 @@
 import os
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache
 from importlib.util import find_spec
+from threading import Thread
 from typing import NamedTuple
 
 from bodymeasure.errors import InputError
@@ -70,6 +73,20 @@ def choose_renderer(name: str | None = None) -> Choice:
             f"{source} is {PYVISTA!r}, but {trouble}; leave it out, or use {SOFTWARE!r}"
         )
     return Choice(SOFTWARE, f"Pictures were drawn without OpenGL, since {trouble}.")
+
+
+@contextmanager
+def opengl_tried_beside() -> Iterator[None]:
+    """Try OpenGL beside what is done in a `with` statement, so that nobody waits for it later."""
+    # What names a renderer is not asked, or is an error that is for `choose_renderer` to report.
+    thread = Thread(target=opengl_trouble) if not os.environ.get(VARIABLE) else None
+    if thread is not None:
+        thread.start()
+    try:
+        yield
+    finally:
+        if thread is not None:
+            thread.join()
 
 
 @cache
