@@ -11,8 +11,7 @@ the first one, too: taken in the order 0, k - 1, 1, k - 2, ..., no two coupled b
 two apart. So the Hessian is banded either way.
 """
 
-from collections.abc import Iterator
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -20,7 +19,7 @@ from bodymeasure._typing import Array, Bools, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.prepared import prepared
-from bodymeasure.atlas.seams import EDGES
+from bodymeasure.atlas.seams import AXIS, EDGES
 from bodymeasure.atlas.topology.neighbors import on_side
 from bodymeasure.bezier import scaled
 from bodymeasure.geodesic.across.routes.route import Route
@@ -100,33 +99,28 @@ class RouteProblem:
         if isinstance(self.surface, BezierSurfaces) and len(atlas) <= MOST_PATCHES:
             self.surface.nets = _nets(atlas)[list(route.patches)] * (1.0 / size)
         nodes, pieces = space.size + 1, len(route.patches)
-        inner = np.concatenate([np.arange(1, nodes - 1), np.arange(nodes + 1, 2 * nodes - 1)])
-        block = len(inner) + 1
-        if route.closed:
-            entries = _folded(pieces) * block
-            exits = np.roll(entries, -1)
-            self.joints = entries
-        else:
-            entries = np.arange(pieces) * block
-            exits = entries + block
-            self.joints = exits[:-1]
-        self.rows = np.column_stack([entries, entries[:, None] + np.arange(1, block), exits])
+        self.rows, self.joints, local = _numbered(pieces, space.size, route.closed)
         self.count = int(self.rows.max()) + 1
-        self.local = np.tile(np.array([0, *inner, nodes - 1]), (pieces, 1))
-        self.sign = np.ones(self.local.shape)
+        # The sides on which each piece starts and ends; -1 where it does so at a point.
+        sides, flipped = np.full((2, pieces, 2), -1)
+        for piece, (end, side) in zip((0, -1), enumerate(slides), strict=True):
+            sides[piece, end] = -1 if side is None else side
+        crossed = [(each.from_side, each.to_side, each.flipped) for each in route.crossings]
+        if crossed:
+            # Before the first crossing of a loop is its last piece, number -1.
+            before = np.arange(len(crossed)) - route.closed
+            sides[before, 1], sides[before + 1, 0], flipped[before + 1, 0] = np.array(crossed).T
+        moves, turned = sides >= 0, flipped > 0
+        self.local = local.copy()
+        self.local[:, [0, -1]] += moves * (1 - AXIS[sides]) * nodes
+        self.sign = np.ones(local.shape)
+        self.sign[:, [0, -1]] = np.where(turned, -1.0, moves)
         # The nodal values that no unknown moves, and the values of the others where the unknowns
         # are 0, which is 1 along a seam that runs the other way.
         self._fixed = np.zeros((pieces, 2, nodes))
         self._fixed[:, :, [0, -1]] = np.array(route.pieces)[:, :, 1:].transpose(0, 2, 1)
-        self._offset = np.zeros(self.local.shape)
-        for piece, end, side, flipped in _ends(route, slides):
-            if side is None:
-                self.sign[piece, end] = 0.0
-                self._offset[piece, end] = self._fixed[piece, 0, end]
-            else:
-                self.local[piece, end] += (1 - EDGES[side].fixed_axis) * nodes
-                self.sign[piece, end] = -1.0 if flipped else 1.0
-                self._offset[piece, end] = float(flipped)
+        self._offset = np.zeros(local.shape)
+        self._offset[:, [0, -1]] = np.where(moves, turned, self._fixed[:, 0, [0, -1]])
         self.idle = np.zeros(self.count, bool)
         self.idle[self.rows[self.sign == 0.0]] = True
         self._size_of_bands = (int(np.ptp(self.rows, axis=1).max()) + 1) * self.count
@@ -162,7 +156,8 @@ class RouteProblem:
     def values(self, unknowns: Array) -> Array:
         """Return (u, v) at the nodes of all pieces, shape (pieces, 2, n + 1)."""
         result = self._fixed.reshape(len(self.rows), -1).copy()
-        np.put_along_axis(result, self.local, self._offset + self.sign * unknowns[self.rows], 1)
+        piece = np.arange(len(result))[:, None]
+        result[piece, self.local] = self._offset + self.sign * unknowns[self.rows]
         return result.reshape(self._fixed.shape)
 
     def at(self, unknowns: Array) -> Route:
@@ -240,20 +235,16 @@ def _nets(atlas: Atlas) -> Array:
     return BezierSurfaces(atlas.control_points).nets
 
 
-def _ends(route: Route, slides: Slides) -> Iterator[tuple[int, int, int | None, bool]]:
-    """The first (0) and the last (-1) node of each piece, and how its unknown moves it.
-
-    Yields the piece, the node, the side of the patch along which it moves (None if it does not) and
-    whether that side runs against its unknown.
-    """
-    if not route.closed:
-        yield 0, 0, slides[0], False
-        yield -1, -1, slides[1], False
-    for number, crossing in enumerate(route.crossings):
-        # Before the first crossing of a loop is its last piece, number -1.
-        before = number - route.closed
-        yield before, -1, crossing.from_side, False
-        yield before + 1, 0, crossing.to_side, crossing.flipped
+@lru_cache(maxsize=256)
+def _numbered(pieces: int, size: int, closed: bool) -> tuple[Ints, Ints, Ints]:
+    """`RouteProblem.rows`, its joints, and the values that unknowns move if they all move u."""
+    nodes = size + 1
+    inner = np.concatenate([np.arange(1, size), np.arange(nodes + 1, nodes + size)])
+    block = len(inner) + 1
+    entries = (_folded(pieces) if closed else np.arange(pieces)) * block
+    exits = np.roll(entries, -1) if closed else entries + block
+    rows = np.column_stack([entries, entries[:, None] + np.arange(1, block), exits])
+    return rows, entries if closed else exits[:-1], np.tile([0, *inner, size], (pieces, 1))
 
 
 def _folded(count: int) -> Ints:

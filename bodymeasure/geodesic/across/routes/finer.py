@@ -7,7 +7,7 @@ a mesh with edges a quarter as long ways are a sixteenth as far from that path.
 
 import numpy as np
 
-from bodymeasure._typing import Array
+from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors
@@ -38,19 +38,31 @@ def fine_route(
 
 def _pulled_straight(mesh: RouteMesh, fine: RouteMesh, way: StraightWay) -> StraightWay | None:
     """Return a way on a finer mesh; None if it cannot be led along its edges."""
-    patches: list[int] = mesh.patch[way.strip].tolist()
+    patches = mesh.patch[way.strip]
     enter, leave = _on_patches(mesh, way)
-    ends = tuple(
-        fine.holding(AtlasPoint(patch, *place))
-        for patch, place in ((patches[0], enter[0].tolist()), (patches[-1], leave[-1].tolist()))
+    start, end = (
+        fine.holding(AtlasPoint(int(patch), *place.tolist()))
+        for patch, place in ((patches[0], enter[0]), (patches[-1], leave[-1]))
     )
-    for end, place in zip(ends, (enter[0], leave[-1]), strict=True):
-        place[:] = fine.parameters[end.face, int(np.argmax(end.weights))]
+    for on, place in ((start, enter[0]), (end, leave[-1])):
+        place[:] = fine.parameters[on.face, int(np.argmax(on.weights))]
     begin, finish = (np.rint(fine.segments * each).astype(np.int64) for each in (enter, leave))
-    vertices: list[int] = []
-    for patch, here, there in zip(patches, begin.tolist(), finish.tolist(), strict=True):
-        vertices += fine.between(patch, here, there)
-    return straight_way(fine.surface, (ends[0], ends[1]), np.array(vertices))
+    i, j = begin.T[:, :, None] + _steps_along_edges(*(finish - begin).T)
+    vertices = fine.vertex[patches[:, None], i, j].ravel()
+    vertices = vertices[vertices >= 0]
+    stays = vertices[1:] == vertices[:-1]
+    return straight_way(fine.surface, (start, end), vertices[np.append(True, ~stays)])
+
+
+def _steps_along_edges(rows: Ints, columns: Ints) -> Ints:
+    """Return what `unit_steps` does, of many places: (2, places, k); some stay where they are."""
+    count = np.maximum(np.maximum(np.abs(rows), np.abs(columns)), 1)[:, None]
+    number = np.minimum(np.arange(count.max() + 1), count)
+    i, j = ((2 * each[:, None] * number + count) // (2 * count) for each in (rows, columns))
+    # Cells are cut along one diagonal only.
+    round_ = np.where(np.diff(i) * np.diff(j) < 0, j[:, :-1], j[:, 1:])
+    after = np.stack([round_, j[:, 1:]], axis=2).reshape(len(j), -1)
+    return np.stack([np.repeat(i, 2, axis=1)[:, 1:], np.hstack([j[:, :1], after])])
 
 
 def _on_patches(mesh: RouteMesh, way: StraightWay) -> tuple[Array, Array]:

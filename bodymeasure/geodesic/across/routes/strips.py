@@ -61,7 +61,7 @@ class StraightWay:
         first, last = corners[at, side], corners[at, (side + 1) % 3]
         inner = (1.0 - t) * mesh.vertices[first] + t * mesh.vertices[last]
         outer = [np.array(end.weights) @ mesh.vertices[faces[end.face]] for end in self.ends]
-        return np.stack([outer[0], *inner, outer[1]])
+        return np.vstack([outer[0], inner, outer[1]])
 
 
 def straight_way(mesh: FaceMesh, ends: tuple[OnFace, OnFace], vertices: Ints) -> StraightWay | None:
