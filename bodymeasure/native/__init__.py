@@ -25,7 +25,15 @@ from bodymeasure.native.route import NewtonSettings, RouteArrays, route_newton
 from bodymeasure.native.section import CutPatches, Graphs, section_points
 from bodymeasure.native.string import StringForces, string_equilibrium
 from bodymeasure.native.trees import compiled_shortest_ways
-from bodymeasure.native.ways import MeshArrays, WayFound, way_straightened
+from bodymeasure.native.ways import (
+    GraphArrays,
+    JoinedEnd,
+    MeshArrays,
+    WayFound,
+    WaysWanted,
+    first_ways_straightened,
+    way_straightened,
+)
 
 __all__ = [
     "MOST_COLUMNS",
@@ -35,7 +43,9 @@ __all__ = [
     "DiagonalProblems",
     "DiagonalSettings",
     "DiagonalSpace",
+    "GraphArrays",
     "Graphs",
+    "JoinedEnd",
     "LengthSettings",
     "LengthTables",
     "MeshArrays",
@@ -45,6 +55,7 @@ __all__ = [
     "RouteArrays",
     "StringForces",
     "WayFound",
+    "WaysWanted",
     "bezier_jets",
     "box_steps",
     "closest_in_powers",
@@ -52,6 +63,7 @@ __all__ = [
     "diagonal_paths",
     "energies",
     "extents",
+    "first_ways_straightened",
     "is_compiled",
     "normals_in_powers",
     "path_lengths",

@@ -30,6 +30,7 @@ KERNELS = {
     "bodymeasure_energy": [_POINTER, _POINTER, ctypes.c_int64, *[_POINTER] * 3],
     "bodymeasure_extents": [ctypes.c_int64] * 2 + [_POINTER] * 3,
     "bodymeasure_equilibrium": [_POINTER] * 4,
+    "bodymeasure_first_ways": [_POINTER] * 5,
     "bodymeasure_jets": [*[ctypes.c_int64] * 5, _POINTER, ctypes.c_int64, *[_POINTER] * 2],
     "bodymeasure_lengths": [*[_POINTER] * 5, ctypes.c_int64],
     "bodymeasure_normals": [*[ctypes.c_int64] * 2, *[_POINTER] * 8],

@@ -6,7 +6,9 @@
 
 #pragma once
 
+#include <complex>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #if __has_include(<features.h>)
@@ -131,6 +133,42 @@ void power_jet(int64_t side, int64_t coordinates, const double *coefficients, co
 // does not change there, the end with the smaller value. Room for (degree + 1) doubles.
 double bracketed_root(const double *coefficients, int64_t degree, double lower, double upper,
                       double *room);
+
+using Place = std::complex<double>;
+
+// A triangle mesh of whose sides each is on two faces at most. Side k joins corners k and k + 1.
+struct Triangles {
+    const int64_t *faces, *over;  // (faces, 3): the corners, and the face beyond each side or -1
+    const Place *apex;            // (faces, 3): the third corner if the side leads from 0 to 1
+    const double *angle;          // (vertices,), the sum of the angles about each
+    const double *vertices;       // (vertices, 3)
+};
+
+// The way that is given, and the one that is found, with room for `most` faces.
+struct Way {
+    int64_t count;
+    const int64_t *vertices;
+    int64_t faces[2];      // those that hold the ends, and their barycentric coordinates there:
+    double weights[2][3];  // moved to the ends of the strip
+    int64_t most;
+    int64_t *strip, *sides;
+    double *along, length;
+};
+
+// What is returned where there is no way, and where the Python form has to look.
+constexpr int64_t NO_WAY = -1, UNKNOWN_WAY = -2;
+
+// Pull a way straight; the number of faces of its strip, or one of these.
+int64_t straighten(const Triangles &mesh, Way &way);
+
+// The distance to a node, and the node.
+using Reached = std::pair<double, int64_t>;
+
+// Shortest ways by Dijkstra's algorithm from the nodes that are reached already, at their distances.
+// Edges from[k] to before from[k + 1] lead from node k to `heads`. `before` and `edge` are the node
+// before on the way and the edge from there, or -1.
+void shortest_ways(int64_t nodes, const int64_t *from, const int64_t *heads, const double *weights,
+                   std::vector<Reached> reached, double *distance, int64_t *before, int64_t *edge);
 
 // A quadratic model of a function on the box [0, 1]^n, as in `numerics.banded.BoxModels`.
 struct BoxModel {

@@ -7,41 +7,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <vector>
 
 #include "kernels.h"
 
 namespace bodymeasure {
 
-using Place = std::complex<double>;
 using Numbers = std::vector<int64_t>;
-
-// A triangle mesh of whose sides each is on two faces at most. Side k joins corners k and k + 1.
-struct Triangles {
-    const int64_t *faces, *over;  // (faces, 3): the corners, and the face beyond each side or -1
-    const Place *apex;            // (faces, 3): the third corner if the side leads from 0 to 1
-    const double *angle;          // (vertices,), the sum of the angles about each
-    const double *vertices;       // (vertices, 3)
-};
-
-// The way that is given, and the one that is found, with room for `most` faces.
-struct Way {
-    int64_t count;
-    const int64_t *vertices;
-    int64_t faces[2];      // those that hold the ends, and their barycentric coordinates there:
-    double weights[2][3];  // moved to the ends of the strip
-    int64_t most;
-    int64_t *strip, *sides;
-    double *along, length;
-};
 
 namespace {
 
 constexpr int MOST_ROUNDS = 60;
 constexpr double STRAIGHT = 1e-9, SHORTER = 1e-12, PI = 3.141592653589793;
-// What is returned where there is no way, and where the Python form has to look.
-constexpr int64_t NONE = -1, UNKNOWN = -2;
 
 struct Bend {
     int64_t number;
@@ -296,28 +273,30 @@ void fill_along(const Triangles &mesh, const Strip &strip, const Unfolded &found
     }
 }
 
+}  // namespace
+
 int64_t straighten(const Triangles &mesh, Way &way) {
     Numbers faces{way.faces[0]};
     for (int64_t k = 0; k < way.count; ++k) {
         const int64_t to = k + 1 < way.count ? way.vertices[k + 1] : -1;
-        if (!turn(mesh, way.vertices[k], way.faces[1], to, faces)) return NONE;
+        if (!turn(mesh, way.vertices[k], way.faces[1], to, faces)) return NO_WAY;
     }
     Strip strip{without_returns(faces), {}};
     std::copy(&way.weights[0][0], &way.weights[0][0] + 6, &strip.weights[0][0]);
     trim(mesh, strip);
     Unfolded found, other;
-    if (!unfold(mesh, strip, found)) return UNKNOWN;
+    if (!unfold(mesh, strip, found)) return UNKNOWN_WAY;
     for (int round = 0; round < MOST_ROUNDS; ++round) {
         Strip shorter = strip;
         if (!lead_round(mesh, found, shorter.faces)) break;
         trim(mesh, shorter);
-        if (!unfold(mesh, shorter, other)) return UNKNOWN;
+        if (!unfold(mesh, shorter, other)) return UNKNOWN_WAY;
         if (other.length > found.length * (1.0 - SHORTER)) break;
         std::swap(strip, shorter);
         std::swap(found, other);
     }
     const int64_t count = strip.faces.size();
-    if (count > way.most) return UNKNOWN;
+    if (count > way.most) return UNKNOWN_WAY;
     std::copy(strip.faces.begin(), strip.faces.end(), way.strip);
     std::copy(found.sides.begin(), found.sides.end(), way.sides);
     std::copy(&strip.weights[0][0], &strip.weights[0][0] + 6, &way.weights[0][0]);
@@ -325,8 +304,6 @@ int64_t straighten(const Triangles &mesh, Way &way) {
     way.length = found.length;
     return count;
 }
-
-}  // namespace
 
 }  // namespace bodymeasure
 

@@ -15,6 +15,7 @@ from bodymeasure.bezier import evaluate
 from bodymeasure.geodesic.across.routes.mesh import RouteMesh, unit_steps, whole_mesh
 from bodymeasure.geodesic.numerics.grid_steps import SHORTEST, grid_steps
 from bodymeasure.geodesic.numerics.shortest_ways import shortest_ways
+from bodymeasure.native import GraphArrays, JoinedEnd
 
 # Steps along each patch edge: the first number that makes this many points, or else the last.
 SEGMENTS, ENOUGH = (2, 4, 6, 8, 12, 16), 1000
@@ -74,6 +75,18 @@ class PatchGraph:
 
     def reach(self, atlas: Atlas, place: AtlasPoint) -> Reach:
         """Return the rough distances of all vertices from a point, and how they are reached."""
+        joined, first = self.joined(atlas, place)
+        # The point is one more node, with steps to those beside it.
+        count = len(self.vertices)
+        lengths = np.concatenate([self.steps.data, first])
+        heads = np.concatenate([self.steps.indices, joined])
+        degrees = np.append(np.diff(self.steps.indptr), len(joined))
+        distances, (before,) = shortest_ways(degrees, heads[None], lengths[None])
+        before[count] = count
+        return Reach(place, distances[0, :count], before)
+
+    def joined(self, atlas: Atlas, place: AtlasPoint) -> tuple[Ints, Array]:
+        """Return the vertices to which a point is joined, and their distances."""
         segments = self.mesh.segments
         grid = np.arange(segments + 1)
         near = np.abs(grid - segments * place.u) <= REACH
@@ -81,15 +94,25 @@ class PatchGraph:
         joined = np.unique(self.mesh.vertex[place.patch][np.ix_(near, beside)])
         joined = joined[joined >= 0]
         position = evaluate(atlas.control_points[place.patch], np.array(place[1:]))
-        first = np.linalg.norm(self.vertices[joined] - position, axis=1)
-        # The point is one more node, with steps to those beside it.
-        count = len(self.vertices)
-        lengths = np.concatenate([self.steps.data, np.maximum(first, SHORTEST)])
-        heads = np.concatenate([self.steps.indices, joined])
-        degrees = np.append(np.diff(self.steps.indptr), len(joined))
-        distances, (before,) = shortest_ways(degrees, heads[None], lengths[None])
-        before[count] = count
-        return Reach(place, distances[0, :count], before)
+        distances = np.linalg.norm(self.vertices[joined] - position, axis=1)
+        return joined, np.maximum(distances, SHORTEST)
+
+    def joined_end(self, atlas: Atlas, place: AtlasPoint) -> JoinedEnd:
+        """Return a point as an end of ways, for compiled kernels."""
+        vertices, distances = self.joined(atlas, place)
+        ways = [self._to_first(place, vertex) for vertex in vertices.tolist()]
+        along = np.full((len(ways), max(map(len, ways))), -1)
+        for row, way in zip(along, ways, strict=True):
+            row[: len(way)] = way
+        return JoinedEnd(*self.mesh.holding(place), vertices, distances, along)
+
+    @cached_property
+    def arrays(self) -> GraphArrays:
+        """The steps, for compiled kernels."""
+        begins, heads = (
+            np.ascontiguousarray(each, np.int64) for each in (self.steps.indptr, self.steps.indices)
+        )
+        return GraphArrays(begins, heads, self.steps.data, self.along)
 
     def ways(self, reach: Reach, vertices: Ints) -> list[Ints]:
         """Return the vertices of shortest ways from a point to vertices, along the mesh's edges.

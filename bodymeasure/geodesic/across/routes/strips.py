@@ -53,6 +53,13 @@ class StraightWay:
     along: Array
     length: float
 
+    @classmethod
+    def of(cls, found: WayFound) -> "StraightWay":
+        """Return a way that a kernel found."""
+        strip, sides, along, length, weights = found
+        start, end = map(OnFace, strip[[0, -1]].tolist(), weights)
+        return cls((start, end), strip, sides, along, length)
+
     def points(self, mesh: FaceMesh) -> Array:
         """Return the positions of its ends and of where it crosses sides, shape (k, 3)."""
         faces = mesh.arrays.faces
@@ -85,8 +92,7 @@ def straight_way(mesh: FaceMesh, ends: tuple[OnFace, OnFace], vertices: Ints) ->
         on, weights = (start.face, end.face), (start.weights, end.weights)
         found = way_straightened(mesh.arrays, on, weights, vertices)
         if isinstance(found, WayFound):
-            start, end = map(OnFace, found.strip[[0, -1]].tolist(), found.weights)
-            return StraightWay((start, end), found.strip, found.sides, found.along, found.length)
+            return StraightWay.of(found)
         if found == 0:
             return None
     faces = _strip_along(mesh, vertices.tolist(), ends[0].face, ends[1].face)

@@ -6,7 +6,7 @@ point has a shorter one, hold one near the shortest path. As the graph's ways ar
 parts in a hundred, that may be another one than the shortest of them.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -16,6 +16,9 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.geodesic.across.routes.graph import PatchGraph, Reach, patch_graph
 from bodymeasure.geodesic.across.routes.strips import StraightWay, straight_way
+from bodymeasure.native import WaysWanted, first_ways_straightened, is_compiled
+
+Ends = tuple[AtlasPoint, AtlasPoint]
 
 # Ways that are nowhere farther apart than this part of their length, at these parts of it, lead to
 # the same path.
@@ -58,19 +61,10 @@ def first_ways(
     There are none if no seams join the points.
     """
     graph = patch_graph(atlas)
-    reaches = graph.reach(atlas, start), graph.reach(atlas, end)
-    ends = graph.mesh.holding(start), graph.mesh.holding(end)
-    begun: set[bytes] = set()
-    found: dict[bytes, StraightWay] = {}
-    for vertices in _rough_ways(graph, *reaches, scope):
-        key = vertices.tobytes()
-        if key in begun or len(begun) == scope.most:
-            continue
-        begun.add(key)
-        way = straight_way(graph.mesh.surface, ends, vertices)
-        if way is not None:
-            found.setdefault(way.strip.tobytes(), way)
-    ways = sorted(found.values(), key=lambda way: way.length)
+    found = _compiled_ways(atlas, graph, (start, end), scope)
+    if found is None:
+        found = _straight_ways(atlas, graph, (start, end), scope)
+    ways = sorted(found, key=lambda way: way.length)
     different: list[StraightWay] = []
     courses: list[Array] = []
     for way in ways:
@@ -83,9 +77,39 @@ def first_ways(
     return different
 
 
-def way_through(
-    atlas: Atlas, ends: tuple[AtlasPoint, AtlasPoint], vertices: tuple[int, ...]
-) -> StraightWay | None:
+def _compiled_ways(
+    atlas: Atlas, graph: PatchGraph, ends: Ends, scope: Scope
+) -> list[StraightWay] | None:
+    """Return what `_straight_ways` does; None if no kernel serves."""
+    if not is_compiled() or graph.mesh.surface.forks:
+        return None
+    start, end = (graph.joined_end(atlas, place) for place in ends)
+    wanted = WaysWanted(scope.longer, scope.spread, scope.parts, scope.most)
+    arrays = graph.mesh.surface.arrays
+    found = first_ways_straightened(arrays, graph.arrays, (start, end), wanted)
+    return None if found is None else list(map(StraightWay.of, found))
+
+
+def _straight_ways(
+    atlas: Atlas, graph: PatchGraph, ends: Ends, scope: Scope
+) -> Iterable[StraightWay]:
+    """Return the rough ways with different strips once they are pulled straight."""
+    begin, finish = (graph.reach(atlas, end) for end in ends)
+    start, end = (graph.mesh.holding(end) for end in ends)
+    begun: set[bytes] = set()
+    found: dict[bytes, StraightWay] = {}
+    for vertices in _rough_ways(graph, begin, finish, scope):
+        key = vertices.tobytes()
+        if key in begun or len(begun) == scope.most:
+            continue
+        begun.add(key)
+        way = straight_way(graph.mesh.surface, (start, end), vertices)
+        if way is not None:
+            found.setdefault(way.strip.tobytes(), way)
+    return found.values()
+
+
+def way_through(atlas: Atlas, ends: Ends, vertices: tuple[int, ...]) -> StraightWay | None:
     """Return the way that leads through vertices of the graph at first, pulled straight."""
     graph = patch_graph(atlas)
     whole: list[Ints] = []
