@@ -12,6 +12,7 @@ from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.point import AtlasPoint
 from bodymeasure.atlas.prepared import prepared
 from bodymeasure.bezier import evaluate
+from bodymeasure.geodesic.across.routes.faces import OnFace
 from bodymeasure.geodesic.across.routes.mesh import RouteMesh, unit_steps, whole_mesh
 from bodymeasure.geodesic.numerics.grid_steps import SHORTEST, grid_steps
 from bodymeasure.geodesic.numerics.shortest_ways import shortest_ways
@@ -100,11 +101,12 @@ class PatchGraph:
     def joined_end(self, atlas: Atlas, place: AtlasPoint) -> JoinedEnd:
         """Return a point as an end of ways, for compiled kernels."""
         vertices, distances = self.joined(atlas, place)
-        ways = [self._to_first(place, vertex) for vertex in vertices.tolist()]
+        on = self.mesh.holding(place)
+        ways = [self._to_first(place.patch, on, vertex) for vertex in vertices.tolist()]
         along = np.full((len(ways), max(map(len, ways))), -1)
         for row, way in zip(along, ways, strict=True):
             row[: len(way)] = way
-        return JoinedEnd(*self.mesh.holding(place), vertices, distances, along)
+        return JoinedEnd(*on, vertices, distances, along)
 
     @cached_property
     def arrays(self) -> GraphArrays:
@@ -125,8 +127,9 @@ class PatchGraph:
         nodes = np.array(back[::-1])
         here, there = nodes[:-1], nodes[1:]
         begun = here < len(self.vertices)
+        on = self.mesh.holding(reach.place)
         first = {
-            vertex: self._to_first(reach.place, vertex)
+            vertex: self._to_first(reach.place.patch, on, vertex)
             for vertex in set(there[~begun & (there < len(self.vertices))].tolist())
         }
         # No step leads from the point itself, nor to it.
@@ -150,16 +153,15 @@ class PatchGraph:
         first: Ints = np.repeat(np.arange(count), np.diff(self.steps.indptr))
         return first * count + np.asarray(self.steps.indices, np.int64)
 
-    def _to_first(self, place: AtlasPoint, vertex: int) -> list[int]:
+    def _to_first(self, patch: int, on: OnFace, vertex: int) -> list[int]:
         """The vertices from a corner of the face that holds a point to one that it is joined to."""
-        face, weights = self.mesh.holding(place)
-        corners = self.mesh.corners[face].tolist()
+        corners = self.mesh.corners[on.face].tolist()
         if vertex in corners:
             return [vertex]
-        corner = corners[int(np.argmax(weights))]
-        grid = self.mesh.vertex[place.patch]
+        corner = corners[int(np.argmax(on.weights))]
+        grid = self.mesh.vertex[patch]
         here, there = (np.argwhere(grid == each)[0].tolist() for each in (corner, vertex))
-        return self.mesh.between(place.patch, here, there)
+        return self.mesh.between(patch, here, there)
 
 
 @prepared

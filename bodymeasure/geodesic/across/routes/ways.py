@@ -6,7 +6,7 @@ point has a shorter one, hold one near the shortest path. As the graph's ways ar
 parts in a hundred, that may be another one than the shortest of them.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -90,9 +90,7 @@ def _compiled_ways(
     return None if found is None else list(map(StraightWay.of, found))
 
 
-def _straight_ways(
-    atlas: Atlas, graph: PatchGraph, ends: Ends, scope: Scope
-) -> Iterable[StraightWay]:
+def _straight_ways(atlas: Atlas, graph: PatchGraph, ends: Ends, scope: Scope) -> list[StraightWay]:
     """Return the rough ways with different strips once they are pulled straight."""
     begin, finish = (graph.reach(atlas, end) for end in ends)
     start, end = (graph.mesh.holding(end) for end in ends)
@@ -106,7 +104,7 @@ def _straight_ways(
         way = straight_way(graph.mesh.surface, (start, end), vertices)
         if way is not None:
             found.setdefault(way.strip.tobytes(), way)
-    return found.values()
+    return list(found.values())
 
 
 def way_through(atlas: Atlas, ends: Ends, vertices: tuple[int, ...]) -> StraightWay | None:
