@@ -99,8 +99,9 @@ class RouteProblem:
         if isinstance(self.surface, BezierSurfaces) and len(atlas) <= MOST_PATCHES:
             self.surface.nets = _nets(atlas)[list(route.patches)] * (1.0 / size)
         nodes, pieces = space.size + 1, len(route.patches)
-        self.rows, self.joints, local = _numbered(pieces, space.size, route.closed)
-        self.count = int(self.rows.max()) + 1
+        self.rows, self.joints, local, self.count, bands = _numbered(
+            pieces, space.size, route.closed
+        )
         # The sides on which each piece starts and ends; -1 where it does so at a point.
         sides, flipped = np.full((2, pieces, 2), -1)
         for piece, (end, side) in zip((0, -1), enumerate(slides), strict=True):
@@ -111,19 +112,21 @@ class RouteProblem:
             before = np.arange(len(crossed)) - route.closed
             sides[before, 1], sides[before + 1, 0], flipped[before + 1, 0] = np.array(crossed).T
         moves, turned = sides >= 0, flipped > 0
+        # The first column and the last one.
+        ends = slice(None, None, local.shape[1] - 1)
         self.local = local.copy()
-        self.local[:, [0, -1]] += moves * (1 - AXIS[sides]) * nodes
+        self.local[:, ends] += moves * (1 - AXIS[sides]) * nodes
         self.sign = np.ones(local.shape)
-        self.sign[:, [0, -1]] = np.where(turned, -1.0, moves)
+        self.sign[:, ends] = np.where(turned, -1.0, moves)
         # The nodal values that no unknown moves, and the values of the others where the unknowns
         # are 0, which is 1 along a seam that runs the other way.
         self._fixed = np.zeros((pieces, 2, nodes))
         self._fixed[:, :, [0, -1]] = np.array(route.pieces)[:, :, 1:].transpose(0, 2, 1)
         self._offset = np.zeros(local.shape)
-        self._offset[:, [0, -1]] = np.where(moves, turned, self._fixed[:, 0, [0, -1]])
+        self._offset[:, ends] = np.where(moves, turned, self._fixed[:, 0, :: nodes - 1])
         self.idle = np.zeros(self.count, bool)
         self.idle[self.rows[self.sign == 0.0]] = True
-        self._size_of_bands = (int(np.ptp(self.rows, axis=1).max()) + 1) * self.count
+        self._size_of_bands = bands * self.count
 
     @cached_property
     def _in_bands(self) -> tuple[Bools, Ints]:
@@ -236,15 +239,21 @@ def _nets(atlas: Atlas) -> Array:
 
 
 @lru_cache(maxsize=256)
-def _numbered(pieces: int, size: int, closed: bool) -> tuple[Ints, Ints, Ints]:
-    """`RouteProblem.rows`, its joints, and the values that unknowns move if they all move u."""
+def _numbered(pieces: int, size: int, closed: bool) -> tuple[Ints, Ints, Ints, int, int]:
+    """What `RouteProblem` has from the number of pieces: how its unknowns are numbered.
+
+    Its rows, its joints, the values that unknowns move if they all move u, the number of unknowns,
+    and that of the Hessian's bands.
+    """
     nodes = size + 1
     inner = np.concatenate([np.arange(1, size), np.arange(nodes + 1, nodes + size)])
     block = len(inner) + 1
     entries = (_folded(pieces) if closed else np.arange(pieces)) * block
     exits = np.roll(entries, -1) if closed else entries + block
     rows = np.column_stack([entries, entries[:, None] + np.arange(1, block), exits])
-    return rows, entries if closed else exits[:-1], np.tile([0, *inner, size], (pieces, 1))
+    joints = entries if closed else exits[:-1]
+    local = np.tile([0, *inner, size], (pieces, 1))
+    return rows, joints, local, int(rows.max()) + 1, int(np.ptp(rows, axis=1).max()) + 1
 
 
 def _folded(count: int) -> Ints:

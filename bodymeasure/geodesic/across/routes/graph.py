@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import ceil, floor
 from typing import NamedTuple
 
 import numpy as np
@@ -88,11 +89,9 @@ class PatchGraph:
 
     def joined(self, atlas: Atlas, place: AtlasPoint) -> tuple[Ints, Array]:
         """Return the vertices to which a point is joined, and their distances."""
-        segments = self.mesh.segments
-        grid = np.arange(segments + 1)
-        near = np.abs(grid - segments * place.u) <= REACH
-        beside = np.abs(grid - segments * place.v) <= REACH
-        joined = np.unique(self.mesh.vertex[place.patch][np.ix_(near, beside)])
+        at = [self.mesh.segments * each for each in place[1:]]
+        near = tuple(slice(max(ceil(each - REACH), 0), floor(each + REACH) + 1) for each in at)
+        joined = np.unique(self.mesh.vertex[place.patch][near])
         joined = joined[joined >= 0]
         position = evaluate(atlas.control_points[place.patch], np.array(place[1:]))
         distances = np.linalg.norm(self.vertices[joined] - position, axis=1)

@@ -169,9 +169,13 @@ def detours(
     by no more than `worthwhile` parts of the path is left out.
     """
     route, space, values = refined.route, refined.problem.space, refined.values
+    pieces, _, nodes = values.shape
+    samples = (values.reshape(-1, nodes) @ space.between_nodes.T).reshape(pieces, 2, -1)
+    # Most paths are on their patches everywhere.
+    if not refined.held_nodes.any() and np.abs(samples - 0.5).max() <= 0.5 + OUTSIDE:
+        return
     times = np.concatenate([space.nodes[1:-1], space.times_between])
     order = np.argsort(times, kind="stable")
-    samples = values @ space.between_nodes.T
     beyond = (samples[:, AXIS] - VALUE[:, None]) * (2.0 * VALUE[:, None] - 1.0) > OUTSIDE
     on_edge = refined.held_nodes[:, AXIS] & (values[:, AXIS, 1:-1] == VALUE[:, None])
     leaves = np.concatenate([on_edge, beyond], axis=2)[:, :, order]
