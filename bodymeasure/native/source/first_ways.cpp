@@ -5,8 +5,6 @@
 // which it passes a part of its length. Of the steps from a vertex the one of the shortest way is
 // taken, and of these, the shortest first, all that begin apart from those before.
 
-#include <algorithm>
-#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -49,6 +47,9 @@ struct Ways {
 
 namespace {
 
+// The part by which sums of lengths in another order may differ.
+constexpr double ROUNDING = 1e-9;
+
 // The step over which a way passes a part of its length; none in the shortest way.
 struct Over {
     double whole;
@@ -63,12 +64,13 @@ struct Reach {
     std::vector<double> distance;
     Numbers before, step;
 
-    Reach(const Graph &graph, const Joined &end)
+    template <typename Wanted>
+    Reach(const Graph &graph, const Joined &end, const Wanted &wanted)
         : distance(graph.vertices), before(graph.vertices), step(graph.vertices) {
         std::vector<Reached> reached;
         for (int64_t k = 0; k < end.count; ++k) reached.emplace_back(end.distances[k], end.vertices[k]);
-        shortest_ways(graph.vertices, graph.from, graph.heads, graph.lengths, reached, distance.data(),
-                      before.data(), step.data());
+        shortest_ways(graph.vertices, graph.from, graph.heads, graph.lengths, reached, wanted,
+                      distance.data(), before.data(), step.data());
     }
 };
 
@@ -130,7 +132,20 @@ void spread(const double *vertices, const std::vector<Over> &steps, double apart
 // Returns the number of ways, or `UNKNOWN_WAY`.
 EXPORTED int64_t bodymeasure_first_ways(const Triangles *mesh, const Graph *graph, const Joined *ends,
                                         const Scope *scope, Ways *ways) {
-    const Reach ahead(*graph, ends[0]), back(*graph, ends[1]);
+    // Only vertices count over which ways are short enough. None is shorter than the one at hand.
+    const double longer = (1.0 + scope->longer) * (1.0 + ROUNDING);
+    std::vector<double> last(graph->vertices, INFINITY);
+    for (int64_t k = 0; k < ends[1].count; ++k) last[ends[1].vertices[k]] = ends[1].distances[k];
+    double most = INFINITY;
+    for (int64_t k = 0; k < ends[0].count; ++k)
+        most = std::min(most, longer * (ends[0].distances[k] + last[ends[0].vertices[k]]));
+    const Reach ahead(*graph, ends[0], [&](int64_t vertex, double way) {
+        most = std::min(most, longer * (way + last[vertex]));
+        return way <= most;
+    });
+    const Reach back(*graph, ends[1], [&](int64_t vertex, double way) {
+        return way + ahead.distance[vertex] <= most;
+    });
     Over shortest{INFINITY, -1, -1, -1};
     for (int64_t k = 0; k < graph->vertices; ++k) {
         const double through = ahead.distance[k] + back.distance[k];
@@ -139,8 +154,8 @@ EXPORTED int64_t bodymeasure_first_ways(const Triangles *mesh, const Graph *grap
     if (!std::isfinite(shortest.whole)) return 0;
     std::vector<Over> rough{shortest};
     for (int64_t k = 0; k < scope->parts; ++k) {
-        const double most = (1.0 + scope->longer) * shortest.whole;
-        spread(mesh->vertices, over_level(*graph, ahead, back, scope->part[k], most),
+        const double whole = (1.0 + scope->longer) * shortest.whole;
+        spread(mesh->vertices, over_level(*graph, ahead, back, scope->part[k], whole),
                scope->apart * shortest.whole, rough);
     }
     std::sort(rough.begin(), rough.end());

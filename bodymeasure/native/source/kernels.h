@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <complex>
 #include <cstdint>
 #include <utility>
@@ -165,10 +167,35 @@ int64_t straighten(const Triangles &mesh, Way &way);
 using Reached = std::pair<double, int64_t>;
 
 // Shortest ways by Dijkstra's algorithm from the nodes that are reached already, at their distances.
-// Edges from[k] to before from[k + 1] lead from node k to `heads`. `before` and `edge` are the node
-// before on the way and the edge from there, or -1.
+// Edges from[k] to before from[k + 1] lead from node k to `heads`. A way that comes to a node is
+// followed if it is wanted(node, distance). `before` and `edge` are the node before on the way and
+// the edge from there; where there is none, these are -1 and anything, and the distance is infinite.
+template <typename Wanted>
 void shortest_ways(int64_t nodes, const int64_t *from, const int64_t *heads, const double *weights,
-                   std::vector<Reached> reached, double *distance, int64_t *before, int64_t *edge);
+                   std::vector<Reached> reached, const Wanted &wanted, double *distance,
+                   int64_t *before, int64_t *edge) {
+    const auto later = [](const Reached &a, const Reached &b) { return a > b; };
+    std::fill(distance, distance + nodes, INFINITY);
+    std::fill(before, before + nodes, -1);
+    for (const auto &[way, node] : reached) distance[node] = way;
+    std::make_heap(reached.begin(), reached.end(), later);
+    while (!reached.empty()) {
+        std::pop_heap(reached.begin(), reached.end(), later);
+        const auto [way, node] = reached.back();
+        reached.pop_back();
+        if (way > distance[node]) continue;  // A shorter way came later.
+        for (int64_t number = from[node]; number < from[node + 1]; ++number) {
+            const int64_t there = heads[number];
+            const double longer = way + weights[number];
+            if (!(longer < distance[there]) || !wanted(there, longer)) continue;
+            distance[there] = longer;
+            before[there] = node;
+            edge[there] = number;
+            reached.emplace_back(longer, there);
+            std::push_heap(reached.begin(), reached.end(), later);
+        }
+    }
+}
 
 // A quadratic model of a function on the box [0, 1]^n, as in `numerics.banded.BoxModels`.
 struct BoxModel {

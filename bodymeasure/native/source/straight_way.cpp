@@ -38,6 +38,11 @@ struct Unfolded {
     std::vector<Bend> bends;
     double length;
 
+    void clear() {
+        sides.clear(), bends.clear();
+        for (int k = 0; k < 2; ++k) names[k].clear(), places[k].clear();
+    }
+
     Place stop(size_t number) const {
         if (number == 0) return ends[0];
         if (number > bends.size()) return ends[1];
@@ -160,7 +165,7 @@ bool unfold(const Triangles &mesh, const Strip &strip, Unfolded &way) {
                                    (b[2] - a[2]) * (b[2] - a[2]));
     // The places of the corners of the face at hand.
     Place places[3] = {0.0, scale, scale * mesh.apex[3 * first]};
-    way = Unfolded();
+    way.clear();
     way.ends[0] = weighted(strip.weights[0], places);
     for (size_t number = 0; number + 1 < strip.faces.size(); ++number) {
         const int64_t *corners = mesh.faces + 3 * strip.faces[number];

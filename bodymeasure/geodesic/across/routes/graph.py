@@ -158,8 +158,7 @@ class PatchGraph:
         if vertex in corners:
             return [vertex]
         corner = corners[int(np.argmax(on.weights))]
-        grid = self.mesh.vertex[patch]
-        here, there = (np.argwhere(grid == each)[0].tolist() for each in (corner, vertex))
+        here, there = (self.mesh.on_grid(patch, each) for each in (corner, vertex))
         return self.mesh.between(patch, here, there)
 
 

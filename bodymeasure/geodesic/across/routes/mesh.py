@@ -87,6 +87,11 @@ class RouteMesh:
         rows: list[list[list[int]]] = self.vertex.tolist()
         return rows
 
+    def on_grid(self, patch: int, vertex: int) -> tuple[int, int]:
+        """Return a point of a patch's grid, the first one, at which a vertex lies."""
+        rows = self._rows[patch]
+        return next((i, row.index(vertex)) for i, row in enumerate(rows) if vertex in row)
+
     def between(self, patch: int, here: Sequence[int], there: Sequence[int]) -> list[int]:
         """Return the vertices of a patch along edges between two points of its grid."""
         rows, (i, j) = self._rows[patch], here
