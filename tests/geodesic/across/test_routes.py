@@ -263,6 +263,22 @@ def test_needless_crossings_are_taken_back_and_missing_ones_found() -> None:
     assert found.part.length.corrected == pytest.approx(np.hypot(0.1, 0.8), rel=1e-12)
 
 
+def test_only_a_path_that_is_plainly_too_long_is_not_made_exact() -> None:
+    # Over the seam and back it only touches the seam, where a mirror would throw it back.
+    atlas = grid_atlas(2, 1)
+    neighbors = Neighbors(atlas)
+    crossings = (neighbors.over[0, 1][0], neighbors.over[1, 0][0])
+    touching = Route((AtlasPoint(0, 0.5, 0.1), AtlasPoint(0, 0.6, 0.9)), crossings, (0.3, 0.6))
+    length = float(np.hypot(0.9, 0.8))
+    exact = refine(atlas, touching, 8, 1.0)
+    assert exact.length == pytest.approx(length, rel=1e-12)
+    close = refine(atlas, touching, 8, 1.0, most=length)
+    assert (close.length, close.steps) == (exact.length, exact.steps)
+    rough = refine(atlas, touching, 8, 1.0, most=length * (1.0 - 1e-5))
+    assert rough.steps < exact.steps
+    assert exact.length <= rough.length <= length * (1.0 + 1e-6)
+
+
 def test_a_neighbor_that_a_path_needs_is_found() -> None:
     # The seam bulges into the first patch: the chord leaves that patch.
     def bulge(x: Array, y: Array) -> Array:

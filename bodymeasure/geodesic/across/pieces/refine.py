@@ -22,6 +22,8 @@ IN_CORNER = 1e-3
 # What smooths the length does nothing to pieces longer than this many times its root: such a piece
 # counts for a part of 5e-5 less than its length.
 SMOOTHED = 100.0
+# The length that smoothing may add to a tiny piece is multiplied by this before it is relied on.
+SMOOTHING_SAFETY = 2.0
 # The factor by which its root is made smaller at a time, and where that ends: the parameters of
 # shorter pieces have hardly a digit.
 SHARPER, LEAST_EPSILON = 0.01, 1e-26
@@ -90,6 +92,7 @@ def refine(
     before: RefinedPath | None = None,
     *,
     sharp: bool = True,
+    most: float = np.inf,
 ) -> RefinedPath:
     """Return the shortest path or loop along a route.
 
@@ -106,6 +109,8 @@ def refine(
     sharp : bool
         Whether lengths are to be exact: tiny pieces count with theirs, and no points of quadrature
         are saved. It takes longer.
+    most : float
+        What is longer than this, in the atlas's unit, need not be exact.
     """
     space = polynomial_space(space) if isinstance(space, int) else space
     space = space if sharp else _with_fewer_points(space)
@@ -122,7 +127,7 @@ def refine(
         return refined
     corners = _corners(refined)
     if not corners.any():
-        return sharpened(refined, problem.idle)
+        return sharpened(refined, problem.idle, most)
     place = np.where(corners, np.round(minimum.unknowns), minimum.unknowns)
     pinned = problem.minimized(place, problem.idle | corners)
     through = measured(problem, replace(pinned, held=pinned.held | corners))
@@ -130,13 +135,13 @@ def refine(
     pinned_is_shorter = through.length < refined.length
     if pinned_is_shorter and refined.smoothed[[0, -1]].any():
         # Where an end is right beside the corner, what smooths pieces hides which path is shorter.
-        through = sharpened(through, problem.idle | corners)
-        refined = sharpened(refined, problem.idle)
+        through = sharpened(through, problem.idle | corners, most)
+        refined = sharpened(refined, problem.idle, most)
         shorter = through if through.length < refined.length else refined
         return replace(shorter, steps=refined.steps + through.steps)
     if pinned_is_shorter:
-        return sharpened(replace(through, steps=steps), problem.idle | corners)
-    return sharpened(replace(refined, steps=steps), problem.idle)
+        return sharpened(replace(through, steps=steps), problem.idle | corners, most)
+    return sharpened(replace(refined, steps=steps), problem.idle, most)
 
 
 @lru_cache(maxsize=8)
@@ -144,13 +149,16 @@ def _with_fewer_points(space: TrialSpace) -> TrialSpace:
     return replace(space, more_points=0)
 
 
-def sharpened(refined: RefinedPath, idle: Bools) -> RefinedPath:
+def sharpened(refined: RefinedPath, idle: Bools, most: float = np.inf) -> RefinedPath:
     """Return a path whose tiny pieces count with their lengths.
 
-    What smooths the length is made smaller, step by step, until it is small beside every piece.
+    What smooths the length is made smaller, step by step, until it is small beside every piece, or
+    the path is sure to stay longer than `most`.
     """
     problem, held = refined.problem, refined.minimum.held
     while problem.epsilon > LEAST_EPSILON and refined.smoothed.any():
+        if _shortest_sharpened(refined) > most:
+            break
         problem = copy(problem)
         problem.epsilon *= SHARPER**2
         minimum = problem.minimized(refined.minimum.unknowns, idle)
@@ -161,6 +169,17 @@ def sharpened(refined: RefinedPath, idle: Bools) -> RefinedPath:
         sharper = measured(problem, replace(minimum, held=minimum.held | (held & idle)))
         refined = replace(sharper, steps=steps)
     return refined
+
+
+def _shortest_sharpened(refined: RefinedPath) -> float:
+    """Return a length below which sharpening does not bring a path.
+
+    The smoothed length is the least along the route, and no piece counts for more than the root of
+    what smooths it beyond its length; pieces that are not tiny hardly do.
+    """
+    problem = refined.problem
+    counted = SMOOTHING_SAFETY * np.count_nonzero(refined.smoothed) * np.sqrt(problem.epsilon)
+    return float(refined.minimum.value - counted) * problem.size
 
 
 def measured(problem: RouteProblem, minimum: BoxMinimum) -> RefinedPath:

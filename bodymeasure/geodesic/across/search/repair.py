@@ -3,6 +3,8 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
+import numpy as np
+
 from bodymeasure.atlas.atlas import Atlas
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.errors import InputError
@@ -43,10 +45,19 @@ class Search(NamedTuple):
     size: float
     budget: Budget
 
-    def refined(self, route: Route, degree: int, before: RefinedPath | None = None) -> RefinedPath:
-        """Return the path along a route; the work is counted."""
+    def refined(
+        self,
+        route: Route,
+        degree: int,
+        before: RefinedPath | None = None,
+        most: float = np.inf,
+    ) -> RefinedPath:
+        """Return the path along a route, exact if it may be no longer than `most`.
+
+        The work is counted.
+        """
         sharp = not route.closed or degree > SLIDING
-        result = refine(self.atlas, route, degree, self.size, before, sharp=sharp)
+        result = refine(self.atlas, route, degree, self.size, before, sharp=sharp, most=most)
         self.budget.spend(result)
         return result
 
@@ -87,11 +98,11 @@ def repaired(
                 continue
             if search.budget.has_run_out():
                 return best, missed, None
-            other = search.refined(route, degree)
-            tried.add(route, other.route)
             simpler = len(route.crossings) < len(best.problem.route.crossings)
             least = SHORTER_FINE if degree >= FINE and not route.closed else SHORTER
             margin = 1.0 + ROUNDING if simpler else 1.0 - least
+            other = search.refined(route, degree, most=best.length * max(margin, 1.0))
+            tried.add(route, other.route)
             if other.length < best.length * margin:
                 best, improved, missed = other, True, 0.0
                 break
