@@ -248,9 +248,11 @@ def _numbered(pieces: int, size: int, closed: bool) -> tuple[Ints, Ints, Ints, i
     nodes = size + 1
     inner = np.concatenate([np.arange(1, size), np.arange(nodes + 1, nodes + size)])
     block = len(inner) + 1
-    entries = (_folded(pieces) if closed else np.arange(pieces)) * block
+    begins = (_folded(pieces) if closed else np.arange(pieces)) * block
+    # In a loop, a crossing that is eliminated before its piece would couple that to the one before.
+    entries, inside = (begins + len(inner), begins) if closed else (begins, begins + 1)
     exits = np.roll(entries, -1) if closed else entries + block
-    rows = np.column_stack([entries, entries[:, None] + np.arange(1, block), exits])
+    rows = np.column_stack([entries, inside[:, None] + np.arange(len(inner)), exits])
     joints = entries if closed else exits[:-1]
     local = np.tile([0, *inner, size], (pieces, 1))
     return rows, joints, local, int(rows.max()) + 1, int(np.ptp(rows, axis=1).max()) + 1
