@@ -73,6 +73,7 @@ class Neighbors:
         for patch, side in np.argwhere(~self.collapsed).tolist():
             on_edge.setdefault(int(table.edge[patch, side]), []).append((patch, side))
         self.over: dict[tuple[int, int], tuple[Crossing, ...]] = {}
+        self._round: dict[tuple[AtlasPoint, AtlasPoint], tuple[tuple[Step, ...], ...]] = {}
         for edge, sides in on_edge.items():
             for patch, side in sides:
                 self.over[patch, side] = tuple(
@@ -131,11 +132,21 @@ class Neighbors:
         first, second = (map(self.key, self.same(each)) for each in (place, other))
         return self.key(other) in first or self.key(place) in second
 
-    def ways(self, start: AtlasPoint, end: AtlasPoint) -> list[tuple[Step, ...]]:
+    def ways(self, start: AtlasPoint, end: AtlasPoint) -> tuple[tuple[Step, ...], ...]:
         """Return the ways from one place to another that is the same point, the shortest first.
 
         There is one way over a seam, and two round a corner, or one where the boundary is between.
+        Those round corners are kept: a loop passes the same ones again and again as it slides.
         """
+        known = self._round.get((start, end))
+        if known is not None:
+            return known
+        ways = self._ways(start, end)
+        if {*start[1:], *end[1:]} <= {0.0, 1.0}:
+            self._round[start, end] = ways
+        return ways
+
+    def _ways(self, start: AtlasPoint, end: AtlasPoint) -> tuple[tuple[Step, ...], ...]:
         found: list[tuple[Step, ...]] = []
 
         def follow(here: AtlasPoint, seen: frozenset[AtlasPoint], way: tuple[Step, ...]) -> None:
@@ -147,7 +158,7 @@ class Neighbors:
                     follow(step.place, seen | {self.key(step.place)}, (*way, step))
 
         follow(start, frozenset({self.key(start)}), ())
-        return sorted(found, key=len)
+        return tuple(sorted(found, key=len))
 
     def key(self, place: AtlasPoint) -> AtlasPoint:
         """Return a key that all places of a patch at one point share."""

@@ -54,7 +54,7 @@ class Route:
         entered = tuple(crossing.to_patch for crossing in self.crossings)
         return entered if self.ends is None else (self.ends[0].patch, *entered)
 
-    @property
+    @cached_property
     def key(self) -> RouteKey:
         """A value that routes over the same seams share, and loops wherever they begin."""
         if self.ends is not None:

@@ -32,6 +32,7 @@ WORTHWHILE_SLIDING = 1e-7
 # A path that is farther outside its patch than this, between its nodes, lacks a neighbor.
 OUTSIDE = 1e-9
 
+_NearCorners = list[tuple[AtlasPoint | None, AtlasPoint | None]]
 Change = tuple[int, int, Sequence[tuple[Crossing, float]]]
 
 
@@ -48,7 +49,8 @@ def other_routes(neighbors: Neighbors, refined: RefinedPath) -> Iterator[Route]:
     yield from sides_of_middle(neighbors, refined)
     # The path passes the corners between the seams along which it runs.
     passed = {number for run in runs for number in range(run.first, run.last)}
-    yield from (route.replaced(*change) for change in _round_corners(neighbors, route, passed))
+    corners = _round_corners(neighbors, route, _corners(route), passed)
+    yield from (route.replaced(*change) for change in corners)
 
 
 def other_loops(neighbors: Neighbors, loop: RefinedPath) -> Iterator[Route]:
@@ -57,10 +59,11 @@ def other_loops(neighbors: Neighbors, loop: RefinedPath) -> Iterator[Route]:
     A loop that slides over the body is held by many corners at once, and by none once it has passed
     them. So all corners are passed together at first, then one by one.
     """
-    first = _outside_corners(loop.route)
-    route = loop.route.begun_at(first)
+    near = _corners(loop.route)
+    first = _outside_corners(near)
+    route, near = loop.route.begun_at(first), near[first:] + near[:first]
     held = np.roll(loop.minimum.held[loop.problem.joints], -first)
-    corners = list(_round_corners(neighbors, route))
+    corners = list(_round_corners(neighbors, route, near))
     yield from _all_at_once(route, [change for change in corners if held[slice(*change[:2])].any()])
     yield from _without_returns(loop)
     worthwhile = WORTHWHILE_SLIDING if loop.problem.space.size <= SLIDING else WORTHWHILE
@@ -111,10 +114,9 @@ def _without_returns(refined: RefinedPath) -> Iterator[Route]:
 
 
 def _round_corners(
-    neighbors: Neighbors, route: Route, passed: Collection[int] = ()
+    neighbors: Neighbors, route: Route, corners: _NearCorners, passed: Collection[int] = ()
 ) -> Iterator[Change]:
     """Ways round the other side of corners that a path nearly runs into, but for those passed."""
-    corners = _corners(route)
     first, count = 0, len(corners)
     while first < count:
         leave, _ = corners[first]
@@ -132,9 +134,8 @@ def _round_corners(
         first = last + 1
 
 
-def _outside_corners(route: Route) -> int:
+def _outside_corners(corners: _NearCorners) -> int:
     """The number of a crossing before which a loop does not stay in a corner."""
-    corners = _corners(route)
     for number, (leave, _) in enumerate(corners):
         _, enter = corners[number - 1]
         if enter is None or enter != leave:
@@ -142,9 +143,9 @@ def _outside_corners(route: Route) -> int:
     return 0
 
 
-def _corners(route: Route) -> list[tuple[AtlasPoint | None, AtlasPoint | None]]:
+def _corners(route: Route) -> _NearCorners:
     """The corners of both patches that each crossing is near to; None where it is near to none."""
-    result: list[tuple[AtlasPoint | None, AtlasPoint | None]] = []
+    result: _NearCorners = []
     for number, crossing in enumerate(route.crossings):
         along = route.along[number]
         if crossing.within is None and NEAR_CORNER < along < 1.0 - NEAR_CORNER:
