@@ -3,8 +3,6 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
-import numpy as np
-
 from bodymeasure.chart.approximated import approximated
 from bodymeasure.chart.body import Body, MissingLandmarkError
 from bodymeasure.chart.input.uncertainty import with_input
@@ -12,6 +10,7 @@ from bodymeasure.chart.kinds.base import Measured, MeasurementDefinition, Outcom
 from bodymeasure.chart.kinds.formula import FormulaMeasure
 from bodymeasure.errors import ConvergenceError, InputError
 from bodymeasure.geodesic import Status
+from bodymeasure.geodesic.across.routes.topology import extent
 from bodymeasure.trust import LARGEST_ERROR, is_known
 
 
@@ -74,7 +73,7 @@ class Taken(dict[str, Measured]):
         """
         definition, error = found.definition, found.error_estimate
         computed = definition.in_degrees or isinstance(definition, FormulaMeasure)
-        size = float(np.ptp(self.body.atlas.points, axis=0).max())
+        size = extent(self.body.atlas)
         if computed or found.outcome is not Outcome.MEASURED or is_known(found.value, error, size):
             return found
         unit = self.body.atlas.unit.value

@@ -7,16 +7,12 @@ import numpy as np
 from bodymeasure._typing import Array, Ints
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.errors import InputError
+from bodymeasure.geodesic.across.routes.topology import extent
 from bodymeasure.wording import hint
 
 # Coordinates that differ by less than this fraction of the atlas's size are equal. Mirror images
 # differ by their rounding, and by the 1e-11 by which a section's plane may be moved.
 TIE = 1e-9
-
-
-def atlas_size(atlas: Atlas) -> float:
-    """Return the largest extent of the control points along an axis, in the atlas's unit."""
-    return float(np.ptp(atlas.points, axis=0).max())
 
 
 def direction_vector(atlas: Atlas, name: str) -> Array:
@@ -55,5 +51,5 @@ def preferred(atlas: Atlas, points: Sequence[AtlasPoint]) -> AtlasPoint:
     best = np.arange(len(points))
     for direction in (atlas.axes.left_vector, atlas.axes.front_vector):
         coordinate = positions[best] @ direction
-        best = best[coordinate >= coordinate.max() - TIE * atlas_size(atlas)]
+        best = best[coordinate >= coordinate.max() - TIE * extent(atlas)]
     return points[int(best[0])]

@@ -5,9 +5,10 @@ from functools import lru_cache
 
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.queries.closest import closest_points
-from bodymeasure.chart.landmarks.choice import TIE, atlas_size
+from bodymeasure.chart.landmarks.choice import TIE
 from bodymeasure.errors import InputError
 from bodymeasure.geodesic import AtlasPath, geodesic_between
+from bodymeasure.geodesic.across.routes.topology import extent
 
 
 # As many paths as a large set of measurements of a body needs; each takes some kilobytes.
@@ -55,7 +56,7 @@ def on_the_left(path: AtlasPath, point: AtlasPoint) -> AtlasPoint:
     """
     atlas = path.atlas
     start, end = (atlas.position(place) for place in (path.points[0], path.points[-1]))
-    left, near = atlas.axes.left_vector, TIE * atlas_size(atlas)
+    left, near = atlas.axes.left_vector, TIE * extent(atlas)
     aside = float((atlas.position(point) - start) @ left)
     if aside >= 0.0 or abs(float((end - start) @ left)) > near:
         return point

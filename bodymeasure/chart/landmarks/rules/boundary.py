@@ -14,13 +14,13 @@ from bodymeasure.bezier import bernstein, evaluate, project
 from bodymeasure.chart.entry import Fault, Landmark
 from bodymeasure.chart.landmarks.choice import (
     TIE,
-    atlas_size,
     direction_vector,
     patches_of_regions,
     preferred,
 )
 from bodymeasure.chart.landmarks.rules.base import Direction, LandmarkRule, Landmarks, towards
 from bodymeasure.errors import InputError
+from bodymeasure.geodesic.across.routes.topology import extent
 from bodymeasure.section.roots import roots_of_polynomials
 
 # Points on each side from which the nearest curve of the boundary is found.
@@ -67,7 +67,7 @@ class Boundary(LandmarkRule, frozen=True, kw_only=True, tag="boundary"):
             every = _open_sides(atlas, np.arange(len(atlas)))
             patch, side = _nearest_curve(atlas, every, self.near, landmarks, self.within)
         nets = sides_of(atlas.control_points)[patch, side]
-        tie = TIE * atlas_size(atlas)
+        tie = TIE * extent(atlas)
 
         edge, along = _stations(nets, direction)
         fixed = np.array([e.fixed_value for e in EDGES])[side[edge]]

@@ -7,8 +7,9 @@ import numpy as np
 
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.chart.entry import Fault, Landmark
-from bodymeasure.chart.landmarks.choice import TIE, atlas_size, direction_vector, preferred
+from bodymeasure.chart.landmarks.choice import TIE, direction_vector, preferred
 from bodymeasure.chart.landmarks.rules.base import Direction, LandmarkRule, Landmarks, towards
+from bodymeasure.geodesic.across.routes.topology import extent
 
 
 class Farthest(LandmarkRule, frozen=True, kw_only=True, tag="farthest"):
@@ -41,5 +42,5 @@ class Farthest(LandmarkRule, frozen=True, kw_only=True, tag="farthest"):
         points = [landmarks[name] for name in self.of]
         positions = np.stack([atlas.position(point) for point in points])
         far = positions @ direction_vector(atlas, self.direction)
-        best = np.flatnonzero(far >= far.max() - TIE * atlas_size(atlas))
+        best = np.flatnonzero(far >= far.max() - TIE * extent(atlas))
         return preferred(atlas, [points[int(k)] for k in best])

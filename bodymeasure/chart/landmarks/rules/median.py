@@ -7,9 +7,10 @@ import scipy
 
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.chart.entry import Landmark
-from bodymeasure.chart.landmarks.choice import atlas_size, direction_vector
+from bodymeasure.chart.landmarks.choice import direction_vector
 from bodymeasure.chart.landmarks.rules.base import LandmarkRule, Landmarks
 from bodymeasure.errors import InputError
+from bodymeasure.geodesic.across.routes.topology import extent
 from bodymeasure.section import Plane, SectionLoop, plane_section
 from bodymeasure.section.places import LoopPlaces, places_on, point_of_place
 
@@ -56,7 +57,7 @@ class Median(LandmarkRule, frozen=True, kw_only=True, tag="median"):
         direction = direction_vector(atlas, self.facing)
         found = []
         for loop in section.loops:
-            places = _crossings(loop, median, ON_PLANE * atlas_size(atlas))
+            places = _crossings(loop, median, ON_PLANE * extent(atlas))
             found += [
                 (float(places.position[k] @ direction), loop, point_of_place(loop, places, k))
                 for k in range(len(places[0]))

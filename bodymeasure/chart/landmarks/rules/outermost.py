@@ -4,9 +4,10 @@ import numpy as np
 
 from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
-from bodymeasure.chart.landmarks.choice import TIE, atlas_size, direction_vector, preferred
+from bodymeasure.chart.landmarks.choice import TIE, direction_vector, preferred
 from bodymeasure.chart.landmarks.rules.base import Facing
 from bodymeasure.errors import InputError
+from bodymeasure.geodesic.across.routes.topology import extent
 from bodymeasure.measure.body.merging import refuse_merged
 from bodymeasure.section import Plane, SectionLoop, plane_section
 from bodymeasure.section.places import LoopPlaces, local_maxima, point_of_place
@@ -29,7 +30,7 @@ def outermost(atlas: Atlas, at: Array, facing: Facing) -> AtlasPoint:
     direction = direction_vector(atlas, facing)
     places = local_maxima(loop, direction)
     coordinate = places.position @ direction
-    tie = TIE * atlas_size(atlas)
+    tie = TIE * extent(atlas)
     best = np.flatnonzero(coordinate >= coordinate.max() - tie)
     if not loop.closed and any(_is_end(loop, places, int(k)) for k in best):
         raise InputError(

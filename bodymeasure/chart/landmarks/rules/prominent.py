@@ -10,13 +10,13 @@ from bodymeasure.atlas.queries.farthest import farthest_on_patches
 from bodymeasure.chart.entry import Landmark
 from bodymeasure.chart.landmarks.choice import (
     TIE,
-    atlas_size,
     direction_vector,
     patches_of_regions,
     preferred,
 )
 from bodymeasure.chart.landmarks.rules.base import Direction, LandmarkRule, Landmarks, towards
 from bodymeasure.errors import InputError
+from bodymeasure.geodesic.across.routes.topology import extent
 from bodymeasure.section import Plane, SectionLoop, plane_section
 from bodymeasure.section.places import LoopPlaces, local_maxima, places_on, point_of_place
 
@@ -69,7 +69,7 @@ class Prominent(LandmarkRule, frozen=True, kw_only=True, tag="prominent"):
         if not points:
             raise InputError("no part of these regions lies between the two heights")
         far = np.array([atlas.position(point) @ direction for point in points])
-        best = np.flatnonzero(far >= far.max() - TIE * atlas_size(atlas))
+        best = np.flatnonzero(far >= far.max() - TIE * extent(atlas))
         return preferred(atlas, [points[int(k)] for k in best])
 
 
