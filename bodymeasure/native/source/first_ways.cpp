@@ -1,4 +1,4 @@
-// Rough ways between two points, pulled straight; the NumPy form is `routes.ways.rough_ways`, with
+// Rough ways between two points, pulled straight; the NumPy form is `routes.ways._straight_ways`, with
 // `routes.strips.straight_way`.
 //
 // A way leads along the shortest ways of a graph from both ends, and one step between them: one over
