@@ -12,6 +12,12 @@ from bodymeasure.native.energy import PathTables, energies
 from bodymeasure.native.lengths import LengthSettings, LengthTables, path_lengths
 from bodymeasure.native.library import is_compiled, without_kernels
 from bodymeasure.native.normals import normals_in_powers
+from bodymeasure.native.paths import (
+    CollocationSettings,
+    DescentSettings,
+    collocated,
+    polygons_at_rest,
+)
 from bodymeasure.native.points import (
     MOST_COLUMNS,
     MOST_DEGREE,
@@ -39,7 +45,9 @@ __all__ = [
     "MOST_COLUMNS",
     "MOST_DEGREE",
     "ClosestSettings",
+    "CollocationSettings",
     "CutPatches",
+    "DescentSettings",
     "DiagonalProblems",
     "DiagonalSettings",
     "DiagonalSpace",
@@ -59,6 +67,7 @@ __all__ = [
     "bezier_jets",
     "box_steps",
     "closest_in_powers",
+    "collocated",
     "compiled_shortest_ways",
     "diagonal_paths",
     "energies",
@@ -68,6 +77,7 @@ __all__ = [
     "normals_in_powers",
     "path_lengths",
     "planar_hull",
+    "polygons_at_rest",
     "power_jets",
     "roots_in_brackets",
     "route_newton",

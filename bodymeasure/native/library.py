@@ -26,6 +26,8 @@ _POINTER = ctypes.c_void_p
 KERNELS = {
     "bodymeasure_box_steps": [ctypes.c_int64] * 3 + [_POINTER] * 6,
     "bodymeasure_closest": [*[ctypes.c_int64] * 2, *[_POINTER] * 9],
+    "bodymeasure_collocation": [_POINTER] * 5,
+    "bodymeasure_descent": [_POINTER] * 2,
     "bodymeasure_diagonals": [*[_POINTER] * 6, ctypes.c_int64],
     "bodymeasure_energy": [_POINTER, _POINTER, ctypes.c_int64, *[_POINTER] * 3],
     "bodymeasure_extents": [ctypes.c_int64] * 2 + [_POINTER] * 3,

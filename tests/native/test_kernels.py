@@ -23,10 +23,16 @@ from bodymeasure.bezier import homogeneous
 from bodymeasure.bezier.power_form import jets, power_coefficients
 from bodymeasure.geodesic.across.routes.graph import patch_graph
 from bodymeasure.geodesic.across.routes.ways import COURSE, along_way, first_ways
+from bodymeasure.geodesic.contact.legs import Contact, Ends
+from bodymeasure.geodesic.contact.moving_ends import solve_with_moving_ends
 from bodymeasure.geodesic.lengths.functionals import energy, energy_of_a_flat_surface
 from bodymeasure.geodesic.lengths.measure import measure_length
 from bodymeasure.geodesic.numerics.banded import BoxModels
+from bodymeasure.geodesic.shortest.descent import descend
 from bodymeasure.geodesic.shortest.grid_graph import shortest_trees
+from bodymeasure.geodesic.shortest.polygon_energy import polygon_lengths
+from bodymeasure.geodesic.solving.newton import newton
+from bodymeasure.geodesic.solving.on_spaces import straight
 from bodymeasure.geodesic.spaces.polynomials import polynomial_space
 from bodymeasure.geodesic.surfaces.bezier import BezierSurfaces
 from bodymeasure.geodesic.surfaces.control_points import extents, of_size_one
@@ -123,6 +129,72 @@ def test_lengths_with_their_errors(
     np.testing.assert_array_equal(np.isfinite(compiled.error), known)
     error, expected = compiled.error[known], plain.error[known]
     assert (abs(error - expected) <= 1e-6 * expected + 1e2 * near_zero[known]).all()
+
+
+@given(seeds, st.tuples(st.integers(1, 4), st.integers(1, 4)), st.sampled_from([1, 2, 8, 13]))
+def test_paths_by_collocation(seed: int, degrees: tuple[int, int], degree: int) -> None:
+    rng = np.random.default_rng(seed)
+    line = [np.linspace(0.0, 1.0, each + 1) for each in degrees]
+    flat = np.stack(
+        [*np.meshgrid(*line, indexing="ij"), np.zeros((degrees[0] + 1, degrees[1] + 1))], 2
+    )
+    nets = flat + 0.1 * rng.normal(size=(6, *flat.shape))
+    # One is not finite, and one is a point, whose system is singular.
+    nets[4, 0, 0, 0], nets[5] = np.nan, 0.0
+    surface, space = BezierSurfaces(nets), polynomial_space(degree)
+    first, last = rng.random((2, 6, 2))
+    start = straight(first, last, space.nodes)
+    compiled = newton(surface, space, start)
+    with by_numpy(), np.errstate(invalid="ignore"):
+        plain = newton(surface, space, start)
+    for name in ("converged", "singular", "iterations"):
+        np.testing.assert_array_equal(getattr(compiled, name), getattr(plain, name))
+    found = plain.converged & ~plain.singular
+    assert found[:4].all()
+    assert_near(compiled.values[found], plain.values[found], 1e-10)
+
+
+@given(seeds)
+def test_paths_with_ends_that_move_along_edges(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    heights = 0.1 * rng.normal(size=(4, 4, 4))
+    line = np.broadcast_to(np.linspace(0.0, 1.0, 4), heights.shape)
+    nets = np.stack([line.swapaxes(1, 2), line, heights], axis=-1)
+    surface, space = BezierSurfaces(nets), polynomial_space(12)
+    first, last = Contact(1, 0.0), Contact(0, 1.0)
+    ends: list[Ends] = [(None, None), (first, None), (None, last), (first, last)]
+    # Bows that touch the edges where they end.
+    times = space.nodes
+    bow = np.stack([0.2 + 0.8 * np.sin(0.5 * np.pi * times), 1.0 - np.cos(0.5 * np.pi * times)])
+    guesses = bow + 0.01 * rng.normal(size=(4, 2, 1)) * np.sin(np.pi * times)
+    compiled = solve_with_moving_ends(surface, space, guesses, ends)
+    with by_numpy():
+        plain = solve_with_moving_ends(surface, space, guesses, ends)
+    assert np.isfinite(compiled[0]).all()
+    assert np.isfinite(plain[0]).all()
+    # From far away, rounding errors decide whether steps lead to a path.
+    known = np.isfinite(plain) & np.isfinite(compiled)
+    assert_near(compiled[known], plain[known], 1e-9)
+
+
+@given(seeds, st.integers(2, 40), st.tuples(st.integers(1, 4), st.integers(1, 4)))
+def test_polygons_at_rest(seed: int, edges: int, degrees: tuple[int, int]) -> None:
+    rng = np.random.default_rng(seed)
+    line = [np.linspace(0.0, 1.0, each + 1) for each in degrees]
+    flat = np.stack(
+        [*np.meshgrid(*line, indexing="ij"), np.zeros((degrees[0] + 1, degrees[1] + 1))], 2
+    )
+    surface = BezierSurfaces(flat + 0.05 * rng.normal(size=(5, *flat.shape)))
+    first, last = rng.random((2, 5, 1, 2))
+    # Some begin outside the box.
+    start = first + (last - first) * np.linspace(0.0, 1.0, edges + 1)[:, None]
+    start[:, 1:-1] += 0.1 * rng.normal(size=(5, edges - 1, 2))
+    compiled = descend(surface, start)
+    with by_numpy():
+        plain = descend(surface, start)
+    assert ((compiled >= 0.0) & (compiled <= 1.0)).all()
+    one, other = (polygon_lengths(surface, each) for each in (compiled, plain))
+    np.testing.assert_allclose(one, other, rtol=1e-9)
 
 
 def test_no_points_have_derivatives_of_the_same_shape() -> None:

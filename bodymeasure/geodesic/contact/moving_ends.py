@@ -20,13 +20,23 @@ import numpy as np
 from bodymeasure._typing import Array, Ints
 from bodymeasure.geodesic.contact.legs import Ends, Pole
 from bodymeasure.geodesic.lengths.equations import residual_and_jacobian
-from bodymeasure.geodesic.numerics.damped_newton import damped_newton_of_many
+from bodymeasure.geodesic.numerics.damped_newton import (
+    LAST_STEP,
+    LONGEST_STEP,
+    MOST_EVALUATIONS,
+    SMALLEST_STEP,
+    damped_newton_of_many,
+)
 from bodymeasure.geodesic.numerics.linear_systems import solved
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+from bodymeasure.geodesic.surfaces.bezier import compiled_patches
 from bodymeasure.geodesic.surfaces.protocol import Surface
+from bodymeasure.native import CollocationSettings, collocated
 
 # Where S_u, S_uu, S_uv, S_uuv and S_uvv are in a jet, and the same with u and v exchanged.
 _AT_POLE = ((1, 3, 4, 7, 8), (2, 5, 4, 8, 7))
+# Any step that lowers the residual is taken.
+_SETTINGS = CollocationSettings(0.0, LAST_STEP, LONGEST_STEP, SMALLEST_STEP)
 
 
 def solve_with_moving_ends(
@@ -56,6 +66,20 @@ def solve_with_moving_ends(
                 own[end.axis, node] = end.value
                 held[1 - end.axis, node] = False
 
+    spans = np.ptp(values, axis=2).max(axis=1)
+    patches = compiled_patches(surface)
+    if patches is not None and not any(isinstance(end, Pole) for pair in ends for end in pair):
+        by_edges = [[-1 if end is None else end.axis for end in pair] for pair in ends]
+        solved_values, converged, singular, _ = collocated(
+            patches,
+            (space.differentiation, space.at_ends[1]),
+            (values, np.array(by_edges), spans),
+            MOST_EVALUATIONS,
+            _SETTINGS,
+        )
+        solved_values[~converged | singular] = np.nan
+        return solved_values
+
     def system(rows: Ints, values: Array) -> tuple[Array, Array]:
         residual, matrix = _system(surface.take(rows), space, values, [ends[row] for row in rows])
         size = residual[0].size
@@ -63,7 +87,6 @@ def solve_with_moving_ends(
         # Elimination leaves rounding where nothing is to move.
         return residual, np.where(fixed[rows], 0.0, direction.reshape(values.shape))
 
-    spans = np.ptp(values, axis=2).max(axis=1)
     for own, found in zip(values, damped_newton_of_many(system, values, spans), strict=True):
         own[:] = np.nan if found is None else found.unknowns
     return values

@@ -7,8 +7,14 @@ from numpy.typing import NDArray
 
 from bodymeasure._typing import Array
 from bodymeasure.geodesic.numerics.banded import BoxModels
-from bodymeasure.geodesic.shortest.polygon_energy import PolygonEnergy, polygon_energy
+from bodymeasure.geodesic.shortest.polygon_energy import (
+    REGULARIZATION,
+    PolygonEnergy,
+    polygon_energy,
+)
+from bodymeasure.geodesic.surfaces.bezier import compiled_patches
 from bodymeasure.geodesic.surfaces.protocol import Surface
+from bodymeasure.native import DescentSettings, polygons_at_rest
 
 # The most Newton steps; nearly all paths take 6 to 15.
 MAX_STEPS = 60
@@ -17,6 +23,7 @@ REST = 5e-12
 # Damping, as a part of the metric: its first value, its factors after a good and a bad step, and
 # the value past which no step helps.
 FIRST_DAMPING, LESS, MORE, MOST = 1e-3, 0.2, 8.0, 1e8
+_SETTINGS = DescentSettings(REGULARIZATION, REST, FIRST_DAMPING, LESS, MORE, MOST)
 
 
 def descend(surface: Surface, start: Array) -> Array:
@@ -37,6 +44,9 @@ def descend(surface: Surface, start: Array) -> Array:
         Points (u, v) in [0, 1], with coordinates of exactly 0 or 1 where an edge holds them.
     """
     result = np.clip(start, 0.0, 1.0)
+    patches = compiled_patches(surface)
+    if patches is not None:
+        return polygons_at_rest(patches, result, MAX_STEPS, _SETTINGS)
     active = np.arange(len(result))
     points, here = result, polygon_energy(surface, result)
     damping = np.full(len(result), FIRST_DAMPING)

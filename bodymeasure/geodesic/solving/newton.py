@@ -9,11 +9,14 @@ from bodymeasure.geodesic.lengths.equations import residual_and_jacobian
 from bodymeasure.geodesic.numerics.damped_newton import LAST_STEP, LONGEST_STEP, SMALLEST_STEP
 from bodymeasure.geodesic.numerics.linear_systems import solved
 from bodymeasure.geodesic.spaces.trial_space import TrialSpace
+from bodymeasure.geodesic.surfaces.bezier import compiled_patches
 from bodymeasure.geodesic.surfaces.protocol import Surface
+from bodymeasure.native import CollocationSettings, collocated
 
 # A step is accepted if it lowers the norm of the residual by this part of what was predicted.
 SUFFICIENT_DECREASE = 1e-3
 MAX_ITERATIONS = 25
+_SETTINGS = CollocationSettings(SUFFICIENT_DECREASE, LAST_STEP, LONGEST_STEP, SMALLEST_STEP)
 
 
 @dataclass
@@ -66,9 +69,15 @@ def newton(
         Problems that are done, either way, drop out of the work.
     """
     count = len(start)
+    span = np.abs(start[:, :, -1] - start[:, :, 0]).max(axis=1)
+    patches = compiled_patches(surface)
+    if patches is not None:
+        maps, stay = (space.differentiation, space.at_ends[1]), np.full((count, 2), -1)
+        return NewtonResult(
+            *collocated(patches, maps, (start, stay, span), max_iterations, _SETTINGS)
+        )
     result = NewtonResult.unsolved(start)
     active = np.arange(count)
-    span = np.abs(start[:, :, -1] - start[:, :, 0]).max(axis=1)
     base = start
     direction = np.zeros_like(start)
     step = np.zeros(count)

@@ -8,7 +8,7 @@ import numpy as np
 from bodymeasure._typing import Array, Ints
 from bodymeasure.bezier import bernstein_values, elevate, evaluate
 from bodymeasure.geodesic.numerics.array_libraries import constant, namespace, to_numpy
-from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE
+from bodymeasure.geodesic.surfaces.protocol import JET, JET_SIZE, Surface
 from bodymeasure.native import MOST_COLUMNS, MOST_DEGREE, bezier_jets, is_compiled
 
 
@@ -104,6 +104,14 @@ class BezierSurfaces:
         if "nets" in self.__dict__:
             part.nets = self.nets[problems]
         return part
+
+
+def compiled_patches(surface: Surface) -> tuple[Array, tuple[int, int]] | None:
+    """Return the nets and degrees of patches as compiled kernels take them; None if none serve."""
+    if not isinstance(surface, BezierSurfaces) or surface.coordinates != 3:
+        return None
+    served = is_compiled() and max(surface.degrees) <= MOST_DEGREE
+    return (surface.nets, surface.degrees) if served else None
 
 
 # The derivatives that are made from differences of control points along u, and along v.
