@@ -64,3 +64,21 @@ def test_all_places_of_a_tip_are_one_point() -> None:
     assert {len(way) for way in neighbors.ways(tip, AtlasPoint(3, 0.0, 0.8))} == {2}
     path = bm.geodesic_between(atlas, tip, AtlasPoint(3, 0.0, 0.8))
     assert (path.length, path.status) == (0.0, bm.Status.CONVERGED)
+
+
+@pytest.mark.parametrize("ends", [((1e-8, 1e-10), (0.624, 0.57)), ((0.0, 0.0), (0.9, 0.1))])
+def test_paths_that_end_where_two_collapsed_sides_of_a_patch_meet(
+    ends: tuple[tuple[float, float], tuple[float, float]],
+) -> None:
+    # (u^2 v, u v^2): between two parabolas, which is convex, so that chords are shortest.
+    once, squared = np.array([0.0, 1.0, 2.0, 3.0]) / 3.0, np.array([0.0, 0.0, 1.0, 3.0]) / 3.0
+    net = np.stack([np.outer(squared, once), np.outer(once, squared), np.zeros((4, 4))], axis=-1)
+    index = np.zeros((1, 4, 4), np.int64)
+    index[0, 1:, 1:] = np.arange(1, 10).reshape(3, 3)
+    points = np.concatenate([np.zeros((1, 3)), net[1:, 1:].reshape(-1, 3)])
+    atlas = bm.Atlas(points, index, bm.Unit.M)
+    one, other = (AtlasPoint(0, *each) for each in ends)
+    chord = np.linalg.norm(atlas.position(one) - atlas.position(other))
+    for path in (bm.geodesic_between(atlas, one, other), bm.geodesic_between(atlas, other, one)):
+        assert path.length == pytest.approx(chord, abs=1e-9)
+        assert abs(path.length - chord) <= path.error_estimate

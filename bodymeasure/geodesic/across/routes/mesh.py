@@ -102,8 +102,13 @@ class RouteMesh:
         """Return a point of the atlas as a point of a face on its patch."""
         segments = self.segments
         row, column = (min(int(segments * each), segments - 1) for each in place[1:])
-        u, v = segments * place.u - row, segments * place.v - column
-        lower, upper = self.number[place.patch, row, column].tolist()
+        cells = self.number[place.patch]
+        if cells[row, column].max() < 0:
+            # Where two collapsed sides meet, the cell is a line: a side of the cell next to it.
+            row = min(max(row, 1), segments - 2)
+        u = min(max(segments * place.u - row, 0.0), 1.0)
+        v = segments * place.v - column
+        lower, upper = cells[row, column].tolist()
         if lower >= 0 and upper >= 0:
             if u >= v:
                 return OnFace(lower, [1.0 - u, u - v, v])
