@@ -1,5 +1,7 @@
 """The parts of `geodesic_between`, each against values that are known without it."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from helpers.surfaces.cut_atlases import random_point, wavy_plane
@@ -10,7 +12,7 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas, AtlasPoint
 from bodymeasure.atlas.topology.neighbors import Neighbors
 from bodymeasure.geodesic.across.pieces.problem import RouteProblem
-from bodymeasure.geodesic.across.pieces.refine import refine
+from bodymeasure.geodesic.across.pieces.refine import refine, sharpened
 from bodymeasure.geodesic.across.routes.finer import fine_route
 from bodymeasure.geodesic.across.routes.graph import patch_graph
 from bodymeasure.geodesic.across.routes.mesh import RouteMesh
@@ -277,6 +279,25 @@ def test_only_a_path_that_is_plainly_too_long_is_not_made_exact() -> None:
     rough = refine(atlas, touching, 8, 1.0, most=length * (1.0 - 1e-5))
     assert rough.steps < exact.steps
     assert exact.length <= rough.length <= length * (1.0 + 1e-6)
+
+
+def test_a_path_that_is_not_at_rest_or_varies_in_speed_is_made_exact() -> None:
+    atlas = grid_atlas(2, 1)
+    neighbors = Neighbors(atlas)
+    crossings = (neighbors.over[0, 1][0], neighbors.over[1, 0][0])
+    touching = Route((AtlasPoint(0, 0.5, 0.1), AtlasPoint(0, 0.6, 0.9)), crossings, (0.3, 0.6))
+    most = float(np.hypot(0.9, 0.8)) * (1.0 - 1e-5)
+    rough = refine(atlas, touching, 8, 1.0, most=most)
+    minimum, idle = rough.minimum, rough.problem.idle
+    assert rough.smoothed.any()
+    assert sharpened(rough, idle, most) is rough
+    # Energies that are greater than the length by this say nothing of where the length may go.
+    for doubtful in (
+        replace(minimum, converged=False),
+        replace(minimum, value=minimum.value + 2e-5),
+    ):
+        found = sharpened(replace(rough, minimum=doubtful), idle, most)
+        assert found.steps > rough.steps
 
 
 def test_a_neighbor_that_a_path_needs_is_found() -> None:

@@ -172,14 +172,19 @@ def sharpened(refined: RefinedPath, idle: Bools, most: float = np.inf) -> Refine
 
 
 def _shortest_sharpened(refined: RefinedPath) -> float:
-    """Return a length below which sharpening does not bring a path.
+    """Return a length below which sharpening is not expected to bring a path.
 
-    The smoothed length is the least along the route, and no piece counts for more than the root of
-    what smooths it beyond its length; pieces that are not tiny hardly do.
+    No tiny piece counts for more than the root of what smooths it beyond its length. What else the
+    minimized value has beyond the length may go, too: it is a sum of roots of energies, which
+    are longer than their pieces where the speed varies, as at creases. A path that has not come to
+    rest has no such bound.
     """
-    problem = refined.problem
-    counted = SMOOTHING_SAFETY * np.count_nonzero(refined.smoothed) * np.sqrt(problem.epsilon)
-    return float(refined.minimum.value - counted) * problem.size
+    problem, minimum = refined.problem, refined.minimum
+    if not minimum.converged:
+        return -np.inf
+    length = refined.lengths.sum()
+    smoothing = SMOOTHING_SAFETY * np.count_nonzero(refined.smoothed) * np.sqrt(problem.epsilon)
+    return float(length - abs(minimum.value - length) - smoothing) * problem.size
 
 
 def measured(problem: RouteProblem, minimum: BoxMinimum) -> RefinedPath:
