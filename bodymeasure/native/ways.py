@@ -209,8 +209,15 @@ def first_ways_straightened(
     )
     if count < 0:
         return None
+    # Copies, so that no way keeps the room of all.
     return [
-        WayFound(strip[:size], side[: size - 1], t[: size - 1], length, (share[:3], share[3:]))
+        WayFound(
+            strip[:size].copy(),
+            side[: size - 1].copy(),
+            t[: size - 1].copy(),
+            length,
+            (share[:3], share[3:]),
+        )
         for strip, side, t, size, length, share in zip(
             strips[:count],
             sides,

@@ -10,6 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 import scipy
+from helpers.surfaces.grids import grid_atlas
+from helpers.surfaces.tubes import cone
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -391,9 +393,17 @@ def test_the_equilibrium_of_a_string(seed: int, count: int, bend: float) -> None
         assert_near(one, other, 1e-9)
 
 
-@pytest.mark.parametrize("sample", ["female_average", "male_average"])
-def test_ways_that_are_pulled_straight(sample: str, rng: np.random.Generator) -> None:
-    atlas = bm.load_sample(sample)
+@pytest.mark.parametrize("longest", [8192, 8])
+@pytest.mark.parametrize(
+    "atlas",
+    [bm.load_sample("female_average"), bm.load_sample("male_average"), cone(0.5), grid_atlas(1, 1)],
+    ids=["female", "male", "cone", "patch"],
+)
+def test_ways_that_are_pulled_straight(
+    atlas: bm.Atlas, longest: int, rng: np.random.Generator, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Strips for which there is no room are left to Python.
+    monkeypatch.setattr("bodymeasure.native.ways.LONGEST", longest)
     mesh = patch_graph(atlas).mesh.surface
     for _ in range(6):
         start, end = (
