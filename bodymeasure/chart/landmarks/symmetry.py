@@ -10,6 +10,7 @@ from bodymeasure._typing import Array
 from bodymeasure.atlas import Atlas
 from bodymeasure.bezier import evaluate
 from bodymeasure.chart.landmarks.names import other_side, side_of
+from bodymeasure.geodesic.across.routes.topology import extent
 from bodymeasure.section import Plane
 
 # Samples along a side of each patch, which are mirrored and compared with one another.
@@ -78,7 +79,7 @@ def check_symmetry(atlas: Atlas, kind: Literal["fitted", "axes"] = "fitted") -> 
         whole atlas if it has none).
     """
     positions = {name: atlas.position(point) for name, point in atlas.landmarks.items()}
-    size = float(np.ptp(atlas.points, axis=0).max())
+    size = extent(atlas)
     plane = _axes_plane(atlas, positions)
     samples = _samples(atlas)
     if kind == "fitted":
