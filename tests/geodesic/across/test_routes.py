@@ -265,13 +265,20 @@ def test_needless_crossings_are_taken_back_and_missing_ones_found() -> None:
     assert found.part.length.corrected == pytest.approx(np.hypot(0.1, 0.8), rel=1e-12)
 
 
-def test_only_a_path_that_is_plainly_too_long_is_not_made_exact() -> None:
-    # Over the seam and back it only touches the seam, where a mirror would throw it back.
-    atlas = grid_atlas(2, 1)
+def touching_route(atlas: Atlas) -> tuple[Route, float]:
+    """A route over a seam and back, whose path only touches the seam, and the path's length.
+
+    It is where a mirror would throw it back.
+    """
     neighbors = Neighbors(atlas)
     crossings = (neighbors.over[0, 1][0], neighbors.over[1, 0][0])
-    touching = Route((AtlasPoint(0, 0.5, 0.1), AtlasPoint(0, 0.6, 0.9)), crossings, (0.3, 0.6))
-    length = float(np.hypot(0.9, 0.8))
+    ends = (AtlasPoint(0, 0.5, 0.1), AtlasPoint(0, 0.6, 0.9))
+    return Route(ends, crossings, (0.3, 0.6)), float(np.hypot(0.9, 0.8))
+
+
+def test_only_a_path_that_is_plainly_too_long_is_not_made_exact() -> None:
+    atlas = grid_atlas(2, 1)
+    touching, length = touching_route(atlas)
     exact = refine(atlas, touching, 8, 1.0)
     assert exact.length == pytest.approx(length, rel=1e-12)
     close = refine(atlas, touching, 8, 1.0, most=length)
@@ -283,10 +290,8 @@ def test_only_a_path_that_is_plainly_too_long_is_not_made_exact() -> None:
 
 def test_a_path_that_is_not_at_rest_or_varies_in_speed_is_made_exact() -> None:
     atlas = grid_atlas(2, 1)
-    neighbors = Neighbors(atlas)
-    crossings = (neighbors.over[0, 1][0], neighbors.over[1, 0][0])
-    touching = Route((AtlasPoint(0, 0.5, 0.1), AtlasPoint(0, 0.6, 0.9)), crossings, (0.3, 0.6))
-    most = float(np.hypot(0.9, 0.8)) * (1.0 - 1e-5)
+    touching, length = touching_route(atlas)
+    most = length * (1.0 - 1e-5)
     rough = refine(atlas, touching, 8, 1.0, most=most)
     minimum, idle = rough.minimum, rough.problem.idle
     assert rough.smoothed.any()
