@@ -13,7 +13,7 @@ from bodymeasure.native.library import address, doubles, kernels
 
 # The most faces of a strip: so many, and so many more for each vertex that it begins along.
 MOST_FACES, MORE_FACES = 1000, 16
-# Of each of the first ways, whose room the system only provides where it is used.
+# The most faces of each of the first ways. The system provides their room only where it is used.
 LONGEST = 8192
 
 

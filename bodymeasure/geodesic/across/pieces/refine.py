@@ -153,7 +153,7 @@ def sharpened(refined: RefinedPath, idle: Bools, most: float = np.inf) -> Refine
     """Return a path whose tiny pieces count with their lengths.
 
     What smooths the length is made smaller, step by step, until it is small beside every piece, or
-    the path is sure to stay longer than `most`.
+    the path is expected to stay longer than `most`.
     """
     problem, held = refined.problem, refined.minimum.held
     while problem.epsilon > LEAST_EPSILON and refined.smoothed.any():
